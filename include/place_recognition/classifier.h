@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "place_recognition/feature.h"
+#include "place_recognition/learning_options.h"
+
+namespace place_recognition {
+
+class SupportSet;
+struct Machines;
+
+/// Support vector machines of all places over one shared support set (thesis chapter 5): feature
+/// in, one margin a place out. Immutable; safe to share between threads.
+class Classifier {
+ public:
+  /// `machines` over `vectors` (as many rows of weights); vectors that no machine uses are dropped.
+  Classifier(const KernelOptions& kernel, Machines machines, std::vector<Feature> vectors);
+  ~Classifier();
+  Classifier(Classifier&&) noexcept;
+  Classifier& operator=(Classifier&&) noexcept;
+
+  /// Place margins of `feature` (not missing, of the kind trained on), `places()` elements.
+  /// `kernel_values` is scratch memory, reused between calls.
+  void margins(const Feature& feature, Eigen::VectorXd& kernel_values,
+               Eigen::RowVectorXd& place_margins) const;
+
+  std::size_t places() const;
+  std::size_t supportVectorCount() const;
+  const SupportSet& supportSet() const { return *support_set_; }
+  const Machines& machines() const { return *machines_; }
+
+ private:
+  std::unique_ptr<SupportSet> support_set_;
+  std::unique_ptr<Machines> machines_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace place_recognition {
+
+// Each option struct lists its fields once, in visit(): the YAML reader, the YAML writer and the
+// generated documentation all use that list (src/base/options.h). `Self` is the struct, const or
+// not. check() throws Error naming the offending field.
+
+/// Composed receptive field histograms, thesis section 4.2.
+struct CrfhOptions {
+  static constexpr const char* kType = "crfh";
+
+  std::vector<std::string> descriptors = {"Lxx", "Lxy", "Lyy"};
+  std::vector<double> scales = {1, 4};
+  std::vector<int> bins = {28};
+  std::string derivatives = "central-difference";
+  double derivative_range = 128;
+  double half_width = 3;
+  int border = 15;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("descriptors", self.descriptors,
+            "one dimension each, at every scale: a channel L, R, G, B, C1 or C2, alone or followed "
+            "by x, y, xx, xy or yy; or grad(.), lap(.), det(.) of a channel");
+    visitor("scales", self.scales, "t = sigma^2, pixels^2, each > 0 and <= 400");
+    visitor("bins", self.bins, "quantisation levels: one number, or one for each descriptor");
+    visitor("derivatives", self.derivatives,
+            "central-difference (of the smoothed image) or gaussian (sampled, eq. 4.10)");
+    visitor("derivative_range", self.derivative_range,
+            "normalised derivatives are quantised in -range..range, grad in 0..range, grey levels");
+    visitor("half_width", self.half_width, "half-width of the Gaussian, in sigma");
+    visitor("border", self.border,
+            "pixels at each side that are not counted; grows by itself for large scales");
+  }
+  void check() const;
+};
+
+/// The feature of one cue; the alternative is named by the key `type`.
+using FeatureOptions = std::variant<CrfhOptions>;
+
+}  // namespace place_recognition

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+
+namespace place_recognition {
+
+// See feature_options.h on visit() and check().
+
+/// A kernel function, thesis section 5.2.2.
+struct KernelOptions {
+  std::string type = "chi-squared";
+  double gamma = 0;
+  double p = 1;
+  int d = 3;
+  double kappa = 1;
+  double theta = 0;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("type", self.type,
+            "linear, polynomial, gaussian, sigmoid, chi-squared, intersection or local-match");
+    visitor("gamma", self.gamma,
+            "exponent of gaussian, chi-squared and local-match; 0: found by cross-validation");
+    visitor("p", self.p, "offset of the polynomial kernel (x'y + p)^d");
+    visitor("d", self.d, "degree of the polynomial kernel, 1..10");
+    visitor("kappa", self.kappa, "slope of the sigmoid kernel tanh(kappa x'y + theta)");
+    visitor("theta", self.theta, "offset of the sigmoid kernel");
+  }
+  void check() const;
+};
+
+/// Support vector classification, thesis chapter 5.
+struct SvmOptions {
+  double c = 100;
+  std::string multiclass = "one-against-all";
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("c", self.c, "price of a training error, > 0 (eq. 5.26)");
+    visitor("multiclass", self.multiclass, "one-against-all or one-against-one (section 5.3)");
+  }
+  void check() const;
+};
+
+/// Support vector reduction, thesis chapter 6.
+struct ReductionOptions {
+  std::string method = "none";
+  double tau = 0.01;
+  bool normalise = true;
+  int support_vectors = 0;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("method", self.method,
+            "none; qr: each machine by itself (section 6.3); shared-qr: one basis for all "
+            "machines; shared-greedy: the basis that reproduces all margins best");
+    visitor("tau", self.tau, "rank threshold, relative to the largest pivot, 0..1");
+    visitor("normalise", self.normalise, "scale the columns of the matrix to norm one first");
+    visitor("support_vectors", self.support_vectors,
+            "number of vectors to keep, instead of tau; 0: as tau says");
+  }
+  void check() const;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "place_recognition/calibration.h"
+#include "place_recognition/classifier.h"
+#include "place_recognition/training_options.h"
+
+namespace place_recognition {
+
+/// Where a model came from.
+struct Provenance {
+  std::vector<std::string> inputs;          ///< runs trained on, as named by the user
+  std::vector<std::uint64_t> place_images;  ///< training images of each place
+  std::uint64_t skipped_images = 0;         ///< unlabelled, unreadable or without any feature
+  std::string package_version;
+};
+
+/// Quality on held-out blocks of the training runs.
+struct Validation {
+  double average_rate = 0;       ///< 0..1, mean of the rooms' rates
+  double calibration_error = 0;  ///< expected calibration error, 0..1
+};
+
+/// Everything needed to recognise, and where it came from. Immutable once trained or loaded; shared
+/// between threads as std::shared_ptr<const Model>.
+struct Model {
+  std::string name;                     ///< set by whoever loads or saves it; not in the file
+  std::string version;                  ///< 8 hex digits of the file's checksum; set likewise
+  TrainingOptions options;              ///< gamma as found, everything else as given
+  std::vector<std::string> places;      ///< names, in ascending order; at least two
+  std::vector<Classifier> classifiers;  ///< one a cue of `options`
+  std::vector<double> cue_weights;      ///< one a cue, of the sum of margins
+  Calibration calibration;              ///< of the summed margins
+  double unknown_threshold = 0;         ///< see Recognition::known
+  Validation validation;
+  Provenance provenance;
+
+  /// Over all cues.
+  std::size_t supportVectorCount() const;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "place_recognition/model.h"
+
+namespace place_recognition {
+
+/// A model as the bytes of a `.places` file: magic, format version, length and checksum, then the
+/// protobuf message of src/recognition/model.proto. Equal models give equal bytes.
+std::string serializeModel(const Model& model);
+
+/// The model in `bytes`; `where` names their source in messages. Throws Error, saying what is
+/// wrong, for anything that serializeModel() did not write: foreign, cut or changed bytes, counts
+/// and ranges that do not agree, numbers that are not finite.
+Model parseModel(const std::string& bytes, const std::string& where);
+
+/// Saves atomically; creates the folder if it is missing. Sets nothing in `model`.
+/// Returns the number of bytes written.
+std::uint64_t saveModel(const Model& model, const std::string& path);
+
+/// Loads and checks a model file; sets name and version.
+Model loadModel(const std::string& path);
+
+/// The path of a model by name: NAME itself if it has a slash or ends in `.places`, else
+/// modelFolder()/NAME.places. Throws Error for a name that is not [A-Za-z0-9_-]{1,64}.
+std::string modelPath(const std::string& name);
+
+/// Like modelPath(), for names from the network: only [A-Za-z0-9_-]{1,64}, only in modelFolder().
+std::string namedModelPath(const std::string& name);
+
+/// $ROS_HOME/place_recognition/models, or ~/.ros/place_recognition/models.
+std::string modelFolder();
+
+}  // namespace place_recognition

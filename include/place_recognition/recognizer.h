@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "place_recognition/feature_extractor.h"
+#include "place_recognition/model.h"
+
+namespace place_recognition {
+
+/// The answer to one frame.
+struct Recognition {
+  int place = -1;         ///< index of the most probable place in Model::places; -1: none at all
+  bool known = false;     ///< false: the answer is 'unknown'; evidence below the threshold
+  double confidence = 0;  ///< probability of `place`, 0..1
+  double evidence = 0;    ///< what is held against the unknown threshold, 0..1
+  Eigen::RowVectorXd probabilities;  ///< one a place; sum to 1, the largest is `place`
+  Eigen::RowVectorXd margins;        ///< one a place; as they come from the machines
+  std::string reason;                ///< why place is -1, for a person
+};
+
+/// Image in, answer out. Keeps its buffers between frames: one recogniser a thread, any number of
+/// recognisers a model.
+class Recognizer {
+ public:
+  explicit Recognizer(std::shared_ptr<const Model> model);
+
+  /// `image`: CV_8UC3 in BGR order or CV_8UC1, not empty. The result stays valid until the next
+  /// call. A frame from which no cue could be extracted has place -1, uniform probabilities and a
+  /// reason.
+  const Recognition& recognize(const cv::Mat& image);
+
+  /// The model's threshold until set: evidence below it is answered 'unknown', 0..1.
+  void setUnknownThreshold(double threshold) { unknown_threshold_ = threshold; }
+
+  const Model& model() const { return *model_; }
+
+ private:
+  std::shared_ptr<const Model> model_;
+  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // one a cue
+  double unknown_threshold_;
+  cv::Mat scaled_;
+  Feature feature_;
+  Eigen::VectorXd kernel_values_;
+  Eigen::RowVectorXd cue_margins_;
+  Recognition recognition_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+namespace place_recognition {
+
+/// One picture of a run.
+struct Frame {
+  cv::Mat image;      ///< CV_8UC3 BGR or CV_8UC1; empty if it could not be decoded, see `problem`
+  std::string place;  ///< label; empty: unlabelled
+  double stamp = 0;   ///< s
+  std::string name;   ///< path of the picture, or topic and number in a bag, for messages
+  std::string problem;  ///< why there is no image, for a person
+};
+
+/// One recording, a bag or a folder, read from its start to its end, a frame at a time, in memory
+/// that does not grow with its length.
+class Run {
+ public:
+  virtual ~Run() = default;
+
+  /// The next frame, in order of time; false at the end. Throws Error if the run is damaged.
+  virtual bool next(Frame& frame) = 0;
+
+  /// How much has been read, 0..1.
+  virtual double fraction() const = 0;
+
+  /// As the user named it.
+  const std::string& name() const { return name_; }
+
+ protected:
+  explicit Run(std::string name) : name_(std::move(name)) {}
+
+ private:
+  std::string name_;
+};
+
+/// A folder of `room/picture` files (png, jpg, jpeg): the sub-folder is the place, the order within
+/// it that of the names, one second apart. Throws Error if it holds no such picture.
+std::unique_ptr<Run> openFolderRun(const std::string& folder);
+
+}  // namespace place_recognition

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "place_recognition/feature_options.h"
+#include "place_recognition/learning_options.h"
+
+namespace place_recognition {
+
+/// What is done to an image before features are extracted.
+struct ImageOptions {
+  int max_width = 640;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("max_width", self.max_width, "pixels; wider images are scaled down to it; 0: never");
+  }
+  void check() const;
+};
+
+/// One cue: a feature and the kernel that compares it.
+struct CueOptions {
+  std::string name = "crfh";
+  FeatureOptions feature;
+  KernelOptions kernel;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("name", self.name, "names the cue, as in --set cues.NAME.kernel.gamma=10");
+    visitor("feature", self.feature, "what is extracted from each image");
+    visitor("kernel", self.kernel, "how two such features are compared");
+  }
+};
+
+/// Cross-validation within the training runs: for gamma, for the probabilities, for `unknown`.
+struct ValidationOptions {
+  int folds = 5;
+  int gap = 1;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("folds", self.folds, "blocks of time that each room's frames are cut into, 2..20");
+    visitor("gap", self.gap, "frames left out at each side of a block that is held out");
+  }
+  void check() const;
+};
+
+/// When to answer `unknown`.
+struct UnknownOptions {
+  double false_alarm_rate = 0.05;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("false_alarm_rate", self.false_alarm_rate,
+            "share of held-out frames of known rooms that may be answered 'unknown', 0..1");
+  }
+  void check() const;
+};
+
+/// Everything that `train` can be told; read from YAML (config/), stored in the model.
+struct TrainingOptions {
+  ImageOptions image;
+  std::vector<CueOptions> cues{CueOptions()};
+  SvmOptions svm;
+  ReductionOptions reduction;
+  ValidationOptions validation;
+  UnknownOptions unknown;
+  std::uint64_t seed = 1;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("image", self.image, "preparation of the image");
+    visitor("cues", self.cues, "one or more cues; their margins are combined");
+    visitor("svm", self.svm, "the machines");
+    visitor("reduction", self.reduction, "support vector reduction");
+    visitor("validation", self.validation, "cross-validation within the training runs");
+    visitor("unknown", self.unknown, "when to answer 'unknown'");
+    visitor("seed", self.seed, "of everything random");
+  }
+  /// Throws Error naming the first field out of range.
+  void check() const;
+};
+
+}  // namespace place_recognition

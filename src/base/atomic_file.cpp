@@ -1,0 +1,98 @@
+#include "base/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+/// Closes the descriptor, and removes the temporary file unless it was renamed.
+struct TemporaryFile {
+  std::vector<char> path;
+  int fd = -1;
+  bool renamed = false;
+
+  explicit TemporaryFile(const std::string& target) {
+    const std::string pattern = target + ".tmp-XXXXXX";
+    path.assign(pattern.c_str(), pattern.c_str() + pattern.size() + 1);
+    fd = mkstemp(path.data());
+  }
+  ~TemporaryFile() {
+    if (fd < 0) return;
+    close(fd);
+    if (!renamed) unlink(path.data());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+};
+
+[[noreturn]] void throwCannotWrite(const std::string& path) {
+  throw Error("Cannot write " + path + ": " + std::strerror(errno) +
+              "; make room, or choose a folder that can be written.");
+}
+
+bool writeAll(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+void syncFolder(const std::filesystem::path& folder) {
+  const int fd = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (fd < 0) return;
+  fsync(fd);
+  close(fd);
+}
+
+}  // namespace
+
+void writeFileAtomically(const std::string& path, std::string_view bytes) {
+  TemporaryFile file(path);
+  const mode_t mask = umask(0);
+  umask(mask);
+  if (file.fd < 0 || fchmod(file.fd, 0666 & ~mask) != 0 || !writeAll(file.fd, bytes) ||
+      fsync(file.fd) != 0 || std::rename(file.path.data(), path.c_str()) != 0) {
+    throwCannotWrite(path);
+  }
+  file.renamed = true;
+  syncFolder(std::filesystem::path(path).parent_path());
+}
+
+std::string readFile(const std::string& path, std::size_t limit) {
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat status;
+  if (fd < 0 || fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) {
+    const std::string why = fd < 0 ? std::strerror(errno) : "not a file";
+    if (fd >= 0) close(fd);
+    throw Error("Cannot read " + path + ": " + why + "; check the name.");
+  }
+  std::string bytes;
+  if (static_cast<std::size_t>(status.st_size) <= limit) {
+    bytes.resize(static_cast<std::size_t>(status.st_size));
+    std::size_t got = 0;
+    for (ssize_t n; got < bytes.size() && (n = read(fd, &bytes[got], bytes.size() - got)) > 0;) {
+      got += static_cast<std::size_t>(n);
+    }
+    bytes.resize(got);
+  }
+  close(fd);
+  if (static_cast<std::size_t>(status.st_size) > limit) {
+    throw Error(path + " has " + std::to_string(status.st_size) + " bytes, more than the " +
+                std::to_string(limit) + " allowed; it is not what was expected here.");
+  }
+  return bytes;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,147 @@
+#include "base/options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+namespace place_recognition {
+
+namespace options_detail {
+namespace {
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string inside(const std::string& where) {
+  return where.empty() ? "the configuration" : "'" + where + "'";
+}
+
+template <typename T>
+void readAs(const YAML::Node& node, const std::string& where, const char* kind, T& value) {
+  if (!node.IsScalar() || !YAML::convert<T>::decode(node, value)) {
+    const std::string text = node.IsScalar() ? "'" + node.Scalar() + "'" : "a list or mapping";
+    throw Error("Option '" + where + "' is " + text + "; give " + kind + ".");
+  }
+}
+
+}  // namespace
+
+void throwUnknownKey(const std::string& key, const std::string& where,
+                     const std::vector<std::string>& known) {
+  throw Error("Unknown option '" + key + "' in " + inside(where) +
+              "; the known ones are: " + join(known) + ".");
+}
+
+void throwUnknownType(const std::string& type, const std::string& where,
+                      const std::vector<std::string>& known) {
+  throw Error("Unknown type '" + type + "' in " + inside(where) +
+              "; the known ones are: " + join(known) + ".");
+}
+
+void requireMapping(const YAML::Node& node, const std::string& where) {
+  if (!node.IsMap()) throw Error("Expected 'key: value' lines in " + inside(where) + ".");
+}
+
+void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& known,
+                      const std::string& where) {
+  std::set<std::string> seen;
+  for (const auto& entry : node) {
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      throwUnknownKey(key, where, known);
+    }
+    if (!seen.insert(key).second) {
+      throw Error("Option '" + key + "' stands twice in " + inside(where) + "; keep one.");
+    }
+  }
+}
+
+void readScalar(const YAML::Node& node, const std::string& where, bool& value) {
+  readAs(node, where, "true or false", value);
+}
+
+void readScalar(const YAML::Node& node, const std::string& where, int& value) {
+  readAs(node, where, "a whole number", value);
+}
+
+void readScalar(const YAML::Node& node, const std::string& where, std::uint64_t& value) {
+  readAs(node, where, "a whole number from 0", value);
+}
+
+void readScalar(const YAML::Node& node, const std::string& where, double& value) {
+  readAs(node, where, "a number", value);
+  if (!std::isfinite(value)) throw Error("Option '" + where + "' is not finite; give a number.");
+}
+
+void readScalar(const YAML::Node& node, const std::string& where, std::string& value) {
+  readAs(node, where, "a word", value);
+}
+
+std::string formatDouble(double value) {
+  char text[32];
+  for (int digits = 15; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof(text), "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return text;
+}
+
+}  // namespace options_detail
+
+YAML::Node parseYaml(const std::string& text, const std::string& where) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& e) {
+    throw Error(where + " is not valid YAML: " + e.what() + ".");
+  }
+}
+
+YAML::Node readYamlFile(const std::string& path) {
+  try {
+    return YAML::LoadFile(path);
+  } catch (const YAML::BadFile&) {
+    throw Error("Cannot read the file " + path + "; check the path and its permissions.");
+  } catch (const YAML::Exception& e) {
+    throw Error(path + " is not valid YAML: " + e.what() + ".");
+  }
+}
+
+void assignOption(YAML::Node root, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw Error("'" + assignment + "' sets no option; write key=value, as in svm.c=10.");
+  }
+  const YAML::Node value = parseYaml(assignment.substr(equals + 1), "'" + assignment + "'");
+
+  YAML::Node node = root;
+  std::string rest = assignment.substr(0, equals);
+  while (true) {
+    const std::size_t dot = rest.find('.');
+    const std::string key = rest.substr(0, dot);
+    YAML::Node child;
+    if (node.IsSequence()) {
+      for (std::size_t i = 0; i < node.size(); ++i) {
+        const bool named = node[i].IsMap() && node[i]["name"] && node[i]["name"].Scalar() == key;
+        if (named || key == std::to_string(i)) child.reset(node[i]);
+      }
+      if (!child.IsDefined() || child.IsNull()) {
+        throw Error("'" + assignment + "': the list has no element '" + key + "'.");
+      }
+    } else {
+      child.reset(node[key]);
+    }
+    if (dot == std::string::npos) {
+      child = value;
+      return;
+    }
+    node.reset(child);
+    rest = rest.substr(dot + 1);
+  }
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "place_recognition/learning_options.h"
+
+namespace place_recognition {
+
+/// Binary machines over n common vectors: margin of machine j is
+/// f_j(x) = sum_i weights(i, j) K(x_i, x) + biases(j), where weights = alpha_i y_i (eq. 5.32).
+struct Machines {
+  std::size_t places = 0;
+  bool one_against_one = false;  ///< else one-against-all: machine j tells place j from the rest
+  Eigen::MatrixXd weights;       ///< n x machines
+  Eigen::RowVectorXd biases;     ///< machines
+
+  /// Machine margins, one row a row of `kernel_values` (any x n).
+  Eigen::MatrixXd margins(const Eigen::MatrixXd& kernel_values) const;
+};
+
+/// One-against-one: machine of the pair (a, b), a < b, positive for a, in the order (0,1), (0,2),
+/// ..., (1,2), ... One-against-all: as many machines as places.
+std::size_t machineCount(std::size_t places, bool one_against_one);
+
+/// One value a place from the machines' margins (rows: frames); the largest is the place. For
+/// one-against-all the margin itself (eq. 5.41). For one-against-one the votes, plus the sum s of
+/// the place's signed margins squashed to s / (3 (|s| + 1)), which breaks ties without ever
+/// outweighing a vote.
+Eigen::MatrixXd placeMargins(const Machines& machines, const Eigen::MatrixXd& machine_margins);
+
+/// Trains every machine on the Gram matrix (n x n) with C-SVC (libsvm, precomputed kernel).
+/// `labels`: place 0..places-1 of each vector. A place or pair without vectors of both signs gives
+/// a machine of zero weights and bias -1 or +1. The result does not depend on `threads`.
+Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                       std::size_t places, const SvmOptions& options, unsigned threads = 1);
+
+/// Indices of the rows of `machines.weights` that are not all zero: the support vectors, each
+/// counted once.
+std::vector<int> supportVectors(const Machines& machines);
+
+}  // namespace place_recognition
