@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <opencv2/core.hpp>
+
+namespace place_recognition {
+
+/// The light under which a run is recorded (thesis, section 3.4).
+enum class Condition { kCloudy, kNight, kSunny };
+
+/// How the camera is moved: a tripod on markers (thesis, section 3.2) or a robot that drives.
+enum class Protocol { kIndecs, kDrive };
+
+/// "cloudy", "night", "sunny"; throws Error on anything else.
+Condition conditionFromName(const std::string& name);
+const char* name(Condition condition);
+
+/// "indecs", "drive"; throws Error on anything else.
+Protocol protocolFromName(const std::string& name);
+const char* name(Protocol protocol);
+
+struct SimulationOptions {
+  Condition condition = Condition::kCloudy;
+  Protocol protocol = Protocol::kIndecs;
+  /// The building: its colours, materials, posters and books. With the condition: what has been
+  /// moved since. Same options, same pixels, whatever the number of threads.
+  std::uint64_t seed = 1;
+  cv::Size size{512, 384};  ///< pixels, each side 16..4096
+  double rate = 5.0;        ///< frames a second (0.1..100); indecs: one picture every 1/rate s
+
+  /// Throws Error naming the field that is out of range.
+  void check() const;
+};
+
+/// One labelled picture of a run.
+struct SimulatedFrame {
+  cv::Mat image;          ///< CV_8UC3, BGR
+  std::string room;       ///< the room the camera stands in
+  std::string name;       ///< file stem: kitchen_07_120 (room, marker, degrees) or drive_000123
+  double stamp = 0.0;     ///< s since the start of the run
+  double x = 0.0;         ///< m, along the corridor
+  double y = 0.0;         ///< m, to the left of x
+  double yaw = 0.0;       ///< rad, anticlockwise from x; the direction the camera looks in
+};
+
+/// Takes frame `index` of `count`; returns false to stop the run.
+using FrameSink =
+    std::function<bool(const SimulatedFrame& frame, std::size_t index, std::size_t count)>;
+
+/// Renders a run of five rooms (office_a, office_b, kitchen, corridor, printer_area) and hands
+/// each frame to `sink` in order, from the calling thread. Throws Error on bad options and lets
+/// pass what the sink throws.
+void simulate(const SimulationOptions& options, const FrameSink& sink);
+
+}  // namespace place_recognition
