@@ -5,8 +5,8 @@
 
 namespace place_recognition {
 
-/// Margins to probabilities: for each place k a sigmoid s_k(f) = 1 / (1 + exp(slope_k f + offset_k))
-/// (Platt 1999, fitted as Lin, Lin and Weng 2007), normalised over the places.
+/// Margins to probabilities: for each place k a sigmoid s_k(f) = 1 / (1 + exp(slope_k f +
+/// offset_k)) (Platt 1999, fitted as Lin, Lin and Weng 2007), normalised over the places.
 struct Calibration {
   Eigen::RowVectorXd slopes;   ///< one a place, negative
   Eigen::RowVectorXd offsets;  ///< one a place

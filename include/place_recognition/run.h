@@ -9,10 +9,10 @@ namespace place_recognition {
 
 /// One picture of a run.
 struct Frame {
-  cv::Mat image;      ///< CV_8UC3 BGR or CV_8UC1; empty if it could not be decoded, see `problem`
-  std::string place;  ///< label; empty: unlabelled
-  double stamp = 0;   ///< s
-  std::string name;   ///< path of the picture, or topic and number in a bag, for messages
+  cv::Mat image;        ///< CV_8UC3 BGR or CV_8UC1; empty if it could not be decoded, see `problem`
+  std::string place;    ///< label; empty: unlabelled
+  double stamp = 0;     ///< s
+  std::string name;     ///< path of the picture, or topic and number in a bag, for messages
   std::string problem;  ///< why there is no image, for a person
 };
 

@@ -15,8 +15,8 @@ namespace place_recognition {
 /// A model and what it took.
 struct Training {
   Model model;
-  std::uint64_t images = 0;               ///< trained on
-  std::vector<std::string> warnings;      ///< for a person: skipped images and why, few images, ...
+  std::uint64_t images = 0;           ///< trained on
+  std::vector<std::string> warnings;  ///< for a person: skipped images and why, few images, ...
   double seconds = 0;
 };
 

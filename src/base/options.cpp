@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 
 namespace place_recognition {
 
@@ -93,6 +94,21 @@ std::string formatDouble(double value) {
 
 }  // namespace options_detail
 
+namespace {
+
+/// The value of `key` in a mapping, or the element of a list that `key` names or numbers.
+YAML::Node childOf(YAML::Node parent, const std::string& key, const std::string& assignment) {
+  if (parent.IsMap()) return parent[key];
+  for (std::size_t i = 0; parent.IsSequence() && i < parent.size(); ++i) {
+    const YAML::Node element = parent[i];
+    const bool named = element.IsMap() && element["name"] && element["name"].Scalar() == key;
+    if (named || key == std::to_string(i)) return element;
+  }
+  throw Error("'" + assignment + "' sets no option: there is no '" + key + "' at that place.");
+}
+
+}  // namespace
+
 YAML::Node parseYaml(const std::string& text, const std::string& where) {
   try {
     return YAML::Load(text);
@@ -116,32 +132,12 @@ void assignOption(YAML::Node root, const std::string& assignment) {
   if (equals == std::string::npos || equals == 0) {
     throw Error("'" + assignment + "' sets no option; write key=value, as in svm.c=10.");
   }
-  const YAML::Node value = parseYaml(assignment.substr(equals + 1), "'" + assignment + "'");
-
   YAML::Node node = root;
-  std::string rest = assignment.substr(0, equals);
-  while (true) {
-    const std::size_t dot = rest.find('.');
-    const std::string key = rest.substr(0, dot);
-    YAML::Node child;
-    if (node.IsSequence()) {
-      for (std::size_t i = 0; i < node.size(); ++i) {
-        const bool named = node[i].IsMap() && node[i]["name"] && node[i]["name"].Scalar() == key;
-        if (named || key == std::to_string(i)) child.reset(node[i]);
-      }
-      if (!child.IsDefined() || child.IsNull()) {
-        throw Error("'" + assignment + "': the list has no element '" + key + "'.");
-      }
-    } else {
-      child.reset(node[key]);
-    }
-    if (dot == std::string::npos) {
-      child = value;
-      return;
-    }
-    node.reset(child);
-    rest = rest.substr(dot + 1);
+  std::istringstream path(assignment.substr(0, equals));
+  for (std::string key; std::getline(path, key, '.');) {
+    node.reset(childOf(node, key, assignment));
   }
+  node = parseYaml(assignment.substr(equals + 1), "'" + assignment + "'");
 }
 
 }  // namespace place_recognition

@@ -1,0 +1,142 @@
+#include "base/options.h"
+
+#include <gtest/gtest.h>
+
+#include "place_recognition/training_options.h"
+
+namespace place_recognition {
+namespace {
+
+struct Round {
+  static constexpr const char* kType = "round";
+  double radius = 1;
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("radius", self.radius, "m");
+  }
+};
+
+struct Square {
+  static constexpr const char* kType = "square";
+  std::vector<int> sides = {1, 2};
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("sides", self.sides, "m");
+  }
+};
+
+struct Part {
+  std::string name = "part";
+  std::variant<Round, Square> shape;
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("name", self.name, "");
+    visitor("shape", self.shape, "");
+  }
+};
+
+struct Whole {
+  bool on = false;
+  std::uint64_t seed = 7;
+  std::vector<Part> parts = {Part()};
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("on", self.on, "");
+    visitor("seed", self.seed, "");
+    visitor("parts", self.parts, "");
+  }
+};
+
+Whole readWhole(const std::string& yaml) {
+  Whole whole;
+  readOptions(parseYaml(yaml, "test"), "", whole);
+  return whole;
+}
+
+std::string messageFor(const std::string& yaml) {
+  try {
+    readWhole(yaml);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Options, KeepDefaultsForWhatIsNotNamed) {
+  const Whole whole = readWhole("on: true");
+  EXPECT_TRUE(whole.on);
+  EXPECT_EQ(whole.seed, 7u);
+  EXPECT_EQ(whole.parts.size(), 1u);
+}
+
+TEST(Options, AnEmptyFileChangesNothing) { EXPECT_EQ(readWhole("").seed, 7u); }
+
+TEST(Options, ReadNestedListsAndAlternatives) {
+  const Whole whole =
+      readWhole("parts: [{name: a, shape: {type: square, sides: 5}}, {shape: {radius: 0.25}}]");
+  ASSERT_EQ(whole.parts.size(), 2u);
+  EXPECT_EQ(std::get<Square>(whole.parts[0].shape).sides, std::vector<int>{5});
+  EXPECT_EQ(std::get<Round>(whole.parts[1].shape).radius, 0.25);
+}
+
+TEST(Options, ReadBackWhatTheyWrite) {
+  Whole whole = readWhole("{on: true, parts: [{shape: {type: square}}, {shape: {radius: 0.1}}]}");
+  whole.parts[1].name = "true";  // text that would read as another kind of value
+  const std::string text = writeOptions(whole);
+  EXPECT_EQ(writeOptions(readWhole(text)), text);
+  EXPECT_NE(text.find("radius: 0.1\n"), std::string::npos) << text;
+}
+
+TEST(Options, DefaultsOfTrainingReadBack) {
+  const std::string text = writeOptions(TrainingOptions());
+  TrainingOptions options;
+  readOptions(parseYaml(text, "defaults"), "", options);
+  EXPECT_EQ(writeOptions(options), text);
+}
+
+TEST(Options, RefuseUnknownKeysAndListTheKnown) {
+  EXPECT_EQ(messageFor("of: true"),
+            "Unknown option 'of' in the configuration; the known ones are: on, seed, parts.");
+  EXPECT_EQ(messageFor("parts: [{shape: {radius: 1, sides: 2}}]"),
+            "Unknown option 'sides' in 'parts[0].shape'; the known ones are: type, radius.");
+}
+
+TEST(Options, RefuseUnknownTypesWrongKindsAndRepetitions) {
+  EXPECT_EQ(messageFor("parts: [{shape: {type: oval}}]"),
+            "Unknown type 'oval' in 'parts[0].shape'; the known ones are: round, square.");
+  EXPECT_EQ(messageFor("on: maybe"), "Option 'on' is 'maybe'; give true or false.");
+  EXPECT_EQ(messageFor("seed: -1"), "Option 'seed' is '-1'; give a whole number from 0.");
+  EXPECT_EQ(messageFor("seed: [1]"),
+            "Option 'seed' is a list or mapping; give a whole number from 0.");
+  EXPECT_EQ(messageFor("parts: [{shape: {radius: .nan}}]"),
+            "Option 'parts[0].shape.radius' is not finite; give a number.");
+  EXPECT_NE(messageFor("{on: true, on: false}"), "");
+  EXPECT_NE(messageFor("[on]"), "");
+  EXPECT_NE(messageFor("on: {"), "");
+}
+
+TEST(Options, AssignByKeyNumberAndName) {
+  const YAML::Node node = parseYaml(writeOptions(readWhole("parts: [{name: a}, {name: b}]")), "t");
+  assignOption(node, "parts.0.shape.radius=3");
+  assignOption(node, "parts.b.shape={type: square, sides: [4]}");
+  assignOption(node, "on=true");
+  Whole whole;
+  readOptions(node, "", whole);
+  EXPECT_EQ(std::get<Round>(whole.parts[0].shape).radius, 3);
+  EXPECT_EQ(std::get<Square>(whole.parts[1].shape).sides, std::vector<int>{4});
+  EXPECT_TRUE(whole.on);
+}
+
+TEST(Options, RefuseAssignmentsToNothing) {
+  const YAML::Node node = parseYaml(writeOptions(Whole()), "test");
+  EXPECT_THROW(assignOption(node, "on"), Error);
+  EXPECT_THROW(assignOption(node, "=1"), Error);
+  EXPECT_THROW(assignOption(node, "parts.7.name=x"), Error);
+  EXPECT_THROW(assignOption(node, "on.deeper=x"), Error);
+  assignOption(node, "new=1");
+  Whole whole;
+  EXPECT_THROW(readOptions(node, "", whole), Error);
+}
+
+}  // namespace
+}  // namespace place_recognition
