@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "place_recognition/run.h"
+
+namespace place_recognition {
+
+/// Which pictures of a bag are read and where their labels come from. Labels are looked for in this
+/// order: `label`, `labels_file`, a file beside the bag, `label_topic`.
+struct BagRunOptions {
+  std::string image_topic;  ///< empty: the only topic of images
+  std::string label_topic = "/place_label";  ///< std_msgs/String: holds until the next; see labels.h
+  std::string label;        ///< one place for the whole bag
+  std::string labels_file;  ///< empty: RUN.labels.yaml or labels.dat beside RUN.bag, if there is one
+};
+
+/// Reads the images of a bag (sensor_msgs/Image or CompressedImage; not, bz2- or lz4-compressed)
+/// with their labels, one at a time. The bag is opened by a child process, because rosbag_storage
+/// can crash on a damaged one: that too is an Error. Throws Error if the file is no bag, is not
+/// indexed, has no images, or more than one topic of them and none is named.
+std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options = {});
+
+/// A topic of a bag.
+struct BagTopic {
+  std::string name;
+  std::string type;  ///< as in std_msgs/String
+  std::uint64_t messages = 0;
+  int width = 0;     ///< pixels of its first picture; 0: not images, or none that can be decoded
+  int height = 0;
+};
+
+/// A stretch of a bag with one label.
+struct BagLabel {
+  double from = 0;  ///< s since the bag's start
+  double to = 0;
+  std::string place;
+};
+
+/// What is in a bag.
+struct BagInfo {
+  double start = 0;     ///< s since 1970, or of simulated time
+  double duration = 0;  ///< s
+  std::vector<BagTopic> topics;  ///< of images first, then in order of name
+  std::vector<BagLabel> labels;  ///< in order of time; empty: the bag is not labelled
+};
+
+/// Looks into a bag. Throws Error like openBagRun(), but not for want of images.
+BagInfo bagInfo(const std::string& path, const BagRunOptions& options = {});
+
+}  // namespace place_recognition

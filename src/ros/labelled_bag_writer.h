@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+namespace place_recognition {
+
+/// How a labelled bag is written.
+struct LabelledBagOptions {
+  enum class Compression { kNone, kLz4, kBz2 };
+
+  std::string image_topic = "/camera/image_raw";  ///< "/compressed" is appended for JPEG
+  std::string label_topic = "/place_label";
+  std::string frame_id = "camera";
+  bool jpeg = true;       ///< sensor_msgs/CompressedImage; false: sensor_msgs/Image
+  int jpeg_quality = 90;  ///< 1..100
+  Compression compression = Compression::kNone;  ///< of the bag's chunks
+  double base_time = 1'000'000'000;  ///< s since 1970, added to every stamp
+};
+
+/// Writes a bag of images and, whenever it changes, the label, as openBagRun() reads it. The bag
+/// has its name only once it is complete: a temporary file beside it is renamed by close() and
+/// removed by the destructor.
+class LabelledBagWriter {
+ public:
+  /// Throws Error if the folder cannot be written to.
+  explicit LabelledBagWriter(const std::string& path, const LabelledBagOptions& options = {});
+  ~LabelledBagWriter();
+
+  /// `image`: CV_8UC3 BGR or CV_8UC1, not empty. `place`: empty is unlabelled. `stamp`: s, not
+  /// before the one before it. Throws Error if the disk refuses.
+  void write(const cv::Mat& image, const std::string& place, double stamp);
+
+  /// Completes the bag. Throws Error if the disk refuses.
+  void close();
+
+ private:
+  struct Bag;
+  std::unique_ptr<Bag> bag_;
+};
+
+}  // namespace place_recognition
