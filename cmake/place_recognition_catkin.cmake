@@ -1,0 +1,33 @@
+# catkin: the ROS packages in use, and the messages, services, actions and dynamic parameters.
+
+# Debian's and Ubuntu's ROS is built for the system's Python, which need not come first on PATH.
+if(NOT PYTHON_EXECUTABLE)
+  set(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that ROS is installed for")
+endif()
+# The environment of the tests is frozen with the folders that exist now.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
+
+find_package(catkin REQUIRED COMPONENTS
+  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure image_transport
+  message_generation nodelet pluginlib rosbag_storage roscpp roslib sensor_msgs std_msgs std_srvs)
+find_package(nlohmann_json REQUIRED)
+
+add_message_files(FILES ModelInfo.msg PlaceRecognition.msg PlaceScore.msg)
+add_service_files(FILES LoadModel.srv Retrain.srv)
+add_action_files(FILES Train.action)
+generate_messages(DEPENDENCIES actionlib_msgs std_msgs)
+generate_dynamic_reconfigure_options(cfg/PlaceRecognizer.cfg)
+
+catkin_package(
+  INCLUDE_DIRS include
+  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure
+    image_transport message_runtime nodelet pluginlib rosbag_storage roscpp roslib sensor_msgs
+    std_msgs std_srvs)
+
+# What the targets of src/ros share; the library below it neither includes nor links ROS.
+add_library(place_recognition_catkin INTERFACE)
+target_include_directories(place_recognition_catkin SYSTEM INTERFACE
+  ${catkin_INCLUDE_DIRS} ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION})
+target_link_libraries(place_recognition_catkin INTERFACE ${catkin_LIBRARIES})
+add_dependencies(place_recognition_catkin
+  ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
