@@ -1,14 +1,17 @@
 #pragma once
 
-/// PLACE_RECOGNITION_CLONES before a function compiles it for several instruction sets; the loader
-/// picks the best one of the machine it runs on. Other compilers and architectures compile it once,
-/// for their baseline (SSE2, NEON). Sanitizers cannot run the loader's choice, so not there either.
-///
-/// Floating-point results are the same in every clone as long as the code fixes the order of sums
-/// (products and sums are never fused: -ffp-contract=off).
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
+/// PLACE_RECOGNITION_TARGET_CLONES before a function compiles it once for each instruction set that
+/// is worth it and picks the best at run time, so that one binary runs everywhere. Put it on
+/// functions of plain loops that the compiler vectorises; what they call must be inlined into them.
+/// Every clone gives the same bits: products and sums are never fused (-ffp-contract=off) and sums
+/// are never reordered. Sanitizers start too late for the run-time choice, so they go without.
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PLACE_RECOGNITION_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#define PLACE_RECOGNITION_TARGET_CLONES \
+  __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
-#define PLACE_RECOGNITION_CLONES
+#define PLACE_RECOGNITION_TARGET_CLONES
 #endif
+
+/// For the small functions that those functions call.
+#define PLACE_RECOGNITION_INLINE inline __attribute__((always_inline))
