@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/feature_extractor.h"
+#include "place_recognition/feature.h"
 #include "place_recognition/model.h"
 
 namespace place_recognition {
+
+class CueExtraction;
 
 /// The answer to one frame.
 struct Recognition {
@@ -27,6 +29,9 @@ struct Recognition {
 class Recognizer {
  public:
   explicit Recognizer(std::shared_ptr<const Model> model);
+  ~Recognizer();
+  Recognizer(Recognizer&&) noexcept;
+  Recognizer& operator=(Recognizer&&) noexcept;
 
   /// `image`: CV_8UC3 in BGR order or CV_8UC1, not empty. The result stays valid until the next
   /// call. A frame from which no cue could be extracted has place -1, uniform probabilities and a
@@ -39,11 +44,14 @@ class Recognizer {
   const Model& model() const { return *model_; }
 
  private:
+  bool sumMargins();
+  void decide();
+  void answerNothing(const std::string& reason);
+
   std::shared_ptr<const Model> model_;
-  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // one a cue
+  std::unique_ptr<CueExtraction> extraction_;
   double unknown_threshold_;
-  cv::Mat scaled_;
-  Feature feature_;
+  std::vector<Feature> features_;  // one a cue
   Eigen::VectorXd kernel_values_;
   Eigen::RowVectorXd cue_margins_;
   Recognition recognition_;

@@ -38,8 +38,9 @@ class Run {
   std::string name_;
 };
 
-/// A folder of `room/picture` files (png, jpg, jpeg): the sub-folder is the place, the order within
-/// it that of the names, one second apart. Throws Error if it holds no such picture.
+/// A folder of `room/picture` files (png, jpg, jpeg): the sub-folder is the place, the order that
+/// of the names as people number them (9 before 10), one second apart. Pictures directly in
+/// `folder` are unlabelled. Throws Error if there is no picture.
 std::unique_ptr<Run> openFolderRun(const std::string& folder);
 
 }  // namespace place_recognition

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "place_recognition/feature_extractor.h"
+#include "place_recognition/training_options.h"
+
+namespace place_recognition {
+
+/// The road from an image to the feature of each cue, the same in training and in recognition: the
+/// image is scaled down to its greatest width, then each cue's extractor looks at it. Keeps its
+/// buffers from image to image: one a thread.
+class CueExtraction {
+ public:
+  explicit CueExtraction(const TrainingOptions& options);
+
+  /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one a cue, into `features`, whose
+  /// memory is reused. False if no cue could be extracted; reason() then says why.
+  bool extract(const cv::Mat& image, std::vector<Feature>& features);
+
+  const std::string& reason() const { return reason_; }
+
+ private:
+  const cv::Mat& scaledDown(const cv::Mat& image);
+
+  int max_width_;
+  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;
+  cv::Mat scaled_;
+  std::string reason_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <exception>
+#include <mutex>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "place_recognition/feature.h"
+#include "place_recognition/training_options.h"
+#include "recognition/bounded_queue.h"
+
+namespace place_recognition {
+
+/// Where the features of one image go.
+struct ExtractedFeatures {
+  std::vector<Feature> features;  ///< one a cue
+  std::string problem;            ///< why no cue could be extracted; empty if one could
+};
+
+/// Threads that extract features from images handed to them.
+class ExtractionPool {
+ public:
+  ExtractionPool(const TrainingOptions& options, unsigned threads);
+  ~ExtractionPool();
+
+  /// Queues an image, waiting while the queue is full. `result` must stay where it is and is not
+  /// to be touched before finish(). Throws what an extractor threw.
+  void submit(const cv::Mat& image, ExtractedFeatures& result);
+
+  /// Waits until every result is there. Throws what an extractor threw.
+  void finish();
+
+ private:
+  struct Job {
+    cv::Mat image;
+    ExtractedFeatures* result = nullptr;
+  };
+
+  void work(const TrainingOptions& options);
+  void stop();
+  void rethrowFailure();
+
+  BoundedQueue<Job> queue_;
+  std::vector<std::thread> threads_;
+  std::mutex failure_mutex_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace place_recognition

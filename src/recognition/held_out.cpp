@@ -1,0 +1,94 @@
+#include "recognition/held_out.h"
+
+#include "learning/reduction.h"
+#include "recognition/scores.h"
+
+namespace place_recognition {
+namespace {
+
+Eigen::MatrixXd columns(const Eigen::MatrixXd& matrix, const std::vector<int>& indices) {
+  Eigen::MatrixXd part(matrix.rows(), static_cast<Eigen::Index>(indices.size()));
+  for (std::size_t j = 0; j < indices.size(); ++j) part.col(j) = matrix.col(indices[j]);
+  return part;
+}
+
+Eigen::MatrixXd rows(const Eigen::MatrixXd& matrix, const std::vector<int>& indices) {
+  Eigen::MatrixXd part(static_cast<Eigen::Index>(indices.size()), matrix.cols());
+  for (std::size_t i = 0; i < indices.size(); ++i) part.row(i) = matrix.row(indices[i]);
+  return part;
+}
+
+/// Those of `samples` that have the cue.
+std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>& cue_rows) {
+  std::vector<int> kept;
+  for (const int sample : samples) {
+    if (cue_rows[sample] >= 0) kept.push_back(sample);
+  }
+  return kept;
+}
+
+}  // namespace
+
+Machines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                      std::size_t places, const TrainingOptions& options, unsigned threads) {
+  Machines machines = trainMachines(gram, labels, places, options.svm, threads);
+  if (options.reduction.method == "none") return machines;
+
+  const std::vector<int> vectors = supportVectors(machines);
+  Machines supported = machines;
+  supported.weights = rows(machines.weights, vectors);
+  supported = reduce(supported, columns(gram, vectors), options.reduction);
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    machines.weights.row(vectors[i]) = supported.weights.row(i);
+  }
+  machines.biases = supported.biases;
+  return machines;
+}
+
+HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& cue_rows,
+                       const std::vector<SampleOrigin>& samples, std::size_t places,
+                       const std::vector<Fold>& folds, const TrainingOptions& options,
+                       unsigned threads) {
+  HeldOut held_out;
+  held_out.margins.setZero(static_cast<Eigen::Index>(samples.size()),
+                           static_cast<Eigen::Index>(places));
+  held_out.valid.assign(samples.size(), false);
+  for (const Fold& fold : folds) {
+    const std::vector<int> train = withCue(fold.train, cue_rows);
+    const std::vector<int> test = withCue(fold.test, cue_rows);
+    std::vector<int> train_rows, test_rows, labels;
+    std::vector<bool> trained(places, false);
+    for (const int sample : train) {
+      train_rows.push_back(cue_rows[sample]);
+      labels.push_back(samples[sample].place);
+      trained[samples[sample].place] = true;
+    }
+    for (const int sample : test) test_rows.push_back(cue_rows[sample]);
+    if (train.empty() || test.empty()) continue;
+
+    const Eigen::MatrixXd train_columns = columns(gram, train_rows);
+    const Machines machines =
+        trainReduced(rows(train_columns, train_rows), labels, places, options, threads);
+    const Eigen::MatrixXd margins =
+        placeMargins(machines, machines.margins(rows(train_columns, test_rows)));
+    for (std::size_t i = 0; i < test.size(); ++i) {
+      if (!trained[samples[test[i]].place]) continue;
+      held_out.margins.row(test[i]) = margins.row(i);
+      held_out.valid[test[i]] = true;
+    }
+  }
+  return held_out;
+}
+
+double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                   std::size_t places) {
+  std::vector<int> truth, answers;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!held_out.valid[i]) continue;
+    truth.push_back(samples[i].place);
+    answers.push_back(largest(held_out.margins.row(i)));
+  }
+  return averageRate(truth, answers, places);
+}
+
+}  // namespace place_recognition

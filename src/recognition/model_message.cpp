@@ -1,0 +1,169 @@
+#include "recognition/model_message.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "base/options.h"
+#include "learning/machines.h"
+#include "learning/support_set.h"
+#include "place_recognition/error.h"
+#include "recognition/names.h"
+#include "recognition/vectors_message.h"
+
+namespace place_recognition {
+namespace {
+
+/// Far above what a configuration needs; keeps foreign text away from the YAML parser.
+constexpr std::size_t kMaxOptionsBytes = 1 << 16;
+
+void require(bool condition, const char* otherwise) {
+  if (!condition) throw Error(otherwise);
+}
+
+template <typename Numbers>
+void requireFinite(const Numbers& numbers, const char* otherwise) {
+  for (const double number : numbers) require(std::isfinite(number), otherwise);
+}
+
+bool isShare(double number) { return number >= 0 && number <= 1; }
+
+Eigen::RowVectorXd rowVector(const google::protobuf::RepeatedField<double>& numbers) {
+  return Eigen::Map<const Eigen::RowVectorXd>(numbers.data(), numbers.size());
+}
+
+void append(const Eigen::RowVectorXd& numbers, google::protobuf::RepeatedField<double>* field) {
+  field->Add(numbers.data(), numbers.data() + numbers.size());
+}
+
+proto::Classifier toMessage(const Classifier& classifier, proto::Vectors::Kind kind) {
+  proto::Classifier message;
+  *message.mutable_support_vectors() = toMessage(classifier.supportSet().vectors(), kind);
+  const Machines& machines = classifier.machines();
+  for (Eigen::Index i = 0; i < machines.weights.rows(); ++i) {
+    append(machines.weights.row(i), message.mutable_weights());
+  }
+  append(machines.biases, message.mutable_biases());
+  return message;
+}
+
+Classifier classifierFromMessage(const proto::Classifier& message, const CueOptions& cue,
+                                 const Model& model) {
+  Machines machines;
+  machines.places = model.places.size();
+  machines.one_against_one = model.options.svm.multiclass == "one-against-one";
+  require(static_cast<std::uint64_t>(message.biases_size()) ==
+              machineCount(machines.places, machines.one_against_one),
+          "the number of machines is not that of the places");
+  const std::uint64_t vectors = static_cast<std::uint64_t>(message.support_vectors().sizes_size());
+  require(static_cast<std::uint64_t>(message.weights_size()) == vectors * message.biases_size(),
+          "there are not as many weights as support vectors and machines");
+  requireFinite(message.weights(), "a weight is not finite");
+  requireFinite(message.biases(), "a bias is not finite");
+
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  machines.weights = Eigen::Map<const RowMajor>(
+      message.weights().data(), static_cast<Eigen::Index>(vectors), message.biases_size());
+  machines.biases = rowVector(message.biases());
+  return Classifier(cue.kernel, std::move(machines),
+                    fromMessage(message.support_vectors(), vectorKind(cue.feature)));
+}
+
+void readNames(const proto::Model& message, Model& model) {
+  model.places.assign(message.places().begin(), message.places().end());
+  require(model.places.size() >= 2, "it knows fewer than two places");
+  for (std::size_t k = 0; k < model.places.size(); ++k) {
+    require(isPlaceName(model.places[k]), "the name of a place is not printable UTF-8 text");
+    require(k == 0 || model.places[k - 1] < model.places[k], "the names of places do not ascend");
+  }
+}
+
+void readClassifiers(const proto::Model& message, Model& model) {
+  const std::vector<CueOptions>& cues = model.options.cues;
+  require(static_cast<std::size_t>(message.classifiers_size()) == cues.size() &&
+              static_cast<std::size_t>(message.cue_weights_size()) == cues.size(),
+          "it has not one classifier and one weight a cue");
+  double sum = 0;
+  for (const double weight : message.cue_weights()) {
+    require(isShare(weight), "the weight of a cue is not in 0..1");
+    sum += weight;
+  }
+  require(std::abs(sum - 1) < 1e-9, "the weights of the cues do not sum to one");
+  model.cue_weights.assign(message.cue_weights().begin(), message.cue_weights().end());
+  for (std::size_t c = 0; c < cues.size(); ++c) {
+    const proto::Classifier& classifier = message.classifiers(static_cast<int>(c));
+    model.classifiers.push_back(classifierFromMessage(classifier, cues[c], model));
+  }
+}
+
+void readCalibration(const proto::Model& message, Model& model) {
+  const int places = static_cast<int>(model.places.size());
+  require(
+      message.calibration_slopes_size() == places && message.calibration_offsets_size() == places,
+      "the calibration is not one of its places");
+  requireFinite(message.calibration_slopes(), "the calibration is not finite");
+  requireFinite(message.calibration_offsets(), "the calibration is not finite");
+  model.calibration.slopes = rowVector(message.calibration_slopes());
+  model.calibration.offsets = rowVector(message.calibration_offsets());
+  model.unknown_threshold = message.unknown_threshold();
+  model.validation.average_rate = message.validation_average_rate();
+  model.validation.calibration_error = message.validation_calibration_error();
+  require(isShare(model.unknown_threshold), "the threshold of 'unknown' is not in 0..1");
+  require(isShare(model.validation.average_rate) && isShare(model.validation.calibration_error),
+          "the validation is not in 0..1");
+}
+
+void readProvenance(const proto::Provenance& message, Model& model) {
+  require(static_cast<std::size_t>(message.place_images_size()) == model.places.size(),
+          "the numbers of images are not those of its places");
+  Provenance& provenance = model.provenance;
+  provenance.inputs.assign(message.inputs().begin(), message.inputs().end());
+  provenance.place_images.assign(message.place_images().begin(), message.place_images().end());
+  provenance.skipped_images = message.skipped_images();
+  provenance.package_version = message.package_version();
+}
+
+}  // namespace
+
+proto::Model toMessage(const Model& model) {
+  proto::Model message;
+  message.set_options(writeOptions(model.options));
+  for (const std::string& place : model.places) message.add_places(place);
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    *message.add_classifiers() =
+        toMessage(model.classifiers[c], vectorKind(model.options.cues[c].feature));
+    message.add_cue_weights(model.cue_weights[c]);
+  }
+  append(model.calibration.slopes, message.mutable_calibration_slopes());
+  append(model.calibration.offsets, message.mutable_calibration_offsets());
+  message.set_unknown_threshold(model.unknown_threshold);
+  message.set_validation_average_rate(model.validation.average_rate);
+  message.set_validation_calibration_error(model.validation.calibration_error);
+
+  proto::Provenance& provenance = *message.mutable_provenance();
+  for (const std::string& input : model.provenance.inputs) provenance.add_inputs(input);
+  for (const std::uint64_t count : model.provenance.place_images) {
+    provenance.add_place_images(count);
+  }
+  provenance.set_skipped_images(model.provenance.skipped_images);
+  provenance.set_package_version(model.provenance.package_version);
+  return message;
+}
+
+Model fromMessage(const proto::Model& message, const std::string& where) {
+  try {
+    Model model;
+    require(message.options().size() <= kMaxOptionsBytes, "its options are too long");
+    readOptions(parseYaml(message.options(), "its configuration"), "", model.options);
+    model.options.check();
+    readNames(message, model);
+    readClassifiers(message, model);
+    readCalibration(message, model);
+    readProvenance(message.provenance(), model);
+    return model;
+  } catch (const Error& e) {
+    throw Error("The model " + where + " cannot be used (" + e.what() +
+                "); restore a backup or train the model again.");
+  }
+}
+
+}  // namespace place_recognition

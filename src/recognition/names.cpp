@@ -1,0 +1,52 @@
+#include "recognition/names.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace place_recognition {
+namespace {
+
+constexpr std::size_t kMaxPlaceNameBytes = 128;
+constexpr std::size_t kMaxPlainNameBytes = 64;
+
+/// Decodes the character at `i` and moves `i` behind it; false if it is not well-formed UTF-8
+/// (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF).
+bool decode(const std::string& text, std::size_t& i, std::uint32_t& character) {
+  const auto byte = [&text](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+  const unsigned char first = byte(i);
+  const int length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  if ((first >= 0x80 && first < 0xc2) || first > 0xf4 || i + length > text.size()) return false;
+  character = length == 1 ? first : first & (0x7f >> length);
+  for (int k = 1; k < length; ++k) {
+    if ((byte(i + k) & 0xc0) != 0x80) return false;
+    character = character << 6 | (byte(i + k) & 0x3f);
+  }
+  const bool overlong = (length == 3 && character < 0x800) || (length == 4 && character < 0x10000);
+  const bool surrogate = character >= 0xd800 && character < 0xe000;
+  i += length;
+  return !overlong && !surrogate && character <= 0x10ffff;
+}
+
+}  // namespace
+
+bool isPlaceName(const std::string& name) {
+  if (name.empty() || name.size() > kMaxPlaceNameBytes) return false;
+  for (std::size_t i = 0; i < name.size();) {
+    std::uint32_t character = 0;
+    if (!decode(name, i, character)) return false;
+    const bool control = character < 0x20 || (character >= 0x7f && character < 0xa0);
+    if (control) return false;
+  }
+  return true;
+}
+
+bool isPlainName(const std::string& name) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  };
+  return !name.empty() && name.size() <= kMaxPlainNameBytes &&
+         std::all_of(name.begin(), name.end(), allowed);
+}
+
+}  // namespace place_recognition

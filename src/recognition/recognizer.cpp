@@ -1,0 +1,71 @@
+#include "place_recognition/recognizer.h"
+
+#include <algorithm>
+
+#include "recognition/cue_extraction.h"
+#include "recognition/evidence.h"
+#include "recognition/scores.h"
+
+namespace place_recognition {
+
+Recognizer::Recognizer(std::shared_ptr<const Model> model)
+    : model_(std::move(model)),
+      extraction_(std::make_unique<CueExtraction>(model_->options)),
+      unknown_threshold_(model_->unknown_threshold) {
+  const Eigen::Index places = static_cast<Eigen::Index>(model_->places.size());
+  cue_margins_.setZero(places);
+  recognition_.margins.setZero(places);
+  recognition_.probabilities.setZero(places);
+}
+
+Recognizer::~Recognizer() = default;
+Recognizer::Recognizer(Recognizer&&) noexcept = default;
+Recognizer& Recognizer::operator=(Recognizer&&) noexcept = default;
+
+const Recognition& Recognizer::recognize(const cv::Mat& image) {
+  extraction_->extract(image, features_);
+  if (sumMargins()) {
+    decide();
+  } else {
+    answerNothing(extraction_->reason());
+  }
+  return recognition_;
+}
+
+/// Weighted mean of the margins of the cues that the image has; false if it has none that counts.
+/// Dividing by the weights present keeps the sum in the units that the calibration was fitted in.
+bool Recognizer::sumMargins() {
+  recognition_.margins.setZero();
+  double present = 0;
+  for (std::size_t c = 0; c < features_.size(); ++c) {
+    const double weight = model_->cue_weights[c];
+    if (weight == 0 || isMissing(features_[c])) continue;
+    model_->classifiers[c].margins(features_[c], kernel_values_, cue_margins_);
+    recognition_.margins += weight * cue_margins_;
+    present += weight;
+  }
+  if (present > 0) recognition_.margins /= present;
+  return present > 0;
+}
+
+void Recognizer::decide() {
+  recognition_.probabilities = model_->calibration.probabilities(recognition_.margins);
+  recognition_.place = largest(recognition_.probabilities);
+  recognition_.confidence = recognition_.probabilities[recognition_.place];
+  recognition_.evidence = evidence(model_->calibration, recognition_.margins);
+  recognition_.known = recognition_.evidence >= unknown_threshold_;
+  recognition_.reason.clear();
+}
+
+void Recognizer::answerNothing(const std::string& reason) {
+  const double places = static_cast<double>(model_->places.size());
+  recognition_.margins.setZero();
+  recognition_.probabilities.setConstant(1 / places);
+  recognition_.place = -1;
+  recognition_.confidence = 0;
+  recognition_.evidence = 0;
+  recognition_.known = false;
+  recognition_.reason = reason.empty() ? "the image has no feature of a cue that counts" : reason;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,157 @@
+#include "recognition/samples.h"
+
+#include <algorithm>
+#include <deque>
+#include <set>
+
+#include "place_recognition/error.h"
+#include "recognition/extraction_pool.h"
+#include "recognition/names.h"
+
+namespace place_recognition {
+namespace {
+
+/// A labelled frame whose features are being extracted.
+struct Record {
+  std::string place;
+  int run = 0;
+  double stamp = 0;
+  std::string name;
+  ExtractedFeatures extracted;
+};
+
+/// Why frames of one run were left out.
+struct Skipped {
+  std::uint64_t unlabelled = 0;
+  std::uint64_t problems = 0;
+  std::string first_problem;
+
+  std::uint64_t total() const { return unlabelled + problems; }
+  void add(const std::string& name, const std::string& problem) {
+    if (problems++ == 0) first_problem = name + ": " + problem;
+  }
+};
+
+std::string warningOf(const std::string& run, const Skipped& skipped) {
+  std::string text = run + ": ";
+  if (skipped.unlabelled > 0)
+    text += std::to_string(skipped.unlabelled) + " pictures without label";
+  if (skipped.unlabelled > 0 && skipped.problems > 0) text += " and ";
+  if (skipped.problems > 0) {
+    text += std::to_string(skipped.problems) + " unusable ones (" + skipped.first_problem + ")";
+  }
+  return text + " were left out.";
+}
+
+/// Reads runs and remembers what came of each frame.
+class Collector {
+ public:
+  Collector(const TrainingOptions& options, unsigned threads) : pool_(options, threads) {}
+
+  void read(Run& run, const Progress& progress) {
+    inputs_.push_back(run.name());
+    skipped_.emplace_back();
+    const std::string stage = "Reading " + run.name();
+    report(progress, stage, 0);
+    for (Frame frame; run.next(frame);) {
+      add(std::move(frame));
+      report(progress, stage, run.fraction());
+    }
+  }
+
+  Samples finish(std::size_t cues) {
+    pool_.finish();
+    Samples samples;
+    samples.inputs = inputs_;
+    dropFeatureless();
+    requirePlaces();
+    fill(samples, cues);
+    for (std::size_t r = 0; r < inputs_.size(); ++r) {
+      samples.skipped += skipped_[r].total();
+      if (skipped_[r].total() > 0) samples.warnings.push_back(warningOf(inputs_[r], skipped_[r]));
+    }
+    return samples;
+  }
+
+ private:
+  void add(Frame frame) {
+    ++frames_;
+    if (frame.place.empty()) {
+      ++skipped_.back().unlabelled;
+    } else if (!isPlaceName(frame.place)) {
+      throw Error("The label of " + frame.name +
+                  " is not 1 to 128 bytes of printable UTF-8 text; "
+                  "rename the place.");
+    } else if (frame.image.empty()) {
+      skipped_.back().add(frame.name, frame.problem);
+    } else {
+      const int run = static_cast<int>(inputs_.size()) - 1;
+      records_.push_back({frame.place, run, frame.stamp, frame.name, {}});
+      pool_.submit(frame.image, records_.back().extracted);
+    }
+  }
+
+  void dropFeatureless() {
+    const auto featureless = [this](const Record& record) {
+      if (record.extracted.problem.empty()) return false;
+      skipped_[record.run].add(record.name, record.extracted.problem);
+      return true;
+    };
+    records_.erase(std::remove_if(records_.begin(), records_.end(), featureless), records_.end());
+  }
+
+  void requirePlaces() {
+    for (const Record& record : records_) places_.insert(record.place);
+    if (places_.size() >= 2) return;
+    std::string runs;
+    for (const std::string& input : inputs_) runs += (runs.empty() ? "" : ", ") + input;
+    if (frames_ == 0)
+      throw Error("There are no pictures in " + runs + "; give a run that has some.");
+    if (places_.size() == 1) {
+      throw Error("All pictures in " + runs + " show one place, '" + *places_.begin() +
+                  "'; a model needs two places or more to tell apart.");
+    }
+    Skipped all;
+    for (const Skipped& skipped : skipped_) {
+      if (skipped.problems > 0) all.add(skipped.first_problem, "");
+      all.unlabelled += skipped.unlabelled;
+    }
+    if (all.unlabelled == frames_) {
+      throw Error("None of the " + std::to_string(frames_) + " pictures in " + runs +
+                  " has a label; say which place each of them shows.");
+    }
+    throw Error("None of the pictures in " + runs + " can be used (" + all.first_problem + ").");
+  }
+
+  void fill(Samples& samples, std::size_t cues) {
+    samples.places.assign(places_.begin(), places_.end());
+    samples.features.resize(cues);
+    for (Record& record : records_) {
+      const auto place =
+          std::lower_bound(samples.places.begin(), samples.places.end(), record.place);
+      samples.origins.push_back(
+          {static_cast<int>(place - samples.places.begin()), record.run, record.stamp});
+      for (std::size_t c = 0; c < cues; ++c) {
+        samples.features[c].push_back(std::move(record.extracted.features[c]));
+      }
+    }
+  }
+
+  std::vector<std::string> inputs_;
+  std::vector<Skipped> skipped_;  // one a run
+  std::deque<Record> records_;    // stay where they are while threads fill them
+  std::set<std::string> places_;
+  std::uint64_t frames_ = 0;
+  ExtractionPool pool_;  // the last member: its threads end first
+};
+
+}  // namespace
+
+Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
+                       unsigned threads, const Progress& progress) {
+  Collector collector(options, threads);
+  for (const RunOpener& open : runs) collector.read(*open(), progress);
+  return collector.finish(options.cues.size());
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "learning/folds.h"
+#include "place_recognition/feature.h"
+#include "place_recognition/training.h"
+
+namespace place_recognition {
+
+/// What training keeps of the labelled frames of its runs.
+struct Samples {
+  std::vector<std::string> places;             ///< names, ascending
+  std::vector<SampleOrigin> origins;           ///< one a sample; place: index into `places`
+  std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
+  std::vector<std::string> inputs;             ///< names of the runs
+  std::uint64_t skipped = 0;  ///< frames without label, without picture or without any feature
+  std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
+};
+
+/// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
+/// one a core); a few frames at most wait in between. The samples are in the order of the runs.
+/// Throws Error if there is no picture, no label, a label that cannot name a place, or if fewer
+/// than two places have samples; Cancelled if `progress` asks for it.
+Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
+                       unsigned threads, const Progress& progress);
+
+}  // namespace place_recognition

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace place_recognition {
+
+/// The place with the largest value; the first one of equals.
+template <typename Row>
+int largest(const Row& values) {
+  int place = 0;
+  for (int k = 1; k < static_cast<int>(values.size()); ++k) {
+    if (values[k] > values[place]) place = k;
+  }
+  return place;
+}
+
+/// Mean of the rooms' own rates, each room as important as any other however many frames it has
+/// (thesis section 8.1), over the rooms that occur in `truth`; 0 if none does. `answers`: place
+/// answered for each frame, -1 for none.
+double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
+                   std::size_t places);
+
+/// Expected calibration error: frames in ten equal bins of confidence, the bins' |share of correct
+/// answers - mean confidence| weighted by their frames. 0 without frames.
+double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct);
+
+}  // namespace place_recognition

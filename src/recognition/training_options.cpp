@@ -1,0 +1,66 @@
+#include "place_recognition/training_options.h"
+
+#include <set>
+
+#include "place_recognition/error.h"
+#include "recognition/names.h"
+
+namespace place_recognition {
+namespace {
+
+/// Runs the checks of a cue's parts, adding the cue's name to what they say.
+void checkCue(const CueOptions& cue) {
+  if (!isPlainName(cue.name)) {
+    throw Error("Option 'cues.name' is '" + cue.name +
+                "'; give 1 to 64 letters, digits, '_' or '-'.");
+  }
+  try {
+    std::visit([](const auto& feature) { feature.check(); }, cue.feature);
+    cue.kernel.check();
+  } catch (const Error& e) {
+    throw Error("Cue '" + cue.name + "': " + e.what());
+  }
+}
+
+}  // namespace
+
+void ImageOptions::check() const {
+  if (max_width < 0 || (max_width > 0 && max_width < 16)) {
+    throw Error("Option 'image.max_width' is " + std::to_string(max_width) +
+                "; give at least 16 pixels, or 0 to leave images as they are.");
+  }
+}
+
+void ValidationOptions::check() const {
+  if (folds < 2 || folds > 20) {
+    throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to 20.");
+  }
+  if (gap < 0) {
+    throw Error("Option 'validation.gap' is " + std::to_string(gap) + "; give 0 or more frames.");
+  }
+}
+
+void UnknownOptions::check() const {
+  if (!(false_alarm_rate >= 0 && false_alarm_rate <= 1)) {
+    throw Error("Option 'unknown.false_alarm_rate' is " + std::to_string(false_alarm_rate) +
+                "; give a share, 0 to 1.");
+  }
+}
+
+void TrainingOptions::check() const {
+  image.check();
+  if (cues.empty()) throw Error("Option 'cues' is empty; give at least one cue.");
+  std::set<std::string> names;
+  for (const CueOptions& cue : cues) {
+    checkCue(cue);
+    if (!names.insert(cue.name).second) {
+      throw Error("Two cues are named '" + cue.name + "' in option 'cues'; rename one.");
+    }
+  }
+  svm.check();
+  reduction.check();
+  validation.check();
+  unknown.check();
+}
+
+}  // namespace place_recognition
