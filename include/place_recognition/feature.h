@@ -26,6 +26,7 @@ struct DenseVector {
 /// no meaning. SIFT descriptors are integers 0..255, so squared distances are exact.
 struct DescriptorSet {
   static constexpr std::size_t kDimension = 128;
+  static constexpr int kUnit = 512;       ///< what SIFT scales a descriptor of norm one by
   std::vector<std::uint8_t> descriptors;  ///< size() x kDimension, row-major.
 
   std::size_t size() const { return descriptors.size() / kDimension; }

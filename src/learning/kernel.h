@@ -1,5 +1,6 @@
 #pragma once
 
+#include "learning/kernel_type.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/learning_options.h"
 
@@ -25,21 +26,25 @@ class Kernel {
   explicit Kernel(const KernelOptions& options);
 
   /// The plain definition, in double precision; the reference for every faster way. Throws Error if
-  /// the two features differ in kind, or the kernel has no meaning for that kind.
+  /// the two features differ in kind or dimension, or the kernel has no meaning for that kind.
   double measure(const Feature& x, const Feature& y) const;
   double value(double measure) const;
   double operator()(const Feature& x, const Feature& y) const { return value(measure(x, y)); }
 
-  /// Throws Error, listing the kernels that do, if this kernel has no meaning for `feature`.
+  /// Throws Error, listing the kernels that do, if this kernel has no meaning for `feature`: sets
+  /// of descriptors have local-match, vectors the others; chi-squared and intersection take
+  /// histograms, without negative elements.
   void requireMeaningFor(const Feature& feature) const;
 
   /// Whether measure() is free of gamma, so that one matrix of measures serves every gamma.
   bool measureIsFreeOfGamma() const;
 
   const KernelOptions& options() const { return options_; }
+  const KernelType& type() const { return type_; }
 
  private:
   KernelOptions options_;
+  KernelType type_;
 };
 
 }  // namespace place_recognition

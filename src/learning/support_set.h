@@ -5,21 +5,19 @@
 #include <vector>
 
 #include "learning/kernel.h"
+#include "learning/support_index.h"
 #include "place_recognition/feature.h"
 
 namespace place_recognition {
 
 /// The vectors that all machines of a classifier share, laid out for comparing one new feature with
-/// all of them at once (sparse: an inverted index, bin -> postings; dense and local: blocked
+/// all of them at once (vectors: an inverted index, bin -> postings; local descriptors: blocked
 /// products). Immutable; safe to share between threads.
 class SupportSet {
  public:
   /// All features must be of one kind (and not missing) that the kernel has a meaning for, else
   /// Error. May be empty.
   SupportSet(const Kernel& kernel, std::vector<Feature> vectors);
-  ~SupportSet();
-  SupportSet(SupportSet&&) noexcept;
-  SupportSet& operator=(SupportSet&&) noexcept;
 
   /// kernel.measure(x, vector i) for every i, into `out` of size() elements.
   void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
@@ -31,10 +29,9 @@ class SupportSet {
   const Kernel& kernel() const { return kernel_; }
 
  private:
-  class Index;  // one implementation a kind of feature
   Kernel kernel_;
   std::vector<Feature> vectors_;
-  std::unique_ptr<Index> index_;
+  std::unique_ptr<SupportIndex> index_;
 };
 
 }  // namespace place_recognition

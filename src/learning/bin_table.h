@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace place_recognition {
+
+/// Where the values of each bin of a support set stand: an open-addressing hash table of 16-byte
+/// slots, so that looking a bin up touches one cache line.
+class BinTable {
+ public:
+  struct Slot {
+    std::uint64_t bin = 0;
+    std::uint32_t begin = 0;
+    std::uint32_t count = 0;  ///< 0: the slot is empty
+  };
+
+  BinTable() : slots_(1u << kFirstBits), shift_(64 - kFirstBits) {}
+
+  /// The slot of `bin`, with a count of 0 if there is none yet; whoever asks must then raise it.
+  /// Pointers from earlier calls no longer hold.
+  Slot& insert(std::uint64_t bin) {
+    if (2 * used_ >= slots_.size()) grow();
+    Slot& slot = slots_[position(bin)];
+    if (slot.count == 0) {
+      ++used_;
+      slot.bin = bin;
+    }
+    return slot;
+  }
+
+  /// The slot of `bin`, or one with a count of 0.
+  const Slot& find(std::uint64_t bin) const { return slots_[position(bin)]; }
+  Slot& find(std::uint64_t bin) { return slots_[position(bin)]; }
+
+  /// Asks the memory for what find(bin) will read.
+  void prefetch(std::uint64_t bin) const { __builtin_prefetch(&slots_[home(bin)]); }
+
+  std::vector<Slot>& slots() { return slots_; }
+
+ private:
+  static constexpr unsigned kFirstBits = 10;
+
+  /// Fibonacci hashing: the high bits of a product with 2^64 / golden ratio.
+  std::size_t home(std::uint64_t bin) const { return (bin * 0x9E3779B97F4A7C15u) >> shift_; }
+
+  std::size_t position(std::uint64_t bin) const {
+    std::size_t i = home(bin);
+    while (slots_[i].count != 0 && slots_[i].bin != bin) i = (i + 1) & (slots_.size() - 1);
+    return i;
+  }
+
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size());
+    old.swap(slots_);
+    --shift_;
+    for (const Slot& slot : old) {
+      if (slot.count != 0) slots_[position(slot.bin)] = slot;
+    }
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+  unsigned shift_;
+};
+
+}  // namespace place_recognition

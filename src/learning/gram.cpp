@@ -1,0 +1,72 @@
+#include "learning/gram.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "base/parallel.h"
+#include "learning/support_set.h"
+
+namespace place_recognition {
+namespace {
+
+/// Features compared at a time: few enough that their sums stay in the cache, many enough that
+/// looking the bins up is a small part of the work.
+constexpr std::size_t kBlock = 512;
+
+/// Counts finished rows from any thread and reports them, a percent at a time, from the first.
+class RowProgress {
+ public:
+  RowProgress(const Progress& progress, std::size_t rows) : progress_(progress), rows_(rows) {}
+
+  void finishRow(unsigned thread) {
+    const double fraction = static_cast<double>(++done_) / static_cast<double>(rows_);
+    if (thread != 0 || fraction < reported_ + 0.01) return;
+    reported_ = fraction;
+    report(progress_, "comparing features", fraction);
+  }
+
+ private:
+  const Progress& progress_;
+  const std::size_t rows_;
+  std::atomic<std::size_t> done_{0};
+  double reported_ = 0;
+};
+
+/// Row and column numbers of all blocks: how often a feature is compared with a block.
+std::size_t rowCount(std::size_t n) {
+  std::size_t rows = 0;
+  for (std::size_t begin = 0; begin < n; begin += kBlock) rows += n - begin;
+  return rows;
+}
+
+}  // namespace
+
+Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& features,
+                              unsigned threads, const Progress& progress) {
+  const std::size_t n = features.size();
+  Eigen::MatrixXd measures(n, n);
+  RowProgress row_progress(progress, rowCount(n));
+  for (std::size_t begin = 0; begin < n; begin += kBlock) {
+    const std::size_t end = std::min(n, begin + kBlock);
+    const SupportSet block(
+        kernel, std::vector<Feature>(&features[begin], &features[begin] + (end - begin)));
+    // Of column i only what stands on or above the diagonal is kept, and mirrored below, so that
+    // the matrix is symmetric to the last bit.
+    parallelFor(n - begin, threads, [&](std::size_t offset, unsigned thread) {
+      const std::size_t i = begin + offset;
+      Eigen::VectorXd column(block.size());
+      block.measures(features[i], column);
+      const std::size_t count = std::min(end, i + 1) - begin;
+      measures.col(i).segment(begin, count) = column.head(count);
+      row_progress.finishRow(thread);
+    });
+  }
+  measures.triangularView<Eigen::StrictlyLower>() = measures.transpose();
+  return measures;
+}
+
+Eigen::MatrixXd gramMatrix(const Kernel& kernel, const Eigen::MatrixXd& measures) {
+  return measures.unaryExpr([&](double measure) { return kernel.value(measure); });
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace place_recognition {
+
+/// What is measured between two features ...
+enum class Measure { kDot, kSquaredDistance, kChiSquared, kIntersection, kLocalMatch };
+
+/// ... and how that becomes the value of the kernel.
+enum class Response { kIdentity, kPolynomial, kSigmoid, kExponential };
+
+/// One line of the table in kernel.h.
+struct KernelType {
+  const char* name;
+  Measure measure;
+  Response response;
+};
+
+/// Throws Error, listing the types that exist, if none has this name.
+const KernelType& kernelType(const std::string& name);
+
+/// Names of the types that compare sets of local descriptors (else: vectors), separated by commas.
+std::string kernelTypeNames(bool of_descriptors);
+
+}  // namespace place_recognition

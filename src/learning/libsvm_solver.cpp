@@ -1,0 +1,79 @@
+#include "learning/libsvm_solver.h"
+
+#include <svm.h>
+
+#include <cassert>
+#include <memory>
+#include <mutex>
+
+namespace place_recognition {
+namespace {
+
+/// Stopping tolerance on the optimality conditions; margins are determined to about as much.
+constexpr double kTolerance = 1e-3;
+/// Of libsvm's own cache, which holds rows of a machine's problem.
+constexpr double kCacheMegabytes = 200;
+
+void silenceLibsvm() {
+  static std::once_flag once;
+  std::call_once(once, [] { svm_set_print_string_function([](const char*) {}); });
+}
+
+svm_parameter parameters(double c) {
+  svm_parameter parameter = {};
+  parameter.svm_type = C_SVC;
+  parameter.kernel_type = PRECOMPUTED;
+  parameter.cache_size = kCacheMegabytes;
+  parameter.eps = kTolerance;
+  parameter.C = c;
+  parameter.shrinking = 1;
+  return parameter;
+}
+
+struct ModelDeleter {
+  void operator()(svm_model* model) const { svm_free_and_destroy_model(&model); }
+};
+
+}  // namespace
+
+LibsvmSolver::LibsvmSolver(const Eigen::MatrixXd& gram)
+    : nodes_(gram.rows() * (gram.rows() + 1)), size_(gram.rows()) {
+  assert(gram.rows() == gram.cols());
+  silenceLibsvm();
+  // A precomputed row of libsvm: its own number, from 1, then the kernel values.
+  svm_node* node = nodes_.data();
+  for (Eigen::Index i = 0; i < gram.cols(); ++i) {
+    *node++ = {0, static_cast<double>(i + 1)};
+    for (Eigen::Index j = 0; j < gram.rows(); ++j) *node++ = {static_cast<int>(j + 1), gram(j, i)};
+  }
+}
+
+LibsvmSolver::~LibsvmSolver() = default;
+
+double LibsvmSolver::solve(const std::vector<int>& signs, double c,
+                           Eigen::Ref<Eigen::VectorXd> weights) const {
+  assert(signs.size() == size_ && static_cast<std::size_t>(weights.size()) == size_);
+  std::vector<svm_node*> rows;
+  std::vector<double> targets;
+  std::vector<Eigen::Index> vectors;
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (signs[i] == 0) continue;
+    rows.push_back(const_cast<svm_node*>(&nodes_[i * (size_ + 1)]));  // libsvm only reads it
+    targets.push_back(signs[i]);
+    vectors.push_back(static_cast<Eigen::Index>(i));
+  }
+  svm_problem problem = {static_cast<int>(rows.size()), targets.data(), rows.data()};
+  const svm_parameter parameter = parameters(c);
+  const std::unique_ptr<svm_model, ModelDeleter> model(svm_train(&problem, &parameter));
+  assert(model->nr_class == 2);
+
+  // libsvm's decision value is positive for its first label.
+  const double sign = model->label[0];
+  weights.setZero();
+  for (int k = 0; k < model->l; ++k) {
+    weights[vectors[model->sv_indices[k] - 1]] = sign * model->sv_coef[0][k];
+  }
+  return -sign * model->rho[0];
+}
+
+}  // namespace place_recognition

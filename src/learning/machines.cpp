@@ -1,0 +1,103 @@
+#include "learning/machines.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "base/parallel.h"
+#include "learning/libsvm_solver.h"
+
+namespace place_recognition {
+namespace {
+
+/// Calls visit(machine, a, b) for every pair of places a < b, in the order of the machines.
+template <typename Visit>
+void forEachPair(std::size_t places, Visit visit) {
+  Eigen::Index machine = 0;
+  for (std::size_t a = 0; a < places; ++a) {
+    for (std::size_t b = a + 1; b < places; ++b) {
+      visit(machine++, static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+    }
+  }
+}
+
+/// For each machine, +1 or -1 for the vectors it is trained on, 0 for the others.
+std::vector<std::vector<int>> signsOfMachines(const std::vector<int>& labels, std::size_t places,
+                                              bool one_against_one) {
+  std::vector<std::vector<int>> signs;
+  const auto add = [&](int positive, std::optional<int> negative) {
+    std::vector<int>& machine = signs.emplace_back();
+    for (const int label : labels) {
+      const bool opposes = !negative || label == *negative;
+      machine.push_back(label == positive ? 1 : opposes ? -1 : 0);
+    }
+  };
+  if (one_against_one) {
+    forEachPair(places, [&](Eigen::Index, Eigen::Index a, Eigen::Index b) {
+      add(static_cast<int>(a), static_cast<int>(b));
+    });
+  } else {
+    for (std::size_t place = 0; place < places; ++place) add(static_cast<int>(place), {});
+  }
+  return signs;
+}
+
+}  // namespace
+
+Eigen::MatrixXd Machines::margins(const Eigen::MatrixXd& kernel_values) const {
+  return (kernel_values * weights).rowwise() + biases;
+}
+
+std::size_t machineCount(std::size_t places, bool one_against_one) {
+  return one_against_one ? places * (places - 1) / 2 : places;
+}
+
+Eigen::MatrixXd placeMargins(const Machines& machines, const Eigen::MatrixXd& machine_margins) {
+  if (!machines.one_against_one) return machine_margins;
+  const auto places = static_cast<Eigen::Index>(machines.places);
+  Eigen::MatrixXd votes = Eigen::MatrixXd::Zero(machine_margins.rows(), places);
+  Eigen::MatrixXd sums = votes;
+  forEachPair(machines.places, [&](Eigen::Index machine, Eigen::Index a, Eigen::Index b) {
+    const auto margin = machine_margins.col(machine);
+    const Eigen::VectorXd for_a = (margin.array() > 0).cast<double>();
+    votes.col(a) += for_a;
+    votes.col(b).array() += 1 - for_a.array();
+    sums.col(a) += margin;
+    sums.col(b) -= margin;
+  });
+  return votes.array() + sums.array() / (3 * (sums.array().abs() + 1));
+}
+
+Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                       std::size_t places, const SvmOptions& options, unsigned threads) {
+  assert(gram.rows() == static_cast<Eigen::Index>(labels.size()));
+  options.check();
+  Machines machines;
+  machines.places = places;
+  machines.one_against_one = options.multiclass == "one-against-one";
+  const auto signs = signsOfMachines(labels, places, machines.one_against_one);
+  machines.weights.setZero(gram.rows(), static_cast<Eigen::Index>(signs.size()));
+  machines.biases.setZero(static_cast<Eigen::Index>(signs.size()));
+
+  const LibsvmSolver solver(gram);
+  parallelFor(signs.size(), threads, [&](std::size_t m, unsigned) {
+    const auto machine = static_cast<Eigen::Index>(m);
+    const bool positive = std::count(signs[m].begin(), signs[m].end(), 1) > 0;
+    const bool negative = std::count(signs[m].begin(), signs[m].end(), -1) > 0;
+    machines.biases[machine] =
+        positive && negative ? solver.solve(signs[m], options.c, machines.weights.col(machine))
+                             : (positive ? 1 : -1);
+  });
+  return machines;
+}
+
+std::vector<int> supportVectors(const Machines& machines) {
+  std::vector<int> indices;
+  for (Eigen::Index i = 0; i < machines.weights.rows(); ++i) {
+    if ((machines.weights.row(i).array() != 0).any()) indices.push_back(static_cast<int>(i));
+  }
+  return indices;
+}
+
+}  // namespace place_recognition
