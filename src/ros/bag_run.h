@@ -13,9 +13,11 @@ namespace place_recognition {
 /// order: `label`, `labels_file`, a file beside the bag, `label_topic`.
 struct BagRunOptions {
   std::string image_topic;  ///< empty: the only topic of images
-  std::string label_topic = "/place_label";  ///< std_msgs/String: holds until the next; see labels.h
-  std::string label;        ///< one place for the whole bag
-  std::string labels_file;  ///< empty: RUN.labels.yaml or labels.dat beside RUN.bag, if there is one
+  std::string label_topic =
+      "/place_label";  ///< std_msgs/String: holds until the next; see labels.h
+  std::string label;   ///< one place for the whole bag
+  std::string
+      labels_file;  ///< empty: RUN.labels.yaml or labels.dat beside RUN.bag, if there is one
 };
 
 /// Reads the images of a bag (sensor_msgs/Image or CompressedImage; not, bz2- or lz4-compressed)
@@ -29,7 +31,7 @@ struct BagTopic {
   std::string name;
   std::string type;  ///< as in std_msgs/String
   std::uint64_t messages = 0;
-  int width = 0;     ///< pixels of its first picture; 0: not images, or none that can be decoded
+  int width = 0;  ///< pixels of its first picture; 0: not images, or none that can be decoded
   int height = 0;
 };
 
@@ -42,8 +44,8 @@ struct BagLabel {
 
 /// What is in a bag.
 struct BagInfo {
-  double start = 0;     ///< s since 1970, or of simulated time
-  double duration = 0;  ///< s
+  double start = 0;              ///< s since 1970, or of simulated time
+  double duration = 0;           ///< s
   std::vector<BagTopic> topics;  ///< of images first, then in order of name
   std::vector<BagLabel> labels;  ///< in order of time; empty: the bag is not labelled
 };

@@ -17,7 +17,7 @@ struct LabelledBagOptions {
   bool jpeg = true;       ///< sensor_msgs/CompressedImage; false: sensor_msgs/Image
   int jpeg_quality = 90;  ///< 1..100
   Compression compression = Compression::kNone;  ///< of the bag's chunks
-  double base_time = 1'000'000'000;  ///< s since 1970, added to every stamp
+  double base_time = 1'000'000'000;              ///< s since 1970, added to every stamp
 };
 
 /// Writes a bag of images and, whenever it changes, the label, as openBagRun() reads it. The bag

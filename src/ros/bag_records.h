@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace place_recognition {
+
+// What bag_reader tells openBagRun() and bagInfo() through a pipe. In this order: one kSpan, a
+// kTopic each topic, the kLabel in order of time, the kImage or kProblem in order of time, kEnd;
+// or, at any point, kError or kCrash as the last.
+
+enum class BagRecordKind : std::uint32_t {
+  kSpan,     ///< time and stamp: first and last bag time
+  kTopic,    ///< text: name; detail: type; number: messages; rows and cols of the first picture
+  kLabel,    ///< text: label; time
+  kImage,    ///< text: name; time; stamp; rows, cols, type; rows x cols pixels follow
+  kProblem,  ///< a picture that cannot be decoded: text: name; detail: why; time; stamp
+  kError,    ///< detail: why the bag cannot be read, for a person; number: byte offset
+  kCrash,    ///< number: byte offset that had been read to
+  kEnd,
+};
+
+struct BagRecordNumbers {
+  BagRecordKind kind = BagRecordKind::kEnd;
+  std::int32_t type = 0;  ///< of cv::Mat: CV_8UC1 or CV_8UC3
+  double time = 0;        ///< bag time, s
+  double stamp = 0;       ///< of the picture's header, s
+  std::uint64_t number = 0;
+  std::uint32_t rows = 0;
+  std::uint32_t cols = 0;
+};
+
+struct BagRecord : BagRecordNumbers {
+  std::string text;    ///< cut off at kMaxText
+  std::string detail;  ///< likewise
+
+  static constexpr std::size_t kMaxText = 4096;
+};
+
+/// Writes a record without its pixels; false if nobody reads any more.
+bool writeRecord(int fd, const BagRecord& record);
+bool writeBytes(int fd, const void* bytes, std::size_t count);
+
+/// Reads a record without its pixels; nothing at the end of the pipe or if it is not well formed.
+std::optional<BagRecord> readRecord(int fd);
+bool readBytes(int fd, void* bytes, std::size_t count);
+
+/// Writes a kCrash record, from a signal handler.
+void writeCrash(int fd, std::uint64_t offset);
+
+}  // namespace place_recognition

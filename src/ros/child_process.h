@@ -1,0 +1,48 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// A program running beside this one, with its standard output (and, if wanted, its standard error)
+/// in pipes. It is started without a shell and inherits no other descriptor. Not thread-safe, but
+/// for interrupt().
+class ChildProcess {
+ public:
+  enum class Stderr { kDiscard, kPipe };
+
+  /// Starts `arguments[0]`, a path. Throws Error if it cannot be started.
+  ChildProcess(const std::vector<std::string>& arguments, Stderr stderr_use);
+  /// Kills the program if it still runs.
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  int output() const { return output_; }  ///< descriptor to read its standard output from
+  int errors() const { return errors_; }  ///< of its standard error; -1: discarded
+
+  /// Asks the program to stop (SIGINT). From any thread, as long as wait() has not been called.
+  void interrupt() const;
+  /// Stops it at once (SIGKILL).
+  void kill() const;
+  /// Waits for its end and returns how it ended, as waitpid() puts it.
+  int wait();
+
+ private:
+  pid_t pid_ = -1;
+  int output_ = -1;
+  int errors_ = -1;
+};
+
+/// "exit code 3" or "signal 11 (Segmentation fault)".
+std::string describeExit(int status);
+
+/// The path of an executable of this package: in the folder that the environment variable
+/// PLACE_RECOGNITION_LIBEXEC names, beside the program that runs, or in lib/place_recognition of
+/// the same tree. Throws Error if it is in none of them.
+std::string findExecutable(const std::string& name);
+
+}  // namespace place_recognition

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <place_recognition/ModelInfo.h>
+#include <place_recognition/PlaceRecognition.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <std_msgs/Header.h>
+
+#include <opencv2/core/mat.hpp>
+
+#include "place_recognition/model.h"
+#include "place_recognition/recognizer.h"
+
+namespace place_recognition {
+
+/// Larger pictures are refused before any memory is taken for them.
+constexpr int kMaxImageSide = 8192;
+
+/// The picture of a message as CV_8UC3 BGR or CV_8UC1. Of bgr8 and mono8 it shares the message's
+/// memory, so the message must outlive it. Understands rgb, bgr, rgba, bgra, mono and bayer of 8 or
+/// 16 bits, yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1; of 16 bits the upper 8 are kept. Throws
+/// Error for other encodings and for sizes that do not agree; nothing else, whatever the message
+/// holds.
+cv::Mat toImage(const sensor_msgs::Image& message);
+
+/// The same for a JPEG or PNG picture, whose size is checked before it is decoded, see
+/// decodeImage().
+cv::Mat toImage(const sensor_msgs::CompressedImage& message);
+
+/// The message of an answer to the image with `header`; `seconds` were spent on it.
+PlaceRecognition toMessage(const Recognition& recognition, const Model& model,
+                           const std_msgs::Header& header, double seconds);
+
+ModelInfo toMessage(const Model& model);
+
+/// The message of a CV_8UC3 or CV_8UC1 picture: bgr8 or mono8.
+sensor_msgs::Image toImageMessage(const cv::Mat& image, const std_msgs::Header& header);
+
+}  // namespace place_recognition
