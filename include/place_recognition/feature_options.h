@@ -16,6 +16,7 @@ struct CrfhOptions {
 
   std::vector<std::string> descriptors = {"Lxx", "Lxy", "Lyy"};
   std::vector<double> scales = {1, 4};
+  std::vector<double> sigmas = {};
   std::vector<int> bins = {28};
   std::string derivatives = "central-difference";
   double derivative_range = 128;
@@ -28,6 +29,7 @@ struct CrfhOptions {
             "one dimension each, at every scale: a channel L, R, G, B, C1 or C2, alone or followed "
             "by x, y, xx, xy or yy; or grad(.), lap(.), det(.) of a channel");
     visitor("scales", self.scales, "t = sigma^2, pixels^2, each > 0 and <= 400");
+    visitor("sigmas", self.sigmas, "the scales as sigma, pixels; replaces scales if not empty");
     visitor("bins", self.bins, "quantisation levels: one number, or one for each descriptor");
     visitor("derivatives", self.derivatives,
             "central-difference (of the smoothed image) or gaussian (sampled, eq. 4.10)");
@@ -37,6 +39,8 @@ struct CrfhOptions {
     visitor("border", self.border,
             "pixels at each side that are not counted; grows by itself for large scales");
   }
+  /// The scales as t = sigma^2, from whichever of the two keys gives them.
+  std::vector<double> variances() const;
   void check() const;
 };
 

@@ -1,0 +1,64 @@
+#include "features/color_planes.h"
+
+#include <cassert>
+
+#include "base/simd.h"
+
+namespace place_recognition {
+namespace {
+
+/// A channel is this many times B, G and R, less the middle of its range.
+struct Mixture {
+  int b, g, r, middle;
+};
+
+Mixture mixture(Channel channel) {
+  switch (channel) {
+    case Channel::kL: return {1, 1, 1, 383};
+    case Channel::kR: return {0, 0, 1, 128};
+    case Channel::kG: return {0, 1, 0, 128};
+    case Channel::kB: return {1, 0, 0, 128};
+    case Channel::kC1: return {0, -1, 1, 0};
+    case Channel::kC2: return {-2, 1, 1, 0};
+  }
+  return {};
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void mixColors(const std::uint8_t* __restrict bgr, const Mixture& mixture, int n,
+               float* __restrict out) {
+  const auto [b, g, r, middle] = mixture;
+  for (int x = 0; x < n; ++x) {
+    out[x] = static_cast<float>(b * bgr[3 * x] + g * bgr[3 * x + 1] + r * bgr[3 * x + 2] - middle);
+  }
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void mixGrey(const std::uint8_t* __restrict grey, const Mixture& mixture, int n,
+             float* __restrict out) {
+  const int sum = mixture.b + mixture.g + mixture.r;
+  for (int x = 0; x < n; ++x) out[x] = static_cast<float>(sum * grey[x] - mixture.middle);
+}
+
+}  // namespace
+
+void extractPlane(const cv::Mat& image, Channel channel, cv::Mat_<float>& plane) {
+  assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
+  plane.create(image.size());
+  const auto mix = image.type() == CV_8UC3 ? mixColors : mixGrey;
+  for (int y = 0; y < image.rows; ++y) {
+    mix(image.ptr<std::uint8_t>(y), mixture(channel), image.cols, plane[y]);
+  }
+}
+
+PlaneScale planeScale(Channel channel) {
+  const double middle = mixture(channel).middle;
+  switch (channel) {
+    case Channel::kL: return {1.0 / 3, middle};
+    case Channel::kC1:
+    case Channel::kC2: return {0.5, middle};
+    default: return {1, middle};
+  }
+}
+
+}  // namespace place_recognition

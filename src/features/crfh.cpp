@@ -1,0 +1,115 @@
+#include "features/crfh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "features/crfh_descriptor.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr std::uint64_t kWordSize = std::uint64_t{1} << 32;
+
+/// Digit floor((v - low) * bins / (high - low)) of the normalised response v.
+Quantizer makeQuantizer(const CrfhDescriptor& descriptor, double t, double derivative_range,
+                        int bins, std::uint64_t weight) {
+  const auto [unit, middle] = planeScale(descriptor.channel);
+  const bool quadratic = descriptor.op == Operator::kDeterminant;
+  const double normalization =
+      scaleNormalization(descriptor.op, t) * (quadratic ? unit * unit : unit);
+  const double shift = descriptor.op == Operator::kValue ? unit * middle : 0;
+
+  const ResponseRange range = responseRange(descriptor, derivative_range);
+  const double bins_per_unit = bins / (range.high - range.low);
+  const double offset = (shift - range.low) * bins_per_unit;
+  const double whole = std::floor(offset);
+  return {static_cast<float>(normalization * bins_per_unit), static_cast<float>(offset - whole),
+          static_cast<float>(-whole), static_cast<float>(bins - 1 - whole),
+          static_cast<std::uint32_t>(weight)};
+}
+
+}  // namespace
+
+CrfhExtractor::CrfhExtractor(const CrfhOptions& options) : border_(options.border) {
+  options.check();
+  std::uint64_t bins_in_word = 1;
+  std::uint64_t bins_so_far = 1;
+  for (double t : options.variances()) {
+    for (std::size_t i = 0; i < options.descriptors.size(); ++i) {
+      const CrfhDescriptor descriptor = parseDescriptor(options.descriptors[i]);
+      const std::uint64_t bins = options.bins[options.bins.size() > 1 ? i : 0];
+      const bool first_in_word = words_.empty() || bins_in_word * bins > kWordSize;
+      if (first_in_word) {
+        words_.push_back({bins_so_far, {}});
+        bins_in_word = 1;
+      }
+      const std::size_t filter = filterOf(descriptor.channel, t, options);
+      filters_[filter].responses.request(descriptor.op);
+      dimensions_.push_back(
+          {filter, descriptor.op, words_.size() - 1, first_in_word,
+           makeQuantizer(descriptor, t, options.derivative_range, static_cast<int>(bins),
+                         bins_in_word)});
+      bins_in_word *= bins;
+      bins_so_far *= bins;
+    }
+  }
+  for (const Filter& filter : filters_) border_ = std::max(border_, filter.responses.margin());
+}
+
+std::size_t CrfhExtractor::planeOf(Channel channel) {
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    if (planes_[i].channel == channel) return i;
+  }
+  planes_.push_back({channel, {}});
+  return planes_.size() - 1;
+}
+
+std::size_t CrfhExtractor::filterOf(Channel channel, double t, const CrfhOptions& options) {
+  const std::size_t plane = planeOf(channel);
+  for (std::size_t i = 0; i < filters_.size(); ++i) {
+    if (filters_[i].plane == plane && filters_[i].t == t) return i;
+  }
+  const auto method = options.derivatives == "gaussian" ? DerivativeMethod::kGaussian
+                                                        : DerivativeMethod::kCentralDifference;
+  filters_.push_back({plane, t, ResponseFilter(t, options.half_width, method)});
+  return filters_.size() - 1;
+}
+
+void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
+  const int columns = image.cols - 2 * border_;
+  const int rows = image.rows - 2 * border_;
+  if (columns <= 0 || rows <= 0) {
+    missing_reason_ = "the image of " + std::to_string(image.cols) + " x " +
+                      std::to_string(image.rows) + " pixels has no pixel farther than " +
+                      std::to_string(border_) + " from its edges";
+    feature = std::monostate();
+    return;
+  }
+  for (Plane& plane : planes_) extractPlane(image, plane.channel, plane.pixels);
+  for (Filter& filter : filters_) {
+    filter.responses.start(planes_[filter.plane].pixels, border_, columns);
+  }
+  for (Word& word : words_) word.row.resize(columns);
+  bins_.resize(columns);
+
+  counter_.clear();
+  for (int y = border_; y < border_ + rows; ++y) countRow(y, columns);
+
+  if (!std::holds_alternative<SparseVector>(feature)) feature = SparseVector();
+  counter_.histogram(static_cast<double>(rows) * columns, std::get<SparseVector>(feature));
+}
+
+void CrfhExtractor::countRow(int y, int columns) {
+  for (Filter& filter : filters_) filter.responses.computeRow(y);
+  for (const Dimension& dimension : dimensions_) {
+    quantize(filters_[dimension.filter].responses.row(dimension.op), dimension.quantizer,
+             !dimension.first_in_word, columns, words_[dimension.word].row.data());
+  }
+  std::fill(bins_.begin(), bins_.end(), 0);
+  for (const Word& word : words_) {
+    for (int x = 0; x < columns; ++x) bins_[x] += word.weight * word.row[x];
+  }
+  counter_.add(bins_.data(), bins_.size());
+}
+
+}  // namespace place_recognition

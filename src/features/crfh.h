@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "features/bin_counter.h"
+#include "features/color_planes.h"
+#include "features/response_filter.h"
+#include "features/row_kernels.h"
+#include "place_recognition/feature_extractor.h"
+
+namespace place_recognition {
+
+/// Composed receptive field histograms, thesis section 4.2: how often the responses of several
+/// descriptors occur together in a pixel. Gives a SparseVector that sums to 1.
+///
+/// A bin's index is a mixed radix number, first digit fastest (eq. 4.24). Its digits are the
+/// quantised responses of the first descriptor at the first scale, the second descriptor at the
+/// first scale, and so on; then those at the second scale.
+class CrfhExtractor : public FeatureExtractor {
+ public:
+  explicit CrfhExtractor(const CrfhOptions& options);
+
+  void extract(const cv::Mat& image, Feature& feature) override;
+
+ private:
+  struct Plane {
+    Channel channel;
+    cv::Mat_<float> pixels;
+  };
+  /// All operators that are asked of one channel at one scale.
+  struct Filter {
+    std::size_t plane;
+    double t;
+    ResponseFilter responses;
+  };
+  struct Dimension {
+    std::size_t filter;
+    Operator op;
+    std::size_t word;
+    bool first_in_word;
+    Quantizer quantizer;
+  };
+  /// Consecutive digits that together fit 32 bits, in which they are added up.
+  struct Word {
+    std::uint64_t weight;
+    std::vector<std::uint32_t> row;
+  };
+
+  std::size_t planeOf(Channel channel);
+  std::size_t filterOf(Channel channel, double t, const CrfhOptions& options);
+  void countRow(int y, int columns);
+
+  int border_;
+  std::vector<Plane> planes_;
+  std::vector<Filter> filters_;
+  std::vector<Dimension> dimensions_;
+  std::vector<Word> words_;
+  std::vector<std::uint64_t> bins_;  ///< Of the pixels of one row.
+  BinCounter counter_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,71 @@
+#include "features/crfh_descriptor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+const std::map<std::string_view, Channel> kChannelNames = {
+    {"L", Channel::kL}, {"R", Channel::kR},   {"G", Channel::kG},
+    {"B", Channel::kB}, {"C1", Channel::kC1}, {"C2", Channel::kC2}};
+const std::map<std::string_view, Operator> kSuffixes = {
+    {"", Operator::kValue}, {"x", Operator::kX},   {"y", Operator::kY},
+    {"xx", Operator::kXX},  {"xy", Operator::kXY}, {"yy", Operator::kYY}};
+const std::map<std::string_view, Operator> kFunctions = {{"grad", Operator::kGradient},
+                                                         {"lap", Operator::kLaplacian},
+                                                         {"det", Operator::kDeterminant}};
+
+/// Splits "Lxx" and "det(L)" into the names of channel and operator.
+struct Parts {
+  std::string_view channel, op;
+  const std::map<std::string_view, Operator>& operators;
+};
+
+Parts split(std::string_view name) {
+  const std::size_t open = name.find('(');
+  if (open != std::string_view::npos && name.back() == ')') {
+    return {name.substr(open + 1, name.size() - open - 2), name.substr(0, open), kFunctions};
+  }
+  const std::size_t end = std::min(name.find_first_of("xy"), name.size());
+  return {name.substr(0, end), name.substr(end), kSuffixes};
+}
+
+}  // namespace
+
+CrfhDescriptor parseDescriptor(const std::string& name) {
+  const Parts parts = split(name);
+  const auto channel = kChannelNames.find(parts.channel);
+  const auto op = parts.operators.find(parts.op);
+  if (channel == kChannelNames.end() || op == parts.operators.end()) {
+    throw Error("There is no CRFH descriptor '" + name +
+                "'; write a channel L, R, G, B, C1 or C2, alone or followed by x, y, xx, xy or yy, "
+                "or grad(.), lap(.) or det(.) of a channel.");
+  }
+  return {channel->second, op->second};
+}
+
+ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range) {
+  if (descriptor.op == Operator::kGradient) return {0, derivative_range};
+  if (descriptor.op != Operator::kValue) return {-derivative_range, derivative_range};
+  if (descriptor.channel == Channel::kC1) return {-127.5, 127.5};
+  if (descriptor.channel == Channel::kC2) return {-255, 255};
+  return {0, 255};
+}
+
+double scaleNormalization(Operator op, double t) {
+  switch (op) {
+    case Operator::kValue: return 1;
+    case Operator::kX:
+    case Operator::kY:
+    case Operator::kGradient: return std::sqrt(t);
+    case Operator::kDeterminant: return t * t;
+    default: return t;
+  }
+}
+
+}  // namespace place_recognition

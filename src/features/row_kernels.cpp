@@ -1,0 +1,147 @@
+#include "features/row_kernels.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/simd.h"
+
+namespace place_recognition {
+namespace {
+
+/// The two mirrored samples that one tap of a kernel meets.
+template <int kOrder>
+PLACE_RECOGNITION_INLINE float pair(float before, float here, float after) {
+  if constexpr (kOrder == 0) return before + after;
+  if constexpr (kOrder == 1) return after - before;
+  if constexpr (kOrder == 2) return (before + after) - 2 * here;
+}
+
+/// Adds the next sizeof...(I) taps to `out`; the first time, starts with the centre. Written out as
+/// one expression, so that the sum stays in a register.
+template <int kOrder, std::size_t... I>
+PLACE_RECOGNITION_INLINE void addTaps(const float* __restrict in, std::ptrdiff_t stride,
+                                      const float* taps, int first, int n, float* __restrict out,
+                                      std::index_sequence<I...>) {
+  const float tap[] = {taps[first + I]...};
+  const float* const before[] = {in - (first + static_cast<int>(I)) * stride...};
+  const float* const after[] = {in + (first + static_cast<int>(I)) * stride...};
+  const float centre = kOrder == 0 ? taps[0] : 0;
+  for (int x = 0; x < n; ++x) {
+    float sum = first > 1 ? out[x] : kOrder == 0 ? centre * in[x] : 0.0f;
+    ((sum += tap[I] * pair<kOrder>(before[I][x], in[x], after[I][x])), ...);
+    out[x] = sum;
+  }
+}
+
+constexpr int kMostTaps = 8;
+
+template <int kOrder, int kCount = kMostTaps>
+PLACE_RECOGNITION_INLINE void addUpTo(int count, const float* in, std::ptrdiff_t stride,
+                                      const float* taps, int first, int n, float* out) {
+  if constexpr (kCount > 0) {
+    if (count == kCount) {
+      addTaps<kOrder>(in, stride, taps, first, n, out, std::make_index_sequence<kCount>());
+    } else {
+      addUpTo<kOrder, kCount - 1>(count, in, stride, taps, first, n, out);
+    }
+  }
+}
+
+template <int kOrder>
+PLACE_RECOGNITION_INLINE void correlateOrder(const float* in, std::ptrdiff_t stride,
+                                             const float* taps, int half, int n, float* out) {
+  for (int first = 1; first <= half; first += kMostTaps) {
+    const int count = half - first + 1 < kMostTaps ? half - first + 1 : kMostTaps;
+    addUpTo<kOrder>(count, in, stride, taps, first, n, out);
+  }
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void correlate0(const float* in, std::ptrdiff_t stride, const float* taps, int half, int n,
+                float* out) {
+  correlateOrder<0>(in, stride, taps, half, n, out);
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void correlate1(const float* in, std::ptrdiff_t stride, const float* taps, int half, int n,
+                float* out) {
+  correlateOrder<1>(in, stride, taps, half, n, out);
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void correlate2(const float* in, std::ptrdiff_t stride, const float* taps, int half, int n,
+                float* out) {
+  correlateOrder<2>(in, stride, taps, half, n, out);
+}
+
+}  // namespace
+
+void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n,
+               float* out) {
+  const auto function =
+      kernel.order == 0 ? correlate0 : kernel.order == 1 ? correlate1 : correlate2;
+  function(in, stride, kernel.taps.data(), kernel.halfWidth(), n, out);
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void differenceX(const float* __restrict row, int n, float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = 0.5f * (row[x + 1] - row[x - 1]);
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void differenceY(const float* __restrict above, const float* __restrict below, int n,
+                 float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = 0.5f * (below[x] - above[x]);
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void differenceXX(const float* __restrict row, int n, float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = (row[x - 1] + row[x + 1]) - 2 * row[x];
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void differenceXY(const float* __restrict above, const float* __restrict below, int n,
+                  float* __restrict out) {
+  for (int x = 0; x < n; ++x) {
+    out[x] = 0.25f * ((below[x + 1] - below[x - 1]) - (above[x + 1] - above[x - 1]));
+  }
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void differenceYY(const float* __restrict above, const float* __restrict row,
+                  const float* __restrict below, int n, float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = (above[x] + below[x]) - 2 * row[x];
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void gradientMagnitude(const float* __restrict x_row, const float* __restrict y_row, int n,
+                       float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = std::sqrt(x_row[x] * x_row[x] + y_row[x] * y_row[x]);
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void laplacian(const float* __restrict xx, const float* __restrict yy, int n,
+               float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = xx[x] + yy[x];
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void hessianDeterminant(const float* __restrict xx, const float* __restrict xy,
+                        const float* __restrict yy, int n, float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = xx[x] * yy[x] - xy[x] * xy[x];
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void quantize(const float* __restrict response, const Quantizer& quantizer, bool add, int n,
+              std::uint32_t* __restrict index) {
+  const auto [gain, offset, lowest, highest, weight] = quantizer;
+  for (int x = 0; x < n; ++x) {
+    float level = std::floor(gain * response[x] + offset);
+    level = level > lowest ? level : lowest;
+    level = level < highest ? level : highest;
+    const std::uint32_t digit = weight * static_cast<std::uint32_t>(static_cast<int>(level - lowest));
+    index[x] = add ? index[x] + digit : digit;
+  }
+}
+
+}  // namespace place_recognition

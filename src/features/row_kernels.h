@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "features/gaussian.h"
+
+/// The inner loops of dense features: each takes rows of n numbers to a row of n numbers, which
+/// must not overlap them. Vectorised for the instruction set found at run time; same bits on all.
+namespace place_recognition {
+
+/// Correlates with a symmetric kernel: along a row if `stride` is 1, down a column if it is the
+/// distance between rows. Reads in[x + r * stride] for every tap -half..half and x in 0..n-1.
+/// Kernels of order 1 and 2 give exactly zero where the picture is constant.
+void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n, float* out);
+
+/// Central differences of first order, ([-1/2 0 1/2], 1 apart) and second, ([1 -2 1]), in the
+/// direction of `stride`. Exactly zero where the picture is constant.
+void differenceX(const float* row, int n, float* out);
+void differenceY(const float* above, const float* below, int n, float* out);
+void differenceXX(const float* row, int n, float* out);
+void differenceXY(const float* above, const float* below, int n, float* out);
+void differenceYY(const float* above, const float* row, const float* below, int n, float* out);
+
+/// sqrt(x^2 + y^2), thesis eq. 4.17.
+void gradientMagnitude(const float* x, const float* y, int n, float* out);
+/// xx + yy, eq. 4.22.
+void laplacian(const float* xx, const float* yy, int n, float* out);
+/// xx yy - xy^2, eq. 4.20.
+void hessianDeterminant(const float* xx, const float* xy, const float* yy, int n, float* out);
+
+/// How a response becomes one digit of a mixed radix number: level = floor(gain * response +
+/// offset), clamped to lowest..highest, whole numbers; digit = level - lowest counts `weight`.
+/// With 0 <= offset < 1 no response is lost in rounding, however close to zero.
+struct Quantizer {
+  float gain;
+  float offset;
+  float lowest;
+  float highest;
+  std::uint32_t weight;
+};
+/// index[x] = weight * digit, or += where `add` says so.
+void quantize(const float* response, const Quantizer& quantizer, bool add, int n,
+              std::uint32_t* index);
+
+}  // namespace place_recognition
