@@ -1,0 +1,88 @@
+#include "tool/configuration.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/options.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `config/` of the installed package beside this program, or that of the source tree.
+fs::path presetFolder() {
+  std::error_code failure;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path prefix = program.parent_path().parent_path().parent_path();
+  const fs::path installed = prefix / "share/place_recognition/config";
+  return fs::is_directory(installed, failure) ? installed
+                                              : fs::path(PLACE_RECOGNITION_SOURCE_CONFIG);
+}
+
+std::string configurationPath(const std::string& config) {
+  const bool is_name = config.find_first_of("/.") == std::string::npos;
+  if (!is_name || fs::exists(config)) return config;
+  const fs::path preset = presetFolder() / (config + ".yaml");
+  if (fs::exists(preset)) return preset.string();
+  std::string known;
+  for (const std::string& name : presetNames()) known += (known.empty() ? "" : ", ") + name;
+  throw Error("There is no configuration '" + config + "'; give a YAML file or a preset: " + known +
+              ".");
+}
+
+/// `work()`, with `where` before the message of an Error.
+template <typename Work>
+void explain(const std::string& where, const Work& work) {
+  try {
+    work();
+  } catch (const Error& e) {
+    throw Error(where + ": " + e.what());
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> presetNames() {
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(presetFolder(), failure)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void ConfigurationOptions::addTo(CLI::App& verb) {
+  verb.add_option("--config", config, "YAML file, or a preset's name, as crfh_colour")
+      ->type_name("FILE");
+  verb.add_option("--set", set,
+                  "Set one option, as in svm.c=10 or cues.crfh.kernel.gamma=30; see "
+                  "doc/configuration.md. May be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+TrainingOptions ConfigurationOptions::read() const {
+  TrainingOptions options;
+  if (!config.empty()) {
+    const std::string path = configurationPath(config);
+    const YAML::Node file = readYamlFile(path);
+    explain(path, [&] {
+      readOptions(file, "", options);
+      options.check();
+    });
+  }
+  if (!set.empty()) {
+    const YAML::Node tree = parseYaml(writeOptions(options), "the configuration");
+    for (const std::string& assignment : set) assignOption(tree, assignment);
+    explain("--set", [&] {
+      readOptions(tree, "", options);
+      options.check();
+    });
+  }
+  return options;
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "place_recognition/training_options.h"
+
+namespace place_recognition::tool {
+
+/// `--config` and `--set` of the verbs that take training options.
+struct ConfigurationOptions {
+  std::string config;            ///< a YAML file, or the name of a preset; empty: the defaults
+  std::vector<std::string> set;  ///< key=value, applied in order after the file
+
+  void addTo(CLI::App& verb);
+
+  /// The defaults, overwritten by the file, overwritten by the assignments; checked. A list in the
+  /// file, as of cues, replaces the default list. Throws Error naming the file and the key.
+  TrainingOptions read() const;
+};
+
+/// Names of the presets that come with the package, in ascending order: `crfh` for
+/// `config/crfh.yaml`.
+std::vector<std::string> presetNames();
+
+}  // namespace place_recognition::tool

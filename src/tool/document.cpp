@@ -1,0 +1,128 @@
+#include <iostream>
+#include <sstream>
+
+#include "base/options.h"
+#include "place_recognition/training_options.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+using options_detail::IsStruct;
+using options_detail::IsVariant;
+using options_detail::IsVector;
+
+constexpr const char* kIntroduction =
+    R"(# Configuration
+
+<!-- Written by `place_tool document` from the comments in include/place_recognition. -->
+
+`place_tool train --config FILE` takes a YAML file of the keys below, or the name of one of the
+presets in `config/`; a key that the file does not name keeps its default. `--set KEY=VALUE`
+overwrites one key, as in `--set svm.c=10`; a cue is addressed by its name, as in
+`--set cues.crfh.kernel.gamma=30`. Unknown keys are refused. A list of cues in a file replaces the
+default one, which is a single cue named `crfh`. The model keeps the options that it was trained
+with; `place_tool info` shows them.
+)";
+
+/// Collects a table of keys for each struct of options, in the order of their declaration.
+class Reference {
+ public:
+  template <typename Options>
+  void add(const std::string& title, const std::string& comment, const Options& options) {
+    const std::size_t own = sections_.size();
+    sections_.push_back("\n## " + title + "\n\n" + comment +
+                        "\n\n| key | default | meaning |\n| --- | --- | --- |\n");
+    Options::visit(options, [&](const char* key, const auto& field, const char* meaning) {
+      addField(own, title, key, field, meaning);
+    });
+  }
+
+  void print(std::ostream& out) const {
+    for (const std::string& section : sections_) out << section;
+  }
+
+ private:
+  static constexpr const char* kTop = "Top level";
+
+  template <typename Field>
+  void addField(std::size_t own, const std::string& title, const std::string& key,
+                const Field& field, const std::string& meaning) {
+    const std::string path = title == kTop ? key : title + "." + key;
+    if constexpr (IsStruct<Field>::value) {
+      addRow(own, key, "", meaning + "; see [" + path + "](#" + anchor(path) + ")");
+      add(path, sentence(meaning), field);
+    } else if constexpr (IsVariant<Field>::value) {
+      addRow(own, key, "", meaning + "; by its `type`, one of the tables of " + path);
+      addAlternatives<Field>(path, meaning);
+    } else if constexpr (IsVector<Field>::value) {
+      addList(own, path, key, field, meaning);
+    } else {
+      addRow(own, key, text(field), meaning);
+    }
+  }
+
+  template <typename Element>
+  void addList(std::size_t own, const std::string& path, const std::string& key,
+               const std::vector<Element>& field, const std::string& meaning) {
+    if constexpr (IsStruct<Element>::value) {
+      addRow(own, key, "", meaning + "; see [" + path + "](#" + anchor(path) + ")");
+      add(path, "A list: " + meaning + ".", field.front());
+    } else {
+      addRow(own, key, text(field), meaning);
+    }
+  }
+
+  template <typename Variant, std::size_t I = 0>
+  void addAlternatives(const std::string& path, const std::string& meaning) {
+    if constexpr (I < std::variant_size_v<Variant>) {
+      using Alternative = std::variant_alternative_t<I, Variant>;
+      add(path + ", type: " + Alternative::kType, sentence(meaning), Alternative());
+      addAlternatives<Variant, I + 1>(path, meaning);
+    }
+  }
+
+  void addRow(std::size_t section, const std::string& key, const std::string& value,
+              const std::string& meaning) {
+    sections_[section] +=
+        "| `" + key + "` | " + (value.empty() ? "" : "`" + value + "`") + " | " + meaning + " |\n";
+  }
+
+  template <typename T>
+  static std::string text(const T& value) {
+    YAML::Emitter out;
+    out << options_detail::write(value);
+    return out.c_str();
+  }
+
+  /// As GitHub makes it of a heading.
+  static std::string anchor(const std::string& title) {
+    std::string anchor;
+    for (const char c : title) {
+      if (c != '.') anchor += c;
+    }
+    return anchor;
+  }
+
+  static std::string sentence(std::string text) {
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
+  }
+
+  std::vector<std::string> sections_;
+};
+
+}  // namespace
+
+void addDocument(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("document", "Prints doc/configuration.md");
+  verb->group("");  // Not in the list of verbs: for those who change the options.
+  verb->callback([] {
+    Reference reference;
+    reference.add("Top level", "What `train` can be told.", TrainingOptions());
+    std::cout << kIntroduction;
+    reference.print(std::cout);
+  });
+}
+
+}  // namespace place_recognition::tool

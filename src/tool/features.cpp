@@ -1,0 +1,81 @@
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "place_recognition/error.h"
+#include "recognition/cue_extraction.h"
+#include "tool/configuration.h"
+#include "tool/inputs.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct FeaturesOptions {
+  std::string image;
+  ConfigurationOptions configuration;
+};
+
+/// Shortest text that gives the same float again, in nine digits at most.
+std::string formatFloat(float value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
+  return text;
+}
+
+void print(const std::monostate&) {}
+
+void print(const SparseVector& vector) {
+  for (std::size_t i = 0; i < vector.size(); ++i) {
+    std::cout << (i ? " " : "") << vector.indices[i] << ':' << formatFloat(vector.values[i]);
+  }
+  std::cout << '\n';
+}
+
+void print(const DenseVector& vector) {
+  for (std::size_t i = 0; i < vector.values.size(); ++i) {
+    std::cout << (i ? " " : "") << i << ':' << formatFloat(vector.values[i]);
+  }
+  std::cout << '\n';
+}
+
+void print(const DescriptorSet& set) {
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    for (std::size_t d = 0; d < DescriptorSet::kDimension; ++d) {
+      std::cout << (d ? " " : "") << static_cast<int>(set.row(i)[d]);
+    }
+    std::cout << '\n';
+  }
+}
+
+void features(const FeaturesOptions& options) {
+  const TrainingOptions training_options = options.configuration.read();
+  CueExtraction extraction(training_options);
+  std::vector<Feature> features;
+  if (!extraction.extract(readPicture(options.image), features)) {
+    throw Error(options.image + " has no feature: " + extraction.reason() +
+                "; take a larger or less empty picture, or another --config.");
+  }
+  for (std::size_t c = 0; c < features.size(); ++c) {
+    if (features.size() > 1) std::cout << "# " << training_options.cues[c].name << '\n';
+    std::visit([](const auto& feature) { print(feature); }, features[c]);
+  }
+  std::cout << std::flush;
+}
+
+}  // namespace
+
+void addFeatures(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("features", "Prints the feature of a picture");
+  const auto options = std::make_shared<FeaturesOptions>();
+  verb->add_option("IMAGE", options->image, "Picture (png, jpg)")->required();
+  options->configuration.addTo(*verb);
+  verb->footer(
+      "A histogram is one line of index:value; local features are a line each, 128 numbers 0..255.\n"
+      "Several cues follow each other, each behind a line '# NAME'.\n"
+      "Example:\n"
+      "  place_tool features now.jpg --config crfh_colour");
+  verb->callback([options] { features(*options); });
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,81 @@
+#include <memory>
+#include <ostream>
+#include <set>
+
+#include "place_recognition/error.h"
+#include "ros/labelled_bag_writer.h"
+#include "tool/inputs.h"
+#include "tool/layouts.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct ImportOptions {
+  std::string folder;
+  std::string out;
+  Layout layout;
+  bool raw = false;
+  OutputOptions output;
+};
+
+void importPictures(const ImportOptions& options) {
+  requireWritable(options.out);
+  const std::vector<LabelledPicture> pictures = listPictures(options.folder, options.layout);
+
+  LabelledBagOptions bag_options;
+  bag_options.jpeg = !options.raw;
+  // Stamps that start at 0 are moved to a time that ROS takes for one; others are kept.
+  if (pictures.front().stamp > 0) bag_options.base_time = 0;
+
+  ProgressDisplay display(options.output.progress);
+  const Progress progress = display.callback();
+  LabelledBagWriter bag(options.out, bag_options);
+  std::set<std::string> places;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const LabelledPicture& picture = pictures[i];
+    report(progress, "importing", static_cast<double>(i) / pictures.size());
+    bag.write(readPicture(picture.path), picture.place, picture.stamp);
+    places.insert(picture.place);
+  }
+  bag.close();
+  display.clear();
+  options.output.text() << options.out << ": " << pictures.size() << " pictures of "
+                        << places.size() << " places" << std::endl;
+  options.output.writeJson(
+      {{"path", options.out}, {"images", pictures.size()}, {"places", places}});
+}
+
+}  // namespace
+
+void addImport(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("import", "Makes a labelled bag of pictures on disk");
+  const auto options = std::make_shared<ImportOptions>();
+  verb->add_option("FOLDER", options->folder, "Folder of pictures")->required();
+  verb->add_option("--out", options->out, "Bag to write")->type_name("RUN.bag")->required();
+  verb->add_option("--layout", options->layout.name,
+                   "How the pictures lie: rooms (default), indecs, idol or cold")
+      ->check(CLI::IsMember({"rooms", "indecs", "idol", "cold"}));
+  verb->add_option("--condition", options->layout.condition,
+                   "indecs: the light to import, where the folder holds several")
+      ->check(CLI::IsMember({"cloudy", "night", "sunny"}));
+  verb->add_option("--rate", options->layout.rate,
+                   "rooms, indecs: pictures a second (default 5); the others have their own stamps")
+      ->type_name("HZ")
+      ->check(CLI::PositiveNumber);
+  verb->add_flag("--raw", options->raw, "Store pixels (sensor_msgs/Image) instead of JPEG");
+  options->output.addTo(*verb);
+  verb->footer(
+      "Layouts:\n"
+      "  rooms   ROOM/PICTURE\n"
+      "  indecs  cloudy, night or sunny and the room as folders or words of the name, then marker\n"
+      "          and angle: cloudy/kitchen/kitchen_07_120.png\n"
+      "  idol    one sequence: tTIME_rROOM_xX_yY_aANGLE.png\n"
+      "  cold    one sequence: std_cam/tTIME_xX_yY_aANGLE.jpeg, localization/places.lst\n"
+      "Example:\n"
+      "  place_tool import dum_cloudy1 --layout idol --out dum_cloudy1.bag");
+  verb->callback([options] { importPictures(*options); });
+}
+
+}  // namespace place_recognition::tool

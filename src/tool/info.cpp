@@ -1,0 +1,136 @@
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "base/options.h"
+#include "place_recognition/model_file.h"
+#include "ros/bag_run.h"
+#include "tool/inputs.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct InfoOptions {
+  std::string name;
+  InputOptions input;
+  OutputOptions output;
+};
+
+void printModel(const Model& model, const std::string& path, std::uint64_t bytes) {
+  const Provenance& origin = model.provenance;
+  std::cout << std::left << "model            " << model.name << "\n"
+            << "file             " << path << ", " << bytes << " bytes\n"
+            << "version          " << model.version << ", written by place_recognition "
+            << origin.package_version << "\n"
+            << "trained on       ";
+  for (std::size_t i = 0; i < origin.inputs.size(); ++i) {
+    std::cout << (i ? ", " : "") << origin.inputs[i];
+  }
+  std::cout << "\nskipped images   " << origin.skipped_images << "\n"
+            << "support vectors  " << model.supportVectorCount() << "\n"
+            << std::fixed << std::setprecision(3) << "validation       average rate "
+            << model.validation.average_rate << ", calibration error "
+            << model.validation.calibration_error << "\n"
+            << "unknown below    " << model.unknown_threshold << "\n"
+            << "places\n";
+  for (std::size_t i = 0; i < model.places.size(); ++i) {
+    std::cout << std::right << std::setw(8) << origin.place_images[i] << " images  "
+              << model.places[i] << "\n";
+  }
+  std::cout << "cues\n";
+  for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
+    std::cout << std::setw(8) << model.classifiers[i].supportVectorCount() << " vectors, weight "
+              << model.cue_weights[i] << "  " << model.options.cues[i].name << "\n";
+  }
+  std::cout << "options\n" << writeOptions(model.options) << std::flush;
+}
+
+Json modelFigures(const Model& model, const std::string& path, std::uint64_t bytes) {
+  Json rooms = Json::object();
+  for (std::size_t i = 0; i < model.places.size(); ++i) {
+    rooms[model.places[i]] = {{"count", model.provenance.place_images[i]}};
+  }
+  return {{"model", model.name},
+          {"path", path},
+          {"version", model.version},
+          {"package_version", model.provenance.package_version},
+          {"inputs", model.provenance.inputs},
+          {"skipped_images", model.provenance.skipped_images},
+          {"rooms", rooms},
+          {"support_vectors", model.supportVectorCount()},
+          {"model_bytes", bytes},
+          {"unknown_threshold", model.unknown_threshold},
+          {"validation",
+           {{"average_rate", model.validation.average_rate},
+            {"calibration_error", model.validation.calibration_error}}},
+          {"options", writeOptions(model.options)}};
+}
+
+void printBag(const BagInfo& bag, const std::string& path) {
+  std::cout << "bag       " << path << "\n"
+            << std::fixed << std::setprecision(1) << "duration  " << bag.duration << " s from "
+            << bag.start << "\n"
+            << "topics\n";
+  for (const BagTopic& topic : bag.topics) {
+    std::cout << std::setw(8) << topic.messages << "  " << topic.name << "  " << topic.type;
+    if (topic.width > 0) std::cout << "  " << topic.width << "x" << topic.height;
+    std::cout << "\n";
+  }
+  std::cout << (bag.labels.empty() ? "no labels\n" : "labels, s since the start\n");
+  for (const BagLabel& label : bag.labels) {
+    std::cout << std::setw(8) << label.from << " .. " << std::setw(8) << label.to << "  "
+              << label.place << "\n";
+  }
+  std::cout << std::flush;
+}
+
+Json bagFigures(const BagInfo& bag, const std::string& path) {
+  Json topics = Json::array();
+  for (const BagTopic& topic : bag.topics) {
+    topics.push_back({{"name", topic.name},
+                      {"type", topic.type},
+                      {"messages", topic.messages},
+                      {"width", topic.width},
+                      {"height", topic.height}});
+  }
+  Json labels = Json::array();
+  for (const BagLabel& label : bag.labels) {
+    labels.push_back({{"from", label.from}, {"to", label.to}, {"place", label.place}});
+  }
+  return {{"bag", path},
+          {"start", bag.start},
+          {"duration", bag.duration},
+          {"topics", topics},
+          {"labels", labels}};
+}
+
+void info(const InfoOptions& options) {
+  if (isBag(options.name)) {
+    const BagInfo bag = bagInfo(options.name, options.input.bag);
+    if (options.output.json != "-") printBag(bag, options.name);
+    options.output.writeJson(bagFigures(bag, options.name));
+    return;
+  }
+  const std::string path = modelPath(options.name);
+  const Model model = loadModel(path);
+  const std::uint64_t bytes = std::filesystem::file_size(path);
+  if (options.output.json != "-") printModel(model, path, bytes);
+  options.output.writeJson(modelFigures(model, path, bytes));
+}
+
+}  // namespace
+
+void addInfo(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("info", "Tells what is in a model or a bag");
+  const auto options = std::make_shared<InfoOptions>();
+  verb->add_option("NAME_OR_BAG", options->name, "Name or file of a model, or a bag")->required();
+  options->input.addTo(*verb);
+  options->output.addTo(*verb);
+  verb->footer("Example:\n  place_tool info office\n  place_tool info monday.bag");
+  verb->callback([options] { info(*options); });
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "place_recognition/run.h"
+#include "place_recognition/training.h"
+#include "ros/bag_run.h"
+
+namespace place_recognition::tool {
+
+/// The help text on what an INPUT may be.
+extern const char* const kInputHelp;
+
+/// How the bags among a verb's inputs are read and labelled.
+struct InputOptions {
+  BagRunOptions bag;
+
+  void addTo(CLI::App& verb);
+
+  /// One opener a run of `inputs`. Throws Error for an input that is no run, and where one file of
+  /// labels is given for several.
+  std::vector<RunOpener> openers(const std::vector<std::string>& inputs) const;
+
+  std::unique_ptr<Run> open(const std::string& run) const;
+};
+
+/// The runs that `inputs` stand for, in the order given: a bag; a folder of `room/picture`; a
+/// folder of such bags or folders, in order of their names. Throws Error for anything else.
+std::vector<std::string> findRuns(const std::vector<std::string>& inputs);
+
+/// A picture, CV_8UC3 BGR or CV_8UC1. Throws Error if there is none at `path`, or it is damaged.
+cv::Mat readPicture(const std::string& path);
+
+/// Throws Error if `frame` of a run has no image.
+void requireImage(const Frame& frame);
+
+/// Whether `path` ends as a bag does.
+bool isBag(const std::string& path);
+
+/// Whether `path` ends as a picture that can be read does: png, jpg or jpeg.
+bool isPicture(const std::string& path);
+
+}  // namespace place_recognition::tool

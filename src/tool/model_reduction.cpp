@@ -1,0 +1,140 @@
+#include "tool/model_reduction.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "learning/reduction.h"
+#include "learning/support_set.h"
+#include "place_recognition/error.h"
+#include "recognition/combination.h"
+#include "recognition/scores.h"
+
+namespace place_recognition::tool {
+namespace {
+
+/// Kernel values of features (rows) and support vectors (columns).
+Eigen::MatrixXd kernelValues(const std::vector<const Feature*>& features,
+                             const SupportSet& support_set, const Progress& progress) {
+  Eigen::MatrixXd transposed(support_set.size(), features.size());
+  constexpr std::size_t kBlock = 64;  // between two reports
+  for (std::size_t begin = 0; begin < features.size(); begin += kBlock) {
+    report(progress, "comparing vectors", static_cast<double>(begin) / features.size());
+    const std::size_t count = std::min(kBlock, features.size() - begin);
+    parallelFor(count, 0, [&](std::size_t i, unsigned) {
+      support_set.kernelValues(*features[begin + i],
+                               transposed.col(static_cast<Eigen::Index>(begin + i)));
+    });
+  }
+  return transposed.transpose();
+}
+
+std::vector<const Feature*> pointers(const std::vector<Feature>& features) {
+  std::vector<const Feature*> pointers;
+  for (const Feature& feature : features) {
+    if (!isMissing(feature)) pointers.push_back(&feature);
+  }
+  return pointers;
+}
+
+std::vector<int> rowsWithFeature(const std::vector<Feature>& features) {
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (!isMissing(features[i])) rows.push_back(static_cast<int>(i));
+  }
+  return rows;
+}
+
+}  // namespace
+
+ModelReduction::ModelReduction(const Model& model, const Samples* training,
+                               const Progress& progress)
+    : model_(model) {
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    const SupportSet& support_set = model.classifiers[c].supportSet();
+    const std::vector<Feature>& rows = training ? training->features[c] : support_set.vectors();
+    kernel_values_.push_back(kernelValues(pointers(rows), support_set, progress));
+  }
+}
+
+ReducedMachines ModelReduction::reduce(const ReductionOptions& options,
+                                       const Progress& progress) const {
+  ReducedMachines reduced;
+  double sum = 0;
+  double count = 0;
+  for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
+    const Machines& before = model_.classifiers[c].machines();
+    const Eigen::MatrixXd& values = kernel_values_[c];
+    const Machines after = place_recognition::reduce(before, values, options, progress);
+    const Eigen::ArrayXXd change = (after.margins(values) - before.margins(values)).array().abs();
+    if (change.size() > 0) {
+      reduced.max_margin_change = std::max(reduced.max_margin_change, change.maxCoeff());
+    }
+    sum += change.sum();
+    count += static_cast<double>(change.size());
+    reduced.support_vectors += supportVectors(after).size();
+    reduced.machines.push_back(after);
+  }
+  reduced.mean_margin_change = count > 0 ? sum / count : 0;
+  return reduced;
+}
+
+RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const Progress& progress)
+    : model_(model) {
+  std::vector<int> index_in_model;
+  for (const std::string& place : samples.places) {
+    const auto found = std::lower_bound(model.places.begin(), model.places.end(), place);
+    if (found == model.places.end() || *found != place) {
+      throw Error("The model does not know the place '" + place +
+                  "' that the runs for --validate show; give runs of the places it knows.");
+    }
+    index_in_model.push_back(static_cast<int>(found - model.places.begin()));
+  }
+  for (const SampleOrigin& origin : samples.origins) truth_.push_back(index_in_model[origin.place]);
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    rows_.push_back(rowsWithFeature(samples.features[c]));
+    kernel_values_.push_back(kernelValues(pointers(samples.features[c]),
+                                          model.classifiers[c].supportSet(), progress));
+  }
+}
+
+double RateOnSamples::operator()(const std::vector<Machines>& machines) const {
+  const Eigen::Index frames = static_cast<Eigen::Index>(truth_.size());
+  const Eigen::Index places = static_cast<Eigen::Index>(model_.places.size());
+  std::vector<HeldOut> cues;
+  for (std::size_t c = 0; c < machines.size(); ++c) {
+    const Eigen::MatrixXd margins =
+        placeMargins(machines[c], machines[c].margins(kernel_values_[c]));
+    HeldOut cue{Eigen::MatrixXd::Zero(frames, places), std::vector<bool>(truth_.size(), false)};
+    for (std::size_t i = 0; i < rows_[c].size(); ++i) {
+      cue.margins.row(rows_[c][i]) = margins.row(static_cast<Eigen::Index>(i));
+      cue.valid[static_cast<std::size_t>(rows_[c][i])] = true;
+    }
+    cues.push_back(std::move(cue));
+  }
+  const HeldOut combined = combine(cues, model_.cue_weights);
+  std::vector<int> answers(truth_.size(), -1);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (!combined.valid[i]) continue;
+    answers[i] = largest(model_.calibration.probabilities(combined.margins.row(row)));
+  }
+  return averageRate(truth_, answers, model_.places.size());
+}
+
+std::vector<Machines> machinesOf(const Model& model) {
+  std::vector<Machines> machines;
+  for (const Classifier& classifier : model.classifiers) machines.push_back(classifier.machines());
+  return machines;
+}
+
+Model withMachines(Model model, ReducedMachines reduced, const ReductionOptions& options) {
+  model.options.reduction = options;
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    std::vector<Feature> vectors = model.classifiers[c].supportSet().vectors();
+    model.classifiers[c] = Classifier(model.options.cues[c].kernel, std::move(reduced.machines[c]),
+                                      std::move(vectors));
+  }
+  return model;
+}
+
+}  // namespace place_recognition::tool

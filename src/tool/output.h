@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tool/progress_display.h"
+
+namespace place_recognition::tool {
+
+/// JSON whose keys keep the order in which they were set.
+using Json = nlohmann::ordered_json;
+
+/// Where a verb's answers go: text for a person, figures for a program, progress for both.
+struct OutputOptions {
+  std::string json;  ///< file, `-` for stdout, empty for no figures
+  std::string progress = "auto";
+
+  void addTo(CLI::App& verb);
+
+  /// For a person: stdout, or stderr where stdout belongs to a program.
+  std::ostream& text() const;
+
+  /// Writes the figures, one object on one line, if they were asked for. Throws Error if the file
+  /// cannot be written.
+  void writeJson(const Json& figures) const;
+};
+
+/// One line of JSON, whatever bytes its strings hold.
+std::string jsonLine(const Json& value);
+
+/// Throws Error if no file can be made at `path`, so that this is known before the work and not
+/// after it. Missing folders are no hindrance, and are not made.
+void requireWritable(const std::string& path);
+
+}  // namespace place_recognition::tool

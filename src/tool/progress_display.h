@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "place_recognition/progress.h"
+
+namespace place_recognition::tool {
+
+/// Shows how far a verb has come, and stops it when a signal has asked for that.
+///
+/// bar    one line on stderr, drawn again and again: stage, bar, percent, time left
+/// lines  a line on stderr every few seconds
+/// json   lines {"stage": ..., "fraction": ...} on stdout, for other programs
+/// none   nothing
+/// auto   bar if stderr is a terminal, else lines
+class ProgressDisplay {
+ public:
+  /// `style`: one of the above.
+  explicit ProgressDisplay(const std::string& style);
+  ~ProgressDisplay();
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+  /// To be handed to the work; this display must outlive it.
+  Progress callback();
+
+  /// Takes the bar away, before something else is printed.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Style { kBar, kLines, kJson, kNone };
+
+  bool show(const std::string& stage, double fraction);
+  void print(double fraction) const;
+  std::string timeLeft(double fraction) const;
+
+  Style style_;
+  std::string stage_;
+  Clock::time_point stage_start_;
+  Clock::time_point last_print_;
+  bool bar_drawn_ = false;
+};
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,138 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "base/atomic_file.h"
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+#include "tool/inputs.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct RecognizeOptions {
+  std::vector<std::string> inputs;
+  std::string model;
+  InputOptions input;
+  OutputOptions output;
+};
+
+Json scores(const Model& model, const Recognition& answer) {
+  Json scores = Json::object();
+  for (std::size_t k = 0; k < model.places.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    scores[model.places[k]] = {{"probability", answer.probabilities(i)},
+                               {"margin", answer.margins(i)}};
+  }
+  return scores;
+}
+
+/// Names the place of one frame after the other: a line each for a person, an object each for a
+/// program.
+class Recognitions {
+ public:
+  explicit Recognitions(const RecognizeOptions& options)
+      : output_(options.output),
+        recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))) {}
+
+  void add(const Frame& frame) {
+    requireImage(frame);
+    const Recognition& answer = recognizer_.recognize(frame.image);
+    const std::string place =
+        answer.place < 0 ? "" : recognizer_.model().places[static_cast<std::size_t>(answer.place)];
+    if (output_.json != "-") print(frame.name, answer.known ? place : "unknown", answer);
+    if (output_.json.empty()) return;
+    Json object = {{"image", frame.name},
+                   {"place", place},
+                   {"known", answer.known},
+                   {"confidence", answer.confidence},
+                   {"scores", scores(recognizer_.model(), answer)}};
+    if (answer.place < 0) object["reason"] = answer.reason;
+    if (output_.json == "-") {
+      std::cout << jsonLine(object) << std::flush;
+    } else {
+      json_lines_ += jsonLine(object);
+    }
+  }
+
+  void finish() {
+    if (!output_.json.empty() && output_.json != "-") writeFileAtomically(output_.json, json_lines_);
+  }
+
+ private:
+  void print(const std::string& name, const std::string& place, const Recognition& answer) {
+    name_width_ = std::max(name_width_, name.size());
+    place_width_ = std::max(place_width_, place.size());
+    std::ostream& out = output_.text();
+    out << std::left << std::setw(static_cast<int>(name_width_)) << name << "  "
+        << std::setw(static_cast<int>(place_width_)) << place << "  " << std::right << std::fixed
+        << std::setprecision(2) << std::setw(5) << answer.confidence;
+    if (answer.place < 0) out << "  " << answer.reason;
+    out << "\n";
+  }
+
+  const OutputOptions& output_;
+  Recognizer recognizer_;
+  std::string json_lines_;
+  std::size_t name_width_ = 0;
+  std::size_t place_width_ = std::string("unknown").size();
+};
+
+void recognize(const RecognizeOptions& options) {
+  Recognitions recognitions(options);
+  if (!options.output.json.empty() && options.output.json != "-") {
+    requireWritable(options.output.json);
+  }
+  // On a terminal the lines of answers are the progress.
+  const bool answers_are_seen = options.output.progress == "auto" && isatty(STDOUT_FILENO);
+  ProgressDisplay display(answers_are_seen ? "none" : options.output.progress);
+  const Progress progress = display.callback();
+  Frame frame;
+  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    const std::string& input = options.inputs[i];
+    if (isPicture(input)) {
+      report(progress, "recognising", static_cast<double>(i) / options.inputs.size());
+      frame.image = readPicture(input);
+      frame.name = input;
+      recognitions.add(frame);
+      continue;
+    }
+    for (const std::string& run_path : findRuns({input})) {
+      const std::unique_ptr<Run> run = options.input.open(run_path);
+      while (run->next(frame)) {
+        report(progress, "recognising " + run_path, run->fraction());
+        recognitions.add(frame);
+      }
+    }
+  }
+  recognitions.finish();
+}
+
+}  // namespace
+
+void addRecognize(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("recognize", "Names the place that pictures show");
+  const auto options = std::make_shared<RecognizeOptions>();
+  verb->add_option("IMAGE_OR_INPUT", options->inputs,
+                   "Pictures (png, jpg), bags or folders of room/picture files")
+      ->required();
+  verb->add_option("--model", options->model, "Name or file of the model")
+      ->type_name("NAME")
+      ->required();
+  options->input.addTo(*verb);
+  options->output.addTo(*verb);
+  verb->footer(
+      "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object a\n"
+      "line: image, place, known, confidence and the scores of every place.\n"
+      "Example:\n"
+      "  place_tool recognize --model office now.jpg");
+  verb->callback([options] { recognize(*options); });
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,127 @@
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <ostream>
+
+#include "place_recognition/error.h"
+#include "ros/labelled_bag_writer.h"
+#include "simulation/simulation.h"
+#include "tool/output.h"
+#include "tool/staged_folder.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimulateOptions {
+  std::string out;
+  std::vector<std::string> conditions = {"cloudy", "night", "sunny"};
+  std::string protocol = "indecs";
+  std::string format = "bag";
+  std::string size = "512x384";
+  SimulationOptions simulation;
+  OutputOptions output;
+};
+
+cv::Size parseSize(const std::string& text) {
+  cv::Size size;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2) {
+    throw CLI::ValidationError("--size", "'" + text + "' is not of the form 512x384");
+  }
+  return size;
+}
+
+/// Pictures of each room.
+using Counts = std::map<std::string, int>;
+
+Counts renderBag(const SimulationOptions& options, const std::string& path,
+                 const Progress& progress) {
+  Counts counts;
+  LabelledBagWriter bag(path);
+  simulate(options, [&](const SimulatedFrame& frame, std::size_t index, std::size_t count) {
+    report(progress, "rendering " + path, static_cast<double>(index) / count);
+    bag.write(frame.image, frame.room, frame.stamp);
+    ++counts[frame.room];
+    return true;
+  });
+  bag.close();
+  return counts;
+}
+
+Counts renderFolder(const SimulationOptions& options, const std::string& path,
+                    const Progress& progress) {
+  Counts counts;
+  StagedFolder folder(path);
+  simulate(options, [&](const SimulatedFrame& frame, std::size_t index, std::size_t count) {
+    report(progress, "rendering " + path, static_cast<double>(index) / count);
+    const fs::path room = folder.path() / frame.room;
+    fs::create_directories(room);
+    const std::string file = room / (frame.name + ".png");
+    if (!cv::imwrite(file, frame.image)) {
+      throw Error("Cannot write " + file + "; make room on the disk.");
+    }
+    ++counts[frame.room];
+    return true;
+  });
+  folder.commit();
+  return counts;
+}
+
+void simulateRuns(SimulateOptions options) {
+  const bool as_bag = options.format == "bag";
+  options.simulation.protocol = protocolFromName(options.protocol);
+  options.simulation.size = parseSize(options.size);
+  options.simulation.check();
+  requireWritable(options.out + "/.");
+
+  ProgressDisplay display(options.output.progress);
+  Json runs = Json::array();
+  fs::create_directories(options.out);
+  for (const std::string& condition : options.conditions) {
+    options.simulation.condition = conditionFromName(condition);
+    const std::string path = options.out + "/" + condition + (as_bag ? ".bag" : "");
+    const auto render = as_bag ? renderBag : renderFolder;
+    const Counts counts = render(options.simulation, path, display.callback());
+    int images = 0;
+    for (const auto& [room, count] : counts) images += count;
+    display.clear();
+    options.output.text() << path << ": " << images << " pictures of " << counts.size()
+                          << " rooms" << std::endl;
+    runs.push_back(
+        {{"path", path}, {"condition", condition}, {"images", images}, {"rooms", counts}});
+  }
+  options.output.writeJson({{"runs", runs}});
+}
+
+}  // namespace
+
+void addSimulate(CLI::App& tool) {
+  CLI::App* verb =
+      tool.add_subcommand("simulate", "Renders labelled runs of five rooms, one for each light");
+  const auto options = std::make_shared<SimulateOptions>();
+  verb->add_option("--out", options->out, "Folder for the runs")->type_name("DIR")->required();
+  verb->add_option("--conditions", options->conditions,
+                   "cloudy, night, sunny: one run each (default all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"cloudy", "night", "sunny"}))
+      ->allow_extra_args(false);
+  verb->add_option("--protocol", options->protocol,
+                   "indecs: markers, twelve angles each; drive: a path through the rooms")
+      ->check(CLI::IsMember({"indecs", "drive"}));
+  verb->add_option("--seed", options->simulation.seed, "Another building; same seed, same pixels");
+  verb->add_option("--format", options->format,
+                   "bag: DIR/cloudy.bag; images: DIR/cloudy/ROOM/NAME.png")
+      ->check(CLI::IsMember({"bag", "images"}));
+  verb->add_option("--rate", options->simulation.rate, "Frames a second");
+  verb->add_option("--size", options->size, "Pixels (default 512x384)")->type_name("WxH");
+  options->output.addTo(*verb);
+  verb->footer("Example:\n  place_tool simulate --out runs --conditions cloudy,night");
+  verb->callback([options] { simulateRuns(*options); });
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,24 @@
+#include "tool/stop.h"
+
+#include <csignal>
+
+namespace place_recognition::tool {
+namespace {
+
+volatile std::sig_atomic_t g_stop_requested = 0;
+
+extern "C" void requestStop(int /*signal*/) { g_stop_requested = 1; }
+
+}  // namespace
+
+void stopOnSignals() {
+  struct sigaction action = {};
+  action.sa_handler = requestStop;
+  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool stopRequested() { return g_stop_requested != 0; }
+
+}  // namespace place_recognition::tool

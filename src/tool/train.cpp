@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "place_recognition/model_file.h"
+#include "place_recognition/training.h"
+#include "tool/configuration.h"
+#include "tool/inputs.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct TrainOptions {
+  std::vector<std::string> inputs;
+  std::string model;
+  unsigned threads = 0;
+  InputOptions input;
+  ConfigurationOptions configuration;
+  OutputOptions output;
+};
+
+Json figures(const Training& training, const std::string& path, std::uint64_t bytes) {
+  const Model& model = training.model;
+  Json rooms = Json::object();
+  for (std::size_t i = 0; i < model.places.size(); ++i) {
+    rooms[model.places[i]] = {{"count", model.provenance.place_images[i]}};
+  }
+  Json gamma = Json::object();
+  for (const CueOptions& cue : model.options.cues) gamma[cue.name] = cue.kernel.gamma;
+  return {{"images", training.images},
+          {"rooms", rooms},
+          {"support_vectors", model.supportVectorCount()},
+          {"seconds", training.seconds},
+          {"model_bytes", bytes},
+          {"validation",
+           {{"average_rate", model.validation.average_rate},
+            {"calibration_error", model.validation.calibration_error}}},
+          {"model", path},
+          {"gamma", gamma},
+          {"skipped_images", model.provenance.skipped_images},
+          {"warnings", training.warnings}};
+}
+
+void printSummary(const Training& training, const std::string& path, std::uint64_t bytes,
+                  std::ostream& out) {
+  const Model& model = training.model;
+  out << "Learned " << model.places.size() << " places from " << training.images
+      << " images in " << std::fixed << std::setprecision(1) << training.seconds << " s:\n";
+  for (std::size_t i = 0; i < model.places.size(); ++i) {
+    out << std::setw(8) << model.provenance.place_images[i] << "  " << model.places[i] << "\n";
+  }
+  out << "Held-out blocks of the training runs: " << 100 * model.validation.average_rate
+      << " % right (mean of the places), calibration error " << std::setprecision(3)
+      << model.validation.calibration_error << "\n"
+      << std::defaultfloat << std::setprecision(4);
+  for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
+    const CueOptions& cue = model.options.cues[i];
+    out << "Cue " << cue.name << ": " << model.classifiers[i].supportVectorCount()
+        << " support vectors, gamma " << cue.kernel.gamma << "\n";
+  }
+  out << "Model: " << path << ", " << std::max<std::uint64_t>(1, bytes / 1024) << " KiB"
+      << std::endl;
+}
+
+void train(const TrainOptions& options) {
+  const TrainingOptions training_options = options.configuration.read();
+  const std::string path = modelPath(options.model);
+  requireWritable(path);
+  const std::vector<RunOpener> runs = options.input.openers(options.inputs);
+
+  ProgressDisplay display(options.output.progress);
+  const Training training =
+      place_recognition::train(runs, training_options, options.threads, display.callback());
+  const std::uint64_t bytes = saveModel(training.model, path);
+  display.clear();
+
+  for (const std::string& warning : training.warnings) std::cerr << "warning: " << warning << "\n";
+  printSummary(training, path, bytes, options.output.text());
+  options.output.writeJson(figures(training, path, bytes));
+}
+
+}  // namespace
+
+void addTrain(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("train", "Learns a model from labelled runs");
+  const auto options = std::make_shared<TrainOptions>();
+  verb->add_option("INPUT", options->inputs, kInputHelp)->required();
+  verb->add_option("--model", options->model,
+                   "Name of the model, or a file: a name with a slash or ending in .places")
+      ->type_name("NAME")
+      ->required();
+  options->configuration.addTo(*verb);
+  options->input.addTo(*verb);
+  verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");
+  options->output.addTo(*verb);
+  verb->footer(
+      "Example:\n"
+      "  place_tool train monday.bag tuesday.bag --model office --config crfh_colour");
+  verb->callback([options] { train(*options); });
+}
+
+}  // namespace place_recognition::tool
