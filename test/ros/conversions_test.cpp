@@ -1,0 +1,396 @@
+// Every encoding against pixels made by hand, and messages as an enemy would send them.
+
+#include "ros/conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <opencv2/imgcodecs.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+/// A message whose rows have no padding.
+sensor_msgs::Image imageMessage(const std::string& encoding, std::uint32_t width,
+                                std::uint32_t height, std::vector<std::uint8_t> data) {
+  sensor_msgs::Image message;
+  message.encoding = encoding;
+  message.width = width;
+  message.height = height;
+  message.step = static_cast<std::uint32_t>(data.size() / height);
+  message.data = std::move(data);
+  return message;
+}
+
+std::vector<std::uint8_t> repeat(const std::vector<std::uint8_t>& bytes, int times) {
+  std::vector<std::uint8_t> all;
+  for (int i = 0; i < times; ++i) all.insert(all.end(), bytes.begin(), bytes.end());
+  return all;
+}
+
+std::string errorOf(const sensor_msgs::Image& message) {
+  try {
+    toImage(message);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// Bytes of one pixel (of two pixels in yuv422) whose picture is blue 10, green 20, red 30, or grey
+/// 40.
+struct Case {
+  std::string encoding;
+  std::vector<std::uint8_t> bytes;
+  bool big_endian = false;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.encoding << (c.big_endian ? " big-endian" : "");
+}
+
+class ColorEncoding : public testing::TestWithParam<Case> {};
+
+TEST_P(ColorEncoding, GivesBlueGreenRed) {
+  sensor_msgs::Image message =
+      imageMessage(GetParam().encoding, 4, 3, repeat(GetParam().bytes, 12));
+  message.is_bigendian = GetParam().big_endian;
+  const cv::Mat image = toImage(message);
+  ASSERT_EQ(image.type(), CV_8UC3);
+  ASSERT_EQ(image.size(), cv::Size(4, 3));
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 4; ++x) EXPECT_EQ(image.at<cv::Vec3b>(y, x), cv::Vec3b(10, 20, 30));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Conversions, ColorEncoding,
+                         testing::Values(Case{"bgr8", {10, 20, 30}}, Case{"8UC3", {10, 20, 30}},
+                                         Case{"rgb8", {30, 20, 10}},
+                                         Case{"bgra8", {10, 20, 30, 77}},
+                                         Case{"rgba8", {30, 20, 10, 77}},
+                                         Case{"bgr16", {1, 10, 2, 20, 255, 30}},
+                                         Case{"bgr16", {10, 1, 20, 2, 30, 255}, true},
+                                         Case{"rgb16", {1, 30, 2, 20, 255, 10}},
+                                         Case{"bgra16", {1, 10, 2, 20, 255, 30, 9, 9}},
+                                         Case{"rgba16", {30, 1, 20, 2, 10, 255, 9, 9}, true}));
+
+class GreyEncoding : public testing::TestWithParam<Case> {};
+
+TEST_P(GreyEncoding, GivesGrey) {
+  sensor_msgs::Image message = imageMessage(GetParam().encoding, 3, 2, repeat(GetParam().bytes, 6));
+  message.is_bigendian = GetParam().big_endian;
+  const cv::Mat image = toImage(message);
+  ASSERT_EQ(image.type(), CV_8UC1);
+  ASSERT_EQ(image.size(), cv::Size(3, 2));
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 3; ++x) EXPECT_EQ(image.at<std::uint8_t>(y, x), 40);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Conversions, GreyEncoding,
+                         testing::Values(Case{"mono8", {40}}, Case{"8UC1", {40}},
+                                         Case{"mono16", {200, 40}}, Case{"mono16", {40, 200}, true},
+                                         Case{"16UC1", {200, 40}}, Case{"16UC1", {40, 200}, true}));
+
+/// The colour at each site of the upper left 2 x 2 pixels.
+class BayerEncoding : public testing::TestWithParam<std::string> {};
+
+TEST_P(BayerEncoding, GivesTheColorOfAUniformField) {
+  const std::string pattern = GetParam().substr(6, 4);
+  const bool deep = GetParam().substr(10) == "16";
+  std::vector<std::uint8_t> data;
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const char site = pattern[static_cast<std::size_t>((y % 2) * 2 + x % 2)];
+      if (deep) data.push_back(123);
+      data.push_back(site == 'b' ? 10 : site == 'g' ? 20 : 30);
+    }
+  }
+  const cv::Mat image = toImage(imageMessage(GetParam(), 8, 8, data));
+  ASSERT_EQ(image.type(), CV_8UC3);
+  for (int y = 1; y < 7; ++y) {
+    for (int x = 1; x < 7; ++x) EXPECT_EQ(image.at<cv::Vec3b>(y, x), cv::Vec3b(10, 20, 30));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Conversions, BayerEncoding,
+                         testing::Values("bayer_rggb8", "bayer_bggr8", "bayer_gbrg8", "bayer_grbg8",
+                                         "bayer_rggb16", "bayer_bggr16", "bayer_gbrg16",
+                                         "bayer_grbg16"));
+
+/// ITU-R BT.601 with head room: B = 1.164 (Y - 16) + 2.018 (U - 128), and so on.
+cv::Vec3d fromYuv(double y, double u, double v) {
+  const double luma = 1.164 * (y - 16);
+  return {luma + 2.018 * (u - 128), luma - 0.813 * (v - 128) - 0.391 * (u - 128),
+          luma + 1.596 * (v - 128)};
+}
+
+void expectYuvPair(const cv::Mat& image) {
+  ASSERT_EQ(image.type(), CV_8UC3);
+  ASSERT_EQ(image.size(), cv::Size(2, 1));
+  for (int x = 0; x < 2; ++x) {
+    const cv::Vec3d expected = fromYuv(x == 0 ? 90 : 150, 110, 140);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(image.at<cv::Vec3b>(0, x)[c], expected[c], 1.5);
+  }
+}
+
+TEST(Conversions, Yuv422IsUyvy) {
+  expectYuvPair(toImage(imageMessage("yuv422", 2, 1, {110, 90, 140, 150})));
+}
+
+TEST(Conversions, Yuv422Yuy2IsYuyv) {
+  expectYuvPair(toImage(imageMessage("yuv422_yuy2", 2, 1, {90, 110, 150, 140})));
+}
+
+TEST(Conversions, PaddedRowsAreRead) {
+  const cv::Mat image = toImage(imageMessage("mono8", 2, 2, {1, 2, 99, 99, 3, 4, 99, 99}));
+  EXPECT_EQ(image.at<std::uint8_t>(0, 1), 2);
+  EXPECT_EQ(image.at<std::uint8_t>(1, 0), 3);
+}
+
+TEST(Conversions, PlainEncodingsShareTheMemoryOfTheMessage) {
+  for (const char* encoding : {"bgr8", "mono8"}) {
+    const sensor_msgs::Image message = imageMessage(encoding, 4, 4, std::vector<std::uint8_t>(48));
+    EXPECT_EQ(toImage(message).data, message.data.data()) << encoding;
+  }
+}
+
+TEST(Conversions, OnePixelIsAnImage) {
+  EXPECT_EQ(toImage(imageMessage("rgb8", 1, 1, {3, 2, 1})).at<cv::Vec3b>(0, 0), cv::Vec3b(1, 2, 3));
+  EXPECT_EQ(toImage(imageMessage("bayer_rggb8", 1, 1, {3})).size(), cv::Size(1, 1));
+}
+
+TEST(Conversions, SizesThatWrapIn32BitsAreRefused) {
+  sensor_msgs::Image message = imageMessage("mono8", 65536, 1, std::vector<std::uint8_t>(65536));
+  message.height = 65537;  // 65536 * 65537 = 2^32 + 65536
+  EXPECT_NE(errorOf(message).find("65536 x 65537 pixels, more than"), std::string::npos);
+
+  message.width = 8192;
+  message.height = 8192;
+  message.step = 1u << 19;  // times 8192 is 2^32
+  EXPECT_NE(errorOf(message).find("need 4294451200"), std::string::npos) << errorOf(message);
+
+  message = imageMessage("bgr8", 1, 1, {1, 2, 3});
+  message.width = 0x55555556;  // times 3 is 2^32 + 2
+  EXPECT_NE(errorOf(message), "");
+}
+
+TEST(Conversions, MessagesThatDoNotAgreeAreRefused) {
+  const sensor_msgs::Image good = imageMessage("bgr8", 4, 4, std::vector<std::uint8_t>(48));
+  sensor_msgs::Image message = good;
+  message.width = 0;
+  EXPECT_NE(errorOf(message).find("empty"), std::string::npos);
+  message = good;
+  message.height = 0;
+  EXPECT_NE(errorOf(message).find("empty"), std::string::npos);
+  message = good;
+  message.step = 11;
+  EXPECT_NE(errorOf(message).find("too short for 4 pixels"), std::string::npos);
+  message = good;
+  message.step = 0;
+  EXPECT_NE(errorOf(message), "");
+  message = good;
+  message.data.resize(47);
+  EXPECT_NE(errorOf(message).find("47 bytes"), std::string::npos);
+  message = good;
+  message.data.clear();
+  EXPECT_NE(errorOf(message), "");
+}
+
+TEST(Conversions, UnknownEncodingsAreRefusedByName) {
+  EXPECT_NE(errorOf(imageMessage("nv12", 2, 2, std::vector<std::uint8_t>(6))).find("'nv12'"),
+            std::string::npos);
+  const std::string nan(4, '\xff');
+  EXPECT_NE(errorOf(imageMessage("32FC1", 1, 1, {0, 0, 0xc0, 0x7f})).find("'32FC1'"),
+            std::string::npos);
+  EXPECT_LT(errorOf(imageMessage(std::string(1 << 20, 'x'), 1, 1, {1})).size(), 600u);
+  EXPECT_NE(errorOf(imageMessage("", 1, 1, {1})), "");
+}
+
+TEST(Conversions, OddWidthsOfYuvAreAnError) {
+  EXPECT_NE(errorOf(imageMessage("yuv422", 3, 1, {1, 2, 3, 4, 5, 6})), "");
+}
+
+TEST(Conversions, NoMessageCrashes) {
+  std::mt19937 random(7);
+  const std::vector<std::string> encodings = {"bgr8",   "rgba16",      "mono16",      "bayer_gbrg8",
+                                              "yuv422", "yuv422_yuy2", "bayer_rggb16"};
+  const std::vector<std::uint32_t> sizes = {0,    1,     2,     3,          5,
+                                            8192, 65536, 65537, 0x80000000, 0xffffffff};
+  int images = 0;
+  for (int i = 0; i < 20000; ++i) {
+    sensor_msgs::Image message;
+    message.encoding = encodings[random() % encodings.size()];
+    message.width = sizes[random() % sizes.size()];
+    message.height = sizes[random() % sizes.size()];
+    message.step = random() % 2 ? sizes[random() % sizes.size()] : 8 * message.width;
+    message.is_bigendian = static_cast<std::uint8_t>(random());
+    message.data.resize(random() % 100);
+    try {
+      const cv::Mat image = toImage(message);
+      ++images;
+      ASSERT_TRUE(image.type() == CV_8UC3 || image.type() == CV_8UC1);
+      ASSERT_EQ(image.cols, static_cast<int>(message.width));
+      ASSERT_EQ(image.rows, static_cast<int>(message.height));
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_GT(images, 100);
+}
+
+sensor_msgs::CompressedImage compressed(const cv::Mat& image, const std::string& extension) {
+  sensor_msgs::CompressedImage message;
+  cv::imencode(extension, image, message.data);
+  return message;
+}
+
+cv::Mat gradient(int type) {
+  cv::Mat image(24, 32, type);
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols * image.channels(); ++x) {
+      image.ptr(y)[x] = static_cast<std::uint8_t>(3 * x / image.channels() + 4 * y);
+    }
+  }
+  return image;
+}
+
+TEST(CompressedConversions, PngIsExact) {
+  for (const int type : {CV_8UC3, CV_8UC1}) {
+    const cv::Mat image = gradient(type);
+    const cv::Mat decoded = toImage(compressed(image, ".png"));
+    ASSERT_EQ(decoded.type(), type);
+    EXPECT_EQ(cv::norm(image, decoded, cv::NORM_INF), 0);
+  }
+}
+
+TEST(CompressedConversions, JpegIsClose) {
+  for (const int type : {CV_8UC3, CV_8UC1}) {
+    const cv::Mat image = gradient(type);
+    const cv::Mat decoded = toImage(compressed(image, ".jpg"));
+    ASSERT_EQ(decoded.type(), type);
+    EXPECT_LE(cv::norm(image, decoded, cv::NORM_INF), 16);
+  }
+}
+
+TEST(CompressedConversions, DeepPngBecomesEightBits) {
+  const cv::Mat image(4, 4, CV_16UC1, cv::Scalar(40 * 257));
+  const cv::Mat decoded = toImage(compressed(image, ".png"));
+  ASSERT_EQ(decoded.type(), CV_8UC1);
+  EXPECT_EQ(decoded.at<std::uint8_t>(1, 1), 40);
+}
+
+TEST(CompressedConversions, OtherFormatsAreRefused) {
+  EXPECT_THROW(toImage(compressed(gradient(CV_8UC3), ".bmp")), Error);
+  EXPECT_THROW(toImage(compressed(gradient(CV_8UC3), ".tiff")), Error);
+  EXPECT_THROW(toImage(sensor_msgs::CompressedImage()), Error);
+}
+
+TEST(CompressedConversions, BombsAreRefusedByTheirHeader) {
+  sensor_msgs::CompressedImage png = compressed(gradient(CV_8UC3), ".png");
+  for (const std::size_t offset : {16, 20}) png.data[offset + 2] = 0xea;  // about 60,000 each
+  EXPECT_THROW(toImage(png), Error);
+
+  sensor_msgs::CompressedImage jpeg = compressed(gradient(CV_8UC3), ".jpg");
+  const std::vector<std::uint8_t> frame = {0xff, 0xc0};
+  const auto found = std::search(jpeg.data.begin(), jpeg.data.end(), frame.begin(), frame.end());
+  ASSERT_NE(found, jpeg.data.end());
+  std::fill(found + 5, found + 9, 0xfe);
+  EXPECT_THROW(toImage(jpeg), Error);
+}
+
+TEST(CompressedConversions, CutOrChangedPicturesDoNotCrash) {
+  std::mt19937 random(3);
+  for (const std::string extension : {".png", ".jpg"}) {
+    const sensor_msgs::CompressedImage good = compressed(gradient(CV_8UC3), extension);
+    for (int i = 0; i < 2000; ++i) {
+      sensor_msgs::CompressedImage message = good;
+      if (i % 2 == 0) {
+        message.data.resize(random() % good.data.size());
+      } else {
+        for (int k = 0; k < 3; ++k) {
+          message.data[random() % message.data.size()] = static_cast<std::uint8_t>(random());
+        }
+      }
+      try {
+        const cv::Mat image = toImage(message);
+        ASSERT_TRUE(image.type() == CV_8UC3 || image.type() == CV_8UC1);
+      } catch (const Error&) {
+      }
+    }
+  }
+}
+
+TEST(ImageMessages, RoundTrip) {
+  std_msgs::Header header;
+  header.frame_id = "camera";
+  header.stamp = ros::Time(12, 34);
+  for (const int type : {CV_8UC3, CV_8UC1}) {
+    const cv::Mat image = gradient(type);
+    const sensor_msgs::Image message = toImageMessage(image(cv::Rect(2, 3, 20, 10)), header);
+    EXPECT_EQ(message.header.stamp, header.stamp);
+    EXPECT_EQ(message.header.frame_id, "camera");
+    EXPECT_EQ(cv::norm(toImage(message), image(cv::Rect(2, 3, 20, 10)), cv::NORM_INF), 0);
+  }
+}
+
+Model namedPlaces() {
+  Model model;
+  model.name = "home";
+  model.version = "0123abcd";
+  model.places = {"corridor", "kitchen"};
+  return model;
+}
+
+TEST(RecognitionMessages, CarryHeaderModelAndScores) {
+  Recognition recognition;
+  recognition.place = 1;
+  recognition.known = true;
+  recognition.confidence = 0.75;
+  recognition.probabilities = Eigen::RowVector2d(0.25, 0.75);
+  recognition.margins = Eigen::RowVector2d(-1.5, 0.5);
+  std_msgs::Header header;
+  header.seq = 9;
+  header.stamp = ros::Time(5, 6);
+  header.frame_id = "camera";
+  const PlaceRecognition message = toMessage(recognition, namedPlaces(), header, 0.02);
+  EXPECT_EQ(message.header.stamp, header.stamp);
+  EXPECT_EQ(message.header.frame_id, "camera");
+  EXPECT_EQ(message.model_name, "home");
+  EXPECT_EQ(message.model_version, "0123abcd");
+  EXPECT_EQ(message.place, "kitchen");
+  EXPECT_TRUE(message.known);
+  EXPECT_EQ(message.confidence, 0.75);
+  ASSERT_EQ(message.places.size(), 2u);
+  EXPECT_EQ(message.places[0].name, "corridor");
+  EXPECT_EQ(message.places[0].probability, 0.25);
+  EXPECT_EQ(message.places[0].margin, -1.5);
+  EXPECT_EQ(message.places[1].margin, 0.5);
+  EXPECT_EQ(message.seconds, 0.02);
+}
+
+TEST(RecognitionMessages, NoPlaceIsAnEmptyNameAndAReason) {
+  Recognition recognition;
+  recognition.probabilities = Eigen::RowVector2d(0.5, 0.5);
+  recognition.margins = Eigen::RowVector2d(0, 0);
+  recognition.reason = "too few interest points";
+  const PlaceRecognition message = toMessage(recognition, namedPlaces(), std_msgs::Header(), 0);
+  EXPECT_EQ(message.place, "");
+  EXPECT_FALSE(message.known);
+  EXPECT_EQ(message.reason, "too few interest points");
+}
+
+TEST(RecognitionMessages, ModelInfoListsPlacesAndFeatures) {
+  const ModelInfo message = toMessage(namedPlaces());
+  EXPECT_EQ(message.name, "home");
+  EXPECT_EQ(message.places, (std::vector<std::string>{"corridor", "kitchen"}));
+  EXPECT_EQ(message.features, (std::vector<std::string>{"crfh: crfh, chi-squared kernel"}));
+}
+
+}  // namespace
+}  // namespace place_recognition
