@@ -12,6 +12,15 @@ double roundingError(Eigen::Index rows) {
   return static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
 }
 
+/// The first column of the largest squared norm; after normalisation all are equal but for
+/// rounding.
+Eigen::Index firstLargest(const Eigen::Ref<const Eigen::VectorXd>& squared_norms) {
+  const double equal = (1 - roundingError(squared_norms.size())) * squared_norms.maxCoeff();
+  Eigen::Index first = 0;
+  while (squared_norms[first] < equal) ++first;
+  return first;
+}
+
 void reportChoice(const Progress& progress, Eigen::Index chosen, Eigen::Index max_count) {
   report(progress, "reducing", static_cast<double>(chosen) / static_cast<double>(max_count));
 }
@@ -24,9 +33,9 @@ Eigen::VectorXd chooseByPivot(ColumnElimination& elimination, const ChoiceLimits
   std::vector<double> pivots;
   for (Eigen::Index count = 0; count < limits.max_count; ++count) {
     reportChoice(progress, count, limits.max_count);
-    Eigen::Index best = 0;
-    const double pivot =
-        std::sqrt(elimination.squaredNorms().head(elimination.candidates()).maxCoeff(&best));
+    const auto norms = elimination.squaredNorms().head(elimination.candidates());
+    const Eigen::Index best = firstLargest(norms);
+    const double pivot = std::sqrt(norms[best]);
     if (!(pivot > 0) || (count > 0 && !(pivot > least * pivots.front()))) break;
     pivots.push_back(pivot);
     elimination.choose(best);

@@ -1,0 +1,53 @@
+#include "place_recognition/classifier.h"
+
+#include <gtest/gtest.h>
+
+#include "learning/machines.h"
+#include "learning/random_features.h"
+#include "learning/support_set.h"
+
+namespace place_recognition {
+namespace {
+
+TEST(Classifier, MarginsAreTheDirectSum) {
+  RandomFeatures random(7);
+  const Kernel kernel(kernelOptions("chi-squared", 2));
+  std::vector<Feature> vectors;
+  for (int i = 0; i < 30; ++i) vectors.push_back(random.histogram(500));
+  Machines machines;
+  machines.places = 3;
+  machines.weights = Eigen::MatrixXd::Random(30, 3);
+  machines.weights.row(4).setZero();
+  machines.weights.row(29).setZero();
+  machines.biases = Eigen::RowVector3d(0.5, -0.25, 0);
+
+  const Classifier classifier(kernel.options(), machines, vectors);
+  EXPECT_EQ(classifier.places(), 3u);
+  EXPECT_EQ(classifier.supportVectorCount(), 28u);
+  EXPECT_EQ(classifier.machines().weights.rows(), 28);
+
+  const Feature x = random.histogram(500);
+  Eigen::RowVectorXd expected = machines.biases;
+  for (int i = 0; i < 30; ++i) expected += machines.weights.row(i) * kernel(x, vectors[i]);
+  Eigen::VectorXd scratch;
+  Eigen::RowVectorXd margins;
+  classifier.margins(x, scratch, margins);
+  EXPECT_TRUE(margins.isApprox(expected, 1e-12));
+}
+
+TEST(Classifier, WithoutAnyVectorAnswersItsBias) {
+  RandomFeatures random(8);
+  Machines machines;
+  machines.places = 2;
+  machines.weights = Eigen::MatrixXd::Zero(1, 2);
+  machines.biases = Eigen::RowVector2d(1, -1);
+  const Classifier classifier(kernelOptions("linear"), machines, {random.dense(3)});
+  EXPECT_EQ(classifier.supportVectorCount(), 0u);
+  Eigen::VectorXd scratch;
+  Eigen::RowVectorXd margins;
+  classifier.margins(random.dense(3), scratch, margins);
+  EXPECT_EQ(margins, machines.biases);
+}
+
+}  // namespace
+}  // namespace place_recognition

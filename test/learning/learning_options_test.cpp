@@ -1,0 +1,51 @@
+#include "place_recognition/learning_options.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+/// What check() says about options changed by `change`.
+template <typename Options, typename Change>
+std::string complaint(Change change) {
+  Options options;
+  change(options);
+  try {
+    options.check();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LearningOptions, DefaultsAreGood) {
+  KernelOptions().check();
+  SvmOptions().check();
+  ReductionOptions().check();
+}
+
+TEST(LearningOptions, NamesTheFieldOutOfRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto names = [](const std::string& text, const char* field) {
+    return text.find(field) != std::string::npos;
+  };
+  EXPECT_TRUE(names(complaint<KernelOptions>([](auto& o) { o.type = "cubic"; }), "chi-squared"));
+  EXPECT_TRUE(names(complaint<KernelOptions>([](auto& o) { o.gamma = -1; }), "gamma"));
+  EXPECT_TRUE(names(complaint<KernelOptions>([=](auto& o) { o.p = nan; }), "kernel.p"));
+  EXPECT_TRUE(names(complaint<KernelOptions>([](auto& o) { o.d = 0; }), "kernel.d"));
+  EXPECT_TRUE(names(complaint<KernelOptions>([=](auto& o) { o.kappa = nan; }), "kappa"));
+  EXPECT_TRUE(names(complaint<KernelOptions>([=](auto& o) { o.theta = nan; }), "theta"));
+  EXPECT_TRUE(names(complaint<SvmOptions>([](auto& o) { o.c = 0; }), "svm.c"));
+  EXPECT_TRUE(names(complaint<SvmOptions>([](auto& o) { o.multiclass = "x"; }), "multiclass"));
+  EXPECT_TRUE(names(complaint<ReductionOptions>([](auto& o) { o.method = "x"; }), "method"));
+  EXPECT_TRUE(names(complaint<ReductionOptions>([=](auto& o) { o.tau = nan; }), "tau"));
+  EXPECT_TRUE(names(complaint<ReductionOptions>([](auto& o) { o.support_vectors = -1; }),
+                    "support_vectors"));
+}
+
+}  // namespace
+}  // namespace place_recognition
