@@ -18,7 +18,7 @@ struct Recognition {
   int place = -1;         ///< index of the most probable place in Model::places; -1: none at all
   bool known = false;     ///< false: the answer is 'unknown'; evidence below the threshold
   double confidence = 0;  ///< probability of `place`, 0..1
-  double evidence = 0;    ///< what is held against the unknown threshold, 0..1
+  double evidence = 0;    ///< see Calibration::evidence(); held against the unknown threshold
   Eigen::RowVectorXd probabilities;  ///< one a place; sum to 1, the largest is `place`
   Eigen::RowVectorXd margins;        ///< one a place; as they come from the machines
   std::string reason;                ///< why place is -1, for a person

@@ -1,30 +1,10 @@
 #include "recognition/cue_training.h"
 
-#include <cmath>
-
 #include "learning/gram.h"
-#include "place_recognition/error.h"
+#include "recognition/gamma_choice.h"
 
 namespace place_recognition {
 namespace {
-
-/// Mean off the diagonal; 1 where all features are equal.
-double typicalMeasure(const Eigen::MatrixXd& measures) {
-  const double n = static_cast<double>(measures.rows());
-  const double mean = (measures.sum() - measures.trace()) / std::max(1.0, n * (n - 1));
-  return mean > 0 ? mean : 1;
-}
-
-/// The values of gamma to try: powers of two. For exp(-gamma m) around one over the typical m, so
-/// that the grid fits any feature. For the local kernel, whose measures depend on gamma and cost
-/// much, few values around the thesis' own (Table 8.2).
-std::vector<double> gammaGrid(const Kernel& kernel, const Eigen::MatrixXd& measures) {
-  if (!kernel.measureIsFreeOfGamma()) return {0.5, 1, 2, 4, 8};
-  std::vector<double> gammas;
-  const double unit = 1 / typicalMeasure(measures);
-  for (int power = -4; power <= 4; ++power) gammas.push_back(std::ldexp(unit, power));
-  return gammas;
-}
 
 /// The samples of one cue and how they compare.
 class CueTrainer {
@@ -73,21 +53,20 @@ class CueTrainer {
     measures_ = measureMatrix(Kernel(kernel), features_, threads_, progress_);
   }
 
-  /// The gamma of the best mean rate of the rooms on held-out blocks of time; of equals the
-  /// smallest, which gives the smoothest machines.
   void chooseGamma() {
-    const std::vector<double> gammas = gammaGrid(Kernel(cue_.kernel), measures_);
+    const GammaGrid grid = gammaGrid(Kernel(cue_.kernel), measures_);
     TrainingOptions unreduced = options_;
     unreduced.reduction.method = "none";
-    double best_rate = -1, best_gamma = 0;
-    for (std::size_t i = 0; i < gammas.size(); ++i) {
-      report(progress_, "Choosing gamma", static_cast<double>(i) / gammas.size());
-      setGamma(gammas[i]);
-      const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
-      const double rate = averageRate(heldOut(gram, unreduced), samples_, places_);
-      if (rate > best_rate) best_rate = rate, best_gamma = gammas[i];
+    std::vector<GammaTrial> trials;
+    for (const double gamma : grid.gammas) {
+      report(progress_, "Choosing gamma",
+             static_cast<double>(trials.size()) / static_cast<double>(grid.gammas.size()));
+      setGamma(gamma);
+      const HeldOut held_out = heldOut(gramMatrix(Kernel(cue_.kernel), measures_), unreduced);
+      trials.push_back({gamma, averageRate(held_out, samples_, places_),
+                        averageRateError(held_out, samples_, places_)});
     }
-    setGamma(best_gamma);
+    setGamma(place_recognition::chooseGamma(trials, grid.neutral));
   }
 
   void setGamma(double gamma) {

@@ -27,6 +27,21 @@ std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>
   return kept;
 }
 
+/// True places of the valid samples, and those of their largest margins.
+struct Answers {
+  std::vector<int> truth, places;
+};
+
+Answers answersOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samples) {
+  Answers answers;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!held_out.valid[i]) continue;
+    answers.truth.push_back(samples[i].place);
+    answers.places.push_back(largest(held_out.margins.row(static_cast<Eigen::Index>(i))));
+  }
+  return answers;
+}
+
 }  // namespace
 
 Machines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
@@ -82,13 +97,14 @@ HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& cue_
 
 double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
                    std::size_t places) {
-  std::vector<int> truth, answers;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!held_out.valid[i]) continue;
-    truth.push_back(samples[i].place);
-    answers.push_back(largest(held_out.margins.row(i)));
-  }
-  return averageRate(truth, answers, places);
+  const Answers answers = answersOf(held_out, samples);
+  return averageRate(answers.truth, answers.places, places);
+}
+
+double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                        std::size_t places) {
+  const Answers answers = answersOf(held_out, samples);
+  return averageRateError(answers.truth, answers.places, places);
 }
 
 }  // namespace place_recognition

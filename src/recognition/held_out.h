@@ -33,4 +33,8 @@ HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& rows
 double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
                    std::size_t places);
 
+/// Standard error of that mean, as if frames were independent.
+double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                        std::size_t places);
+
 }  // namespace place_recognition

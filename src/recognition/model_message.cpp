@@ -96,14 +96,9 @@ void readClassifiers(const proto::Model& message, Model& model) {
 }
 
 void readCalibration(const proto::Model& message, Model& model) {
-  const int places = static_cast<int>(model.places.size());
-  require(
-      message.calibration_slopes_size() == places && message.calibration_offsets_size() == places,
-      "the calibration is not one of its places");
-  requireFinite(message.calibration_slopes(), "the calibration is not finite");
-  requireFinite(message.calibration_offsets(), "the calibration is not finite");
-  model.calibration.slopes = rowVector(message.calibration_slopes());
-  model.calibration.offsets = rowVector(message.calibration_offsets());
+  model.calibration.slope = message.calibration_slope();
+  require(std::isfinite(model.calibration.slope) && model.calibration.slope > 0,
+          "the slope of the calibration is not a positive number");
   model.unknown_threshold = message.unknown_threshold();
   model.validation.average_rate = message.validation_average_rate();
   model.validation.calibration_error = message.validation_calibration_error();
@@ -133,8 +128,7 @@ proto::Model toMessage(const Model& model) {
         toMessage(model.classifiers[c], vectorKind(model.options.cues[c].feature));
     message.add_cue_weights(model.cue_weights[c]);
   }
-  append(model.calibration.slopes, message.mutable_calibration_slopes());
-  append(model.calibration.offsets, message.mutable_calibration_offsets());
+  message.set_calibration_slope(model.calibration.slope);
   message.set_unknown_threshold(model.unknown_threshold);
   message.set_validation_average_rate(model.validation.average_rate);
   message.set_validation_calibration_error(model.validation.calibration_error);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "recognition/evidence.h"
 #include "recognition/scores.h"
 
 namespace place_recognition {
@@ -30,7 +29,7 @@ struct Answers {
     truth.push_back(place);
     places.push_back(largest(probabilities));
     confidences.push_back(probabilities[places.back()]);
-    evidence.push_back(place_recognition::evidence(calibration, margins));
+    evidence.push_back(calibration.evidence(margins));
     correct.push_back(places.back() == place);
   }
 };

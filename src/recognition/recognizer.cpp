@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "recognition/cue_extraction.h"
-#include "recognition/evidence.h"
 #include "recognition/scores.h"
 
 namespace place_recognition {
@@ -52,7 +51,7 @@ void Recognizer::decide() {
   recognition_.probabilities = model_->calibration.probabilities(recognition_.margins);
   recognition_.place = largest(recognition_.probabilities);
   recognition_.confidence = recognition_.probabilities[recognition_.place];
-  recognition_.evidence = evidence(model_->calibration, recognition_.margins);
+  recognition_.evidence = model_->calibration.evidence(recognition_.margins);
   recognition_.known = recognition_.evidence >= unknown_threshold_;
   recognition_.reason.clear();
 }

@@ -7,22 +7,45 @@
 
 namespace place_recognition {
 
+namespace {
+
+/// Right answers and frames of one room.
+struct Tally {
+  double right = 0;
+  double frames = 0;
+  double rate() const { return right / frames; }
+};
+
+/// Of the rooms that occur.
+std::vector<Tally> tallies(const std::vector<int>& truth, const std::vector<int>& answers,
+                           std::size_t places) {
+  assert(truth.size() == answers.size());
+  std::vector<Tally> rooms(places);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    rooms[truth[i]].frames += 1;
+    rooms[truth[i]].right += answers[i] == truth[i] ? 1 : 0;
+  }
+  const auto absent = [](const Tally& room) { return room.frames == 0; };
+  rooms.erase(std::remove_if(rooms.begin(), rooms.end(), absent), rooms.end());
+  return rooms;
+}
+
+}  // namespace
+
 double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
                    std::size_t places) {
-  assert(truth.size() == answers.size());
-  std::vector<double> right(places, 0), frames(places, 0);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    frames[truth[i]] += 1;
-    right[truth[i]] += answers[i] == truth[i] ? 1 : 0;
-  }
+  const std::vector<Tally> rooms = tallies(truth, answers, places);
   double sum = 0;
-  int rooms = 0;
-  for (std::size_t k = 0; k < places; ++k) {
-    if (frames[k] == 0) continue;
-    sum += right[k] / frames[k];
-    ++rooms;
-  }
-  return rooms == 0 ? 0 : sum / rooms;
+  for (const Tally& room : rooms) sum += room.rate();
+  return rooms.empty() ? 0 : sum / static_cast<double>(rooms.size());
+}
+
+double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
+                        std::size_t places) {
+  const std::vector<Tally> rooms = tallies(truth, answers, places);
+  double variance = 0;
+  for (const Tally& room : rooms) variance += room.rate() * (1 - room.rate()) / room.frames;
+  return rooms.empty() ? 0 : std::sqrt(variance) / static_cast<double>(rooms.size());
 }
 
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct) {

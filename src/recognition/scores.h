@@ -21,6 +21,10 @@ int largest(const Row& values) {
 double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
                    std::size_t places);
 
+/// Standard error of averageRate(), as if frames were independent.
+double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
+                        std::size_t places);
+
 /// Expected calibration error: frames in ten equal bins of confidence, the bins' |share of correct
 /// answers - mean confidence| weighted by their frames. 0 without frames.
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct);
