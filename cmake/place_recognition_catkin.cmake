@@ -10,7 +10,6 @@ file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 find_package(catkin REQUIRED COMPONENTS
   actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure image_transport
   message_generation nodelet pluginlib rosbag_storage roscpp roslib sensor_msgs std_msgs std_srvs)
-find_package(nlohmann_json REQUIRED)
 
 add_message_files(FILES ModelInfo.msg PlaceRecognition.msg PlaceScore.msg)
 add_service_files(FILES LoadModel.srv Retrain.srv)

@@ -29,6 +29,14 @@ bool decode(const std::string& text, std::size_t& i, std::uint32_t& character) {
 
 }  // namespace
 
+bool isUtf8(const std::string& text) {
+  std::uint32_t character = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    if (!decode(text, i, character)) return false;
+  }
+  return true;
+}
+
 bool isPlaceName(const std::string& name) {
   if (name.empty() || name.size() > kMaxPlaceNameBytes) return false;
   for (std::size_t i = 0; i < name.size();) {

@@ -4,6 +4,9 @@
 
 namespace place_recognition {
 
+/// Whether `text` is well-formed UTF-8 (RFC 3629).
+bool isUtf8(const std::string& text);
+
 /// Whether `name` can name a place: 1 to 128 bytes of valid UTF-8 without control characters. Such
 /// names pass through messages, JSON, YAML and file listings unchanged.
 bool isPlaceName(const std::string& name);

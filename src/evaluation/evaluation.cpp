@@ -1,0 +1,152 @@
+#include "evaluation/evaluation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+
+namespace place_recognition {
+namespace {
+
+std::string joined(const std::vector<std::string>& words, std::size_t first, std::size_t last) {
+  std::string text;
+  for (std::size_t i = first; i < last; ++i) text += (text.empty() ? "" : ", ") + words[i];
+  return text;
+}
+
+std::string thumbnail(const cv::Mat& image) {
+  constexpr int kWidth = 320;
+  cv::Mat small = image;
+  if (image.cols > kWidth) {
+    const int height = std::max(1, image.rows * kWidth / image.cols);
+    cv::resize(image, small, cv::Size(kWidth, height), 0, 0, cv::INTER_AREA);
+  }
+  std::vector<unsigned char> bytes;
+  cv::imencode(".jpg", small, bytes, {cv::IMWRITE_JPEG_QUALITY, 80});
+  return {bytes.begin(), bytes.end()};
+}
+
+class Evaluator {
+ public:
+  Evaluator(const std::shared_ptr<const Model>& model, std::size_t wrong_pictures)
+      : recognizer_(model), wrong_pictures_(wrong_pictures) {
+    evaluation_.model = model->name;
+    evaluation_.places = model->places;
+    evaluation_.model_places = model->places.size();
+    evaluation_.support_vectors = model->supportVectorCount();
+    evaluation_.model_bytes = serializeModel(*model).size();
+  }
+
+  void read(Run& run, const Progress& progress) {
+    evaluation_.runs.push_back(run.name());
+    const std::string stage = "Recognizing " + run.name();
+    report(progress, stage, 0);
+    std::uint64_t unlabelled = 0, unreadable = 0;
+    for (Frame frame; run.next(frame);) {
+      ++pictures_;
+      if (frame.place.empty()) {
+        ++unlabelled;
+      } else if (frame.image.empty()) {
+        ++unreadable;
+      } else {
+        add(frame);
+      }
+      report(progress, stage, run.fraction());
+    }
+    warn(run.name(), unlabelled, "have no label");
+    warn(run.name(), unreadable, "cannot be decoded");
+  }
+
+  Evaluation finish() {
+    requireLearnedPlaces();
+    for (std::size_t k = evaluation_.model_places; k < evaluation_.places.size(); ++k) {
+      evaluation_.warnings.push_back(
+          "The model has not learned '" + evaluation_.places[k] +
+          "'; its pictures count only for telling known places from unknown ones.");
+    }
+    return std::move(evaluation_);
+  }
+
+ private:
+  int placeIndex(const std::string& name) {
+    std::vector<std::string>& places = evaluation_.places;
+    const auto found = std::find(places.begin(), places.end(), name);
+    if (found != places.end()) return static_cast<int>(found - places.begin());
+    places.push_back(name);
+    return static_cast<int>(places.size()) - 1;
+  }
+
+  void add(const Frame& frame) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const Recognition& answer = recognizer_.recognize(frame.image);
+    const std::chrono::duration<double> elapsed = Clock::now() - start;
+
+    FrameResult result;
+    result.name = frame.name;
+    result.run = static_cast<int>(evaluation_.runs.size()) - 1;
+    result.stamp = frame.stamp;
+    result.truth = placeIndex(frame.place);
+    result.place = answer.place;
+    result.known = answer.known;
+    result.confidence = answer.confidence;
+    result.evidence = answer.evidence;
+    result.seconds = elapsed.count();
+    evaluation_.frames.push_back(result);
+    if (!result.correct() && result.place >= 0) keepIfAmongTheWorst(result, frame.image);
+  }
+
+  /// Keeps evaluation_.wrong sorted by falling confidence and short.
+  void keepIfAmongTheWorst(const FrameResult& result, const cv::Mat& image) {
+    std::vector<WrongPicture>& wrong = evaluation_.wrong;
+    const auto place = std::find_if(wrong.begin(), wrong.end(), [&](const WrongPicture& picture) {
+      return evaluation_.frames[picture.frame].confidence < result.confidence;
+    });
+    if (static_cast<std::size_t>(place - wrong.begin()) >= wrong_pictures_) return;
+    wrong.insert(place, {evaluation_.frames.size() - 1, thumbnail(image)});
+    if (wrong.size() > wrong_pictures_) wrong.pop_back();
+  }
+
+  void warn(const std::string& run, std::uint64_t count, const std::string& why) {
+    if (count == 0) return;
+    evaluation_.warnings.push_back(run + ": " + std::to_string(count) + " pictures " + why +
+                                   " and were left out.");
+  }
+
+  void requireLearnedPlaces() const {
+    const std::string runs = joined(evaluation_.runs, 0, evaluation_.runs.size());
+    if (pictures_ == 0)
+      throw Error("There are no pictures in " + runs + "; give a run that has some.");
+    if (evaluation_.frames.empty()) {
+      throw Error("None of the " + std::to_string(pictures_) + " pictures in " + runs +
+                  " can be decoded and has a label; say which place each of them shows.");
+    }
+    const bool any = std::any_of(evaluation_.frames.begin(), evaluation_.frames.end(),
+                                 [this](const FrameResult& f) { return evaluation_.learned(f); });
+    if (any) return;
+    throw Error("The model has learned none of the places in " + runs + " (" +
+                joined(evaluation_.places, evaluation_.model_places, evaluation_.places.size()) +
+                ") but only " + joined(evaluation_.places, 0, evaluation_.model_places) +
+                "; give a run of these.");
+  }
+
+  Recognizer recognizer_;
+  std::size_t wrong_pictures_;
+  std::uint64_t pictures_ = 0;
+  Evaluation evaluation_;
+};
+
+}  // namespace
+
+Evaluation evaluate(const std::shared_ptr<const Model>& model, const std::vector<RunOpener>& runs,
+                    std::size_t wrong_pictures, const Progress& progress) {
+  Evaluator evaluator(model, wrong_pictures);
+  for (const RunOpener& open : runs) evaluator.read(*open(), progress);
+  return evaluator.finish();
+}
+
+}  // namespace place_recognition

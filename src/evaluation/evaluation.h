@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "place_recognition/model.h"
+#include "place_recognition/progress.h"
+#include "place_recognition/training.h"
+
+namespace place_recognition {
+
+/// The answer to one labelled picture.
+struct FrameResult {
+  std::string name;       ///< of the picture
+  int run = 0;            ///< index into Evaluation::runs
+  double stamp = 0;       ///< s
+  int truth = 0;          ///< index into Evaluation::places
+  int place = -1;         ///< the most probable place, also where the answer is 'unknown'; -1: none
+  bool known = false;     ///< false: answered 'unknown'
+  double confidence = 0;  ///< probability of `place`
+  double evidence = 0;    ///< see Calibration::evidence()
+  double seconds = 0;     ///< from the decoded image to the answer
+
+  bool correct() const { return place == truth; }
+};
+
+/// A picture that was given a wrong place.
+struct WrongPicture {
+  std::size_t frame = 0;  ///< index into Evaluation::frames
+  std::string jpeg;       ///< at most 320 pixels wide
+};
+
+/// What a model answered to labelled runs.
+struct Evaluation {
+  std::string model;                ///< its name
+  std::vector<std::string> places;  ///< those of the model, in its order, then others that occur
+  std::size_t model_places = 0;     ///< how many of them are the model's
+  std::vector<std::string> runs;    ///< names; a run is one condition
+  std::vector<FrameResult> frames;
+  std::vector<WrongPicture> wrong;  ///< the most confidently wrong ones, worst first
+  std::size_t support_vectors = 0;
+  std::uint64_t model_bytes = 0;
+  std::vector<std::string> warnings;  ///< for a person: what was left out
+
+  /// Whether the model has learned the true place of `frame`.
+  bool learned(const FrameResult& frame) const {
+    return static_cast<std::size_t>(frame.truth) < model_places;
+  }
+};
+
+/// Shows every labelled picture of the runs to the model, one at a time in this thread, and keeps
+/// the answers and the `wrong_pictures` most confident mistakes. Throws Error if there are no
+/// pictures, no labels, or none of a place that the model has learned; Cancelled.
+Evaluation evaluate(const std::shared_ptr<const Model>& model, const std::vector<RunOpener>& runs,
+                    std::size_t wrong_pictures = 12, const Progress& progress = {});
+
+}  // namespace place_recognition

@@ -1,0 +1,78 @@
+#include "evaluation/metrics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace place_recognition {
+
+std::vector<ReliabilityBin> reliability(const std::vector<double>& confidences,
+                                        const std::vector<bool>& correct) {
+  assert(confidences.size() == correct.size());
+  constexpr int kBins = 10;
+  std::vector<ReliabilityBin> bins(kBins);
+  for (std::size_t i = 0; i < confidences.size(); ++i) {
+    ReliabilityBin& bin = bins[std::clamp(static_cast<int>(confidences[i] * kBins), 0, kBins - 1)];
+    ++bin.count;
+    bin.confidence += confidences[i];
+    bin.rate += correct[i] ? 1 : 0;
+  }
+  for (ReliabilityBin& bin : bins) {
+    if (bin.count == 0) continue;
+    bin.confidence /= static_cast<double>(bin.count);
+    bin.rate /= static_cast<double>(bin.count);
+  }
+  return bins;
+}
+
+double rocArea(const std::vector<double>& positive, const std::vector<double>& negative) {
+  if (positive.empty() || negative.empty()) return 0.5;
+  std::vector<double> sorted = negative;
+  std::sort(sorted.begin(), sorted.end());
+  double wins = 0;
+  for (const double value : positive) {
+    const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), value);
+    wins += static_cast<double>(first - sorted.begin()) + 0.5 * static_cast<double>(last - first);
+  }
+  return wins / (static_cast<double>(positive.size()) * static_cast<double>(negative.size()));
+}
+
+std::vector<RiskPoint> riskCoverage(const std::vector<double>& confidences,
+                                    const std::vector<bool>& correct) {
+  assert(confidences.size() == correct.size());
+  std::vector<std::size_t> order(confidences.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return confidences[a] > confidences[b]; });
+  std::vector<RiskPoint> points;
+  double wrong = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    wrong += correct[order[i]] ? 0 : 1;
+    const bool tied = i + 1 < order.size() && confidences[order[i + 1]] == confidences[order[i]];
+    if (tied) continue;
+    const double answered = static_cast<double>(i + 1);
+    points.push_back({answered / static_cast<double>(order.size()), wrong / answered});
+  }
+  return points;
+}
+
+double meanRisk(const std::vector<RiskPoint>& points) {
+  double area = 0, previous = 0;
+  for (const RiskPoint& point : points) {
+    area += (point.coverage - previous) * point.risk;
+    previous = point.coverage;
+  }
+  return area;
+}
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  const auto index = static_cast<std::ptrdiff_t>(
+      std::clamp(rank - 1, 0.0, static_cast<double>(values.size() - 1)));
+  std::nth_element(values.begin(), values.begin() + index, values.end());
+  return values[static_cast<std::size_t>(index)];
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,180 @@
+#include "evaluation/plots.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "evaluation/svg.h"
+#include "evaluation/text_table.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr const char* kBlue = "#3b6ea5";
+constexpr const char* kRed = "#c0504d";
+constexpr const char* kGrid = "#ddd";
+constexpr const char* kDark = "#888";
+
+/// A square plot of one share (0..1) against another.
+class SharePlot {
+ public:
+  SharePlot(const std::string& x_label, const std::string& y_label) : svg_(360, 300) {
+    for (int i = 0; i <= 5; ++i) {
+      const double share = i / 5.0;
+      svg_.line(x(share), y(0), x(share), y(1), kGrid);
+      svg_.line(x(0), y(share), x(1), y(share), kGrid);
+      svg_.text(x(share), y(0) + 16, fixed(100 * share, 0), "middle");
+      svg_.text(x(0) - 6, y(share) + 4, fixed(100 * share, 0), "end");
+    }
+    svg_.text(x(0.5), y(0) + 34, x_label + ", %", "middle");
+    svg_.text(4, y(1) - 8, y_label + ", %");
+  }
+
+  double x(double share) const { return 44 + 300 * share; }
+  double y(double share) const { return 250 - 225 * share; }
+  Svg& svg() { return svg_; }
+
+ private:
+  Svg svg_;
+};
+
+/// Frames of one run in order of time.
+std::vector<const FrameResult*> framesOf(const Evaluation& evaluation, int run) {
+  std::vector<const FrameResult*> frames;
+  for (const FrameResult& frame : evaluation.frames) {
+    if (frame.run == run) frames.push_back(&frame);
+  }
+  return frames;
+}
+
+/// Draws a strip of one rectangle for each stretch of equal frames. `same` compares neighbours.
+void drawStrip(Svg& svg, const std::vector<const FrameResult*>& frames, double top,
+               const std::function<bool(const FrameResult&, const FrameResult&)>& same,
+               const std::function<std::string(const FrameResult&)>& colour,
+               const std::function<std::string(const FrameResult&)>& tooltip) {
+  constexpr double kLeft = 60, kWidth = 830, kHeight = 26;
+  const double step = kWidth / static_cast<double>(frames.size());
+  for (std::size_t first = 0, last = 0; first < frames.size(); first = last) {
+    while (last < frames.size() && same(*frames[first], *frames[last])) ++last;
+    svg.rectangle(kLeft + step * static_cast<double>(first), top,
+                  step * static_cast<double>(last - first), kHeight, colour(*frames[first]),
+                  tooltip(*frames[first]));
+  }
+}
+
+}  // namespace
+
+std::string ratesPlot(const Summary& summary) {
+  constexpr double kLeft = 200, kWidth = 560, kRow = 26;
+  const double height = kRow * static_cast<double>(summary.rooms.size());
+  Svg svg(900, height + 30);
+  for (int i = 0; i <= 5; ++i) {
+    const double x = kLeft + kWidth * i / 5;
+    svg.line(x, 0, x, height, kGrid);
+    svg.text(x, height + 16, std::to_string(20 * i) + " %", "middle");
+  }
+  double y = 4;
+  for (const RoomSummary& room : summary.rooms) {
+    const std::string& name = summary.places[static_cast<std::size_t>(room.place)];
+    const std::string label = percent(room.rate()) + " of " + std::to_string(room.count);
+    svg.text(kLeft - 8, y + 14, name, "end");
+    svg.rectangle(kLeft, y, kWidth * room.rate(), kRow - 8, kBlue, name + ": " + label);
+    svg.text(kLeft + kWidth + 12, y + 14, label);
+    y += kRow;
+  }
+  const double mean = kLeft + kWidth * summary.average_rate;
+  svg.line(mean, 0, mean, height, kRed);
+  return svg.str();
+}
+
+std::string reliabilityPlot(const Summary& summary) {
+  SharePlot plot("confidence", "right");
+  plot.svg().line(plot.x(0), plot.y(0), plot.x(1), plot.y(1), kDark);
+  std::vector<std::pair<double, double>> curve;
+  std::uint64_t most = 1;
+  for (const ReliabilityBin& bin : summary.reliability) most = std::max(most, bin.count);
+  for (const ReliabilityBin& bin : summary.reliability) {
+    if (bin.count == 0) continue;
+    curve.emplace_back(plot.x(bin.confidence), plot.y(bin.rate));
+  }
+  plot.svg().polyline(curve, kBlue);
+  for (const ReliabilityBin& bin : summary.reliability) {
+    if (bin.count == 0) continue;
+    const double radius = 3 + 6 * static_cast<double>(bin.count) / static_cast<double>(most);
+    plot.svg().circle(plot.x(bin.confidence), plot.y(bin.rate), radius, kBlue,
+                      std::to_string(bin.count) + " pictures, " + percent(bin.rate) + " right");
+  }
+  return plot.svg().str();
+}
+
+std::string confidencePlot(const Evaluation& evaluation) {
+  constexpr int kBins = 20;
+  std::array<double, kBins> right{}, wrong{};
+  for (const FrameResult& frame : evaluation.frames) {
+    const int bin = std::clamp(static_cast<int>(frame.confidence * kBins), 0, kBins - 1);
+    (frame.correct() ? right : wrong)[static_cast<std::size_t>(bin)] += 1;
+  }
+  double most = 1;
+  for (std::size_t i = 0; i < kBins; ++i) most = std::max(most, right[i] + wrong[i]);
+
+  SharePlot plot("confidence", "pictures of the fullest bin");
+  const double width = plot.x(1.0 / kBins) - plot.x(0) - 2;
+  for (std::size_t i = 0; i < kBins; ++i) {
+    const double x = plot.x(static_cast<double>(i) / kBins) + 1;
+    const double middle = plot.y(right[i] / most), top = plot.y((right[i] + wrong[i]) / most);
+    plot.svg().rectangle(x, middle, width, plot.y(0) - middle, kBlue,
+                         fixed(right[i], 0) + " right");
+    plot.svg().rectangle(x, top, width, middle - top, kRed, fixed(wrong[i], 0) + " wrong");
+  }
+  return plot.svg().str();
+}
+
+std::string riskPlot(const Summary& summary) {
+  SharePlot plot("pictures answered, most confident first", "wrong");
+  std::vector<std::pair<double, double>> curve;
+  for (const RiskPoint& point : summary.risk_coverage) {
+    curve.emplace_back(plot.x(point.coverage), plot.y(point.risk));
+  }
+  plot.svg().polyline(curve, kRed);
+  return plot.svg().str();
+}
+
+std::string timelinePlot(const Evaluation& evaluation, int run) {
+  const std::vector<const FrameResult*> frames = framesOf(evaluation, run);
+  if (frames.empty()) return "";
+  const std::size_t places = evaluation.places.size();
+  const auto colourOf = [places](int place) {
+    return place < 0 ? std::string("#fff") : placeColour(static_cast<std::size_t>(place), places);
+  };
+  const auto nameOf = [&evaluation](int place) {
+    return place < 0 ? std::string("no answer")
+                     : evaluation.places[static_cast<std::size_t>(place)];
+  };
+  constexpr double kTruthTop = 4, kAnswerTop = 36, kMarkTop = 68;
+  Svg svg(900, 98);
+  svg.text(52, kTruthTop + 18, "truth", "end");
+  svg.text(52, kAnswerTop + 18, "answer", "end");
+  svg.text(52, kMarkTop + 18, "wrong", "end");
+  drawStrip(
+      svg, frames, kTruthTop,
+      [](const FrameResult& a, const FrameResult& b) { return a.truth == b.truth; },
+      [&](const FrameResult& f) { return colourOf(f.truth); },
+      [&](const FrameResult& f) { return nameOf(f.truth); });
+  drawStrip(
+      svg, frames, kAnswerTop,
+      [](const FrameResult& a, const FrameResult& b) {
+        return a.place == b.place && a.known == b.known;
+      },
+      [&](const FrameResult& f) { return f.known ? colourOf(f.place) : "#eee"; },
+      [&](const FrameResult& f) {
+        return f.known ? nameOf(f.place) : "unknown (" + nameOf(f.place) + ")";
+      });
+  drawStrip(
+      svg, frames, kMarkTop,
+      [](const FrameResult& a, const FrameResult& b) { return a.correct() == b.correct(); },
+      [](const FrameResult& f) { return f.correct() ? "#fff" : kRed; },
+      [](const FrameResult& f) { return f.correct() ? "right" : "wrong"; });
+  return svg.str();
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "evaluation/evaluation.h"
+#include "evaluation/summary.h"
+
+namespace place_recognition {
+
+// The figures of the report, each an <svg> element.
+
+/// A bar a room: the share answered right; a line marks the mean.
+std::string ratesPlot(const Summary& summary);
+
+/// How often answers of a certain confidence are right, against that confidence.
+std::string reliabilityPlot(const Summary& summary);
+
+/// How many pictures were answered with which confidence, right and wrong ones.
+std::string confidencePlot(const Evaluation& evaluation);
+
+/// Share of wrong answers if only the most confident ones were given.
+std::string riskPlot(const Summary& summary);
+
+/// One run from left to right: the true place above, the answer below, 'unknown' pale.
+std::string timelinePlot(const Evaluation& evaluation, int run);
+
+}  // namespace place_recognition

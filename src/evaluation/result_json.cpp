@@ -1,0 +1,71 @@
+#include "evaluation/result_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace place_recognition {
+namespace {
+
+using Json = nlohmann::json;
+
+Json roomsJson(const std::vector<RoomSummary>& rooms, const std::vector<std::string>& places) {
+  Json json = Json::object();
+  for (const RoomSummary& room : rooms) {
+    json[places[static_cast<std::size_t>(room.place)]] = {
+        {"rate", room.rate()}, {"count", room.count}, {"unknown", room.unknownShare()}};
+  }
+  return json;
+}
+
+Json runsJson(const Summary& summary) {
+  Json json = Json::array();
+  for (const RunSummary& run : summary.runs) {
+    json.push_back({{"name", run.name},
+                    {"average_rate", run.average_rate},
+                    {"rooms", roomsJson(run.rooms, summary.places)}});
+  }
+  return json;
+}
+
+Json reliabilityJson(const std::vector<ReliabilityBin>& bins) {
+  Json json = Json::array();
+  for (const ReliabilityBin& bin : bins) {
+    json.push_back({{"count", bin.count}, {"confidence", bin.confidence}, {"rate", bin.rate}});
+  }
+  return json;
+}
+
+Json unknownJson(const Summary& summary) {
+  if (!summary.unknown) return nullptr;
+  return {{"roc_area", summary.unknown->roc_area},
+          {"false_alarm_rate", summary.unknown->false_alarm_rate},
+          {"detection_rate", summary.unknown->detection_rate}};
+}
+
+}  // namespace
+
+nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary) {
+  return {{"average_rate", summary.average_rate},
+          {"test_set_rate", summary.test_set_rate},
+          {"images", evaluation.frames.size()},
+          {"rooms", roomsJson(summary.rooms, summary.places)},
+          {"runs", runsJson(summary)},
+          {"confusion",
+           {{"labels", summary.places},
+            {"counts", summary.confusion.counts},
+            {"none", summary.confusion.none}}},
+          {"calibration_error", summary.calibration_error},
+          {"reliability", reliabilityJson(summary.reliability)},
+          {"mean_risk", meanRisk(summary.risk_coverage)},
+          {"unknown_share", summary.unknown_share},
+          {"unknown", unknownJson(summary)},
+          {"model", evaluation.model},
+          {"support_vectors", evaluation.support_vectors},
+          {"model_bytes", evaluation.model_bytes},
+          {"latency_ms",
+           {{"p50", 1000 * summary.latency_p50},
+            {"p95", 1000 * summary.latency_p95},
+            {"p99", 1000 * summary.latency_p99}}},
+          {"warnings", evaluation.warnings}};
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,86 @@
+#include "evaluation/result_table.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "evaluation/text_table.h"
+
+namespace place_recognition {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// The rate of a room in one run; empty if the run does not show it.
+std::string rateIn(const RunSummary& run, int place) {
+  for (const RoomSummary& room : run.rooms) {
+    if (room.place == place) return percent(room.rate());
+  }
+  return "";
+}
+
+std::string ratesTable(const Summary& summary) {
+  const bool several = summary.runs.size() > 1;
+  Rows rows{{"room", "pictures", "right", "'unknown'"}};
+  if (several) {
+    for (const RunSummary& run : summary.runs) rows[0].push_back(baseName(run.name));
+  }
+  for (const RoomSummary& room : summary.rooms) {
+    rows.push_back({summary.places[static_cast<std::size_t>(room.place)],
+                    std::to_string(room.count), percent(room.rate()),
+                    percent(room.unknownShare())});
+    if (!several) continue;
+    for (const RunSummary& run : summary.runs) rows.back().push_back(rateIn(run, room.place));
+  }
+  rows.push_back({"mean of the rooms", "", percent(summary.average_rate), ""});
+  if (several) {
+    for (const RunSummary& run : summary.runs) rows.back().push_back(percent(run.average_rate));
+  }
+  return alignColumns(rows);
+}
+
+std::string confusionTable(const Summary& summary) {
+  const Confusion& confusion = summary.confusion;
+  const bool some_none = std::any_of(confusion.none.begin(), confusion.none.end(),
+                                     [](std::uint64_t count) { return count > 0; });
+  Rows rows{{"true place (row), answer (column)"}};
+  for (std::size_t k = 0; k < summary.places.size(); ++k) rows[0].push_back(columnName(k));
+  if (some_none) rows[0].push_back("none");
+  for (std::size_t k = 0; k < summary.places.size(); ++k) {
+    rows.push_back({columnName(k) + "  " + summary.places[k]});
+    for (const std::uint64_t count : confusion.counts[k]) {
+      rows.back().push_back(count == 0 ? "." : std::to_string(count));
+    }
+    if (some_none) rows.back().push_back(std::to_string(confusion.none[k]));
+  }
+  return alignColumns(rows);
+}
+
+std::string otherFigures(const Evaluation& evaluation, const Summary& summary) {
+  Rows rows;
+  if (summary.runs.size() > 1) {
+    rows.push_back({"mean over the rooms of all runs", percent(summary.test_set_rate)});
+  }
+  rows.push_back({"calibration error", fixed(summary.calibration_error, 3)});
+  rows.push_back({"mean risk over coverage", percent(meanRisk(summary.risk_coverage))});
+  rows.push_back({"answered 'unknown'", percent(summary.unknown_share)});
+  if (summary.unknown) {
+    rows.push_back(
+        {"answered 'unknown' in places never learned", percent(summary.unknown->detection_rate)});
+    rows.push_back({"known against unknown, area under ROC", fixed(summary.unknown->roc_area, 3)});
+  }
+  rows.push_back({"support vectors", std::to_string(evaluation.support_vectors)});
+  rows.push_back({"model", fixed(static_cast<double>(evaluation.model_bytes) / 1024, 0) + " KiB"});
+  rows.push_back({"latency, median", fixed(1000 * summary.latency_p50, 1) + " ms"});
+  rows.push_back({"latency, 95 %", fixed(1000 * summary.latency_p95, 1) + " ms"});
+  rows.push_back({"latency, 99 %", fixed(1000 * summary.latency_p99, 1) + " ms"});
+  return alignColumns(rows);
+}
+
+}  // namespace
+
+std::string resultTable(const Evaluation& evaluation, const Summary& summary) {
+  return ratesTable(summary) + "\n" + confusionTable(summary) + "\n" +
+         otherFigures(evaluation, summary);
+}
+
+}  // namespace place_recognition

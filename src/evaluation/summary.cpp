@@ -1,0 +1,116 @@
+#include "evaluation/summary.h"
+
+#include <functional>
+#include <numeric>
+
+#include "recognition/scores.h"
+
+namespace place_recognition {
+namespace {
+
+/// The learned rooms among the frames for which `chosen` holds.
+std::vector<RoomSummary> summarizeRooms(const Evaluation& evaluation,
+                                        const std::function<bool(const FrameResult&)>& chosen) {
+  std::vector<RoomSummary> all(evaluation.model_places);
+  for (const FrameResult& frame : evaluation.frames) {
+    if (!evaluation.learned(frame) || !chosen(frame)) continue;
+    RoomSummary& room = all[static_cast<std::size_t>(frame.truth)];
+    ++room.count;
+    room.correct += frame.correct() ? 1 : 0;
+    room.unknown += frame.known ? 0 : 1;
+  }
+  std::vector<RoomSummary> rooms;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].count == 0) continue;
+    rooms.push_back(all[k]);
+    rooms.back().place = static_cast<int>(k);
+  }
+  return rooms;
+}
+
+double sumOfRates(const std::vector<RoomSummary>& rooms) {
+  return std::accumulate(rooms.begin(), rooms.end(), 0.0,
+                         [](double sum, const RoomSummary& room) { return sum + room.rate(); });
+}
+
+double meanRate(const std::vector<RoomSummary>& rooms) {
+  return rooms.empty() ? 0 : sumOfRates(rooms) / static_cast<double>(rooms.size());
+}
+
+void summarizeRuns(const Evaluation& evaluation, Summary& summary) {
+  double sum = 0;
+  std::size_t sets = 0;
+  for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
+    const auto inRun = [r](const FrameResult& frame) { return frame.run == static_cast<int>(r); };
+    RunSummary run{evaluation.runs[r], summarizeRooms(evaluation, inRun), 0};
+    run.average_rate = meanRate(run.rooms);
+    sum += sumOfRates(run.rooms);
+    sets += run.rooms.size();
+    summary.runs.push_back(std::move(run));
+  }
+  summary.test_set_rate = sets == 0 ? 0 : sum / static_cast<double>(sets);
+}
+
+Confusion confusionOf(const Evaluation& evaluation) {
+  const std::size_t places = evaluation.places.size();
+  Confusion confusion{{places, std::vector<std::uint64_t>(places, 0)},
+                      std::vector<std::uint64_t>(places, 0)};
+  for (const FrameResult& frame : evaluation.frames) {
+    const auto truth = static_cast<std::size_t>(frame.truth);
+    ++(frame.place < 0 ? confusion.none[truth]
+                       : confusion.counts[truth][static_cast<std::size_t>(frame.place)]);
+  }
+  return confusion;
+}
+
+void summarizeConfidence(const Evaluation& evaluation, Summary& summary) {
+  std::vector<double> confidences;
+  std::vector<bool> correct;
+  for (const FrameResult& frame : evaluation.frames) {
+    if (!evaluation.learned(frame)) continue;
+    confidences.push_back(frame.confidence);
+    correct.push_back(frame.correct());
+  }
+  summary.reliability = reliability(confidences, correct);
+  summary.calibration_error = calibrationError(confidences, correct);
+  summary.risk_coverage = riskCoverage(confidences, correct);
+}
+
+void summarizeUnknown(const Evaluation& evaluation, Summary& summary) {
+  std::vector<double> learned, other;
+  double false_alarms = 0, detections = 0;
+  for (const FrameResult& frame : evaluation.frames) {
+    const bool is_learned = evaluation.learned(frame);
+    (is_learned ? learned : other).push_back(frame.evidence);
+    (is_learned ? false_alarms : detections) += frame.known ? 0 : 1;
+  }
+  if (!learned.empty()) summary.unknown_share = false_alarms / static_cast<double>(learned.size());
+  if (other.empty()) return;
+  summary.unknown = UnknownSummary{rocArea(learned, other), summary.unknown_share,
+                                   detections / static_cast<double>(other.size())};
+}
+
+void summarizeLatency(const Evaluation& evaluation, Summary& summary) {
+  std::vector<double> seconds;
+  for (const FrameResult& frame : evaluation.frames) seconds.push_back(frame.seconds);
+  summary.latency_p50 = percentile(seconds, 0.50);
+  summary.latency_p95 = percentile(seconds, 0.95);
+  summary.latency_p99 = percentile(seconds, 0.99);
+}
+
+}  // namespace
+
+Summary summarize(const Evaluation& evaluation) {
+  Summary summary;
+  summary.places = evaluation.places;
+  summary.rooms = summarizeRooms(evaluation, [](const FrameResult&) { return true; });
+  summary.average_rate = meanRate(summary.rooms);
+  summarizeRuns(evaluation, summary);
+  summary.confusion = confusionOf(evaluation);
+  summarizeConfidence(evaluation, summary);
+  summarizeUnknown(evaluation, summary);
+  summarizeLatency(evaluation, summary);
+  return summary;
+}
+
+}  // namespace place_recognition

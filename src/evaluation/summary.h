@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/evaluation.h"
+#include "evaluation/metrics.h"
+
+namespace place_recognition {
+
+/// How the pictures of one room, in one run or in all, were answered. Rates count the most probable
+/// place, whether or not the answer was 'unknown'; the share answered 'unknown' stands beside them.
+struct RoomSummary {
+  int place = 0;  ///< index into Summary::places
+  std::uint64_t count = 0;
+  std::uint64_t correct = 0;
+  std::uint64_t unknown = 0;
+
+  double rate() const { return static_cast<double>(correct) / static_cast<double>(count); }
+  double unknownShare() const { return static_cast<double>(unknown) / static_cast<double>(count); }
+};
+
+/// The rooms that a run shows (one condition of illumination, say).
+struct RunSummary {
+  std::string name;
+  std::vector<RoomSummary> rooms;  ///< learned ones with pictures
+  double average_rate = 0;         ///< mean of their rates
+};
+
+/// Counts of true place (row) and most probable place (column).
+struct Confusion {
+  std::vector<std::vector<std::uint64_t>> counts;
+  std::vector<std::uint64_t> none;  ///< of each true place: pictures without any feature
+};
+
+/// How 'unknown' fared on places that were never learned.
+struct UnknownSummary {
+  double roc_area = 0;          ///< of the evidence, learned against other places
+  double false_alarm_rate = 0;  ///< share of pictures of learned places answered 'unknown'
+  double detection_rate = 0;    ///< share of pictures of other places answered 'unknown'
+};
+
+/// The figures of an evaluation.
+struct Summary {
+  std::vector<std::string> places;  ///< as in Evaluation
+  std::vector<RoomSummary> rooms;   ///< all runs together: learned ones with pictures
+  double average_rate = 0;          ///< mean of their rates, each room of equal weight
+  std::vector<RunSummary> runs;
+  double test_set_rate = 0;  ///< mean over the rooms of all runs, each such set of equal weight
+                             ///< (thesis section 8.1); equals average_rate for a single run
+  Confusion confusion;
+  std::vector<ReliabilityBin> reliability;  ///< from here on: pictures of learned places
+  double calibration_error = 0;
+  std::vector<RiskPoint> risk_coverage;
+  double unknown_share = 0;               ///< answered 'unknown'
+  std::optional<UnknownSummary> unknown;  ///< if there are pictures of other places
+  double latency_p50 = 0;                 ///< s, of all pictures
+  double latency_p95 = 0;
+  double latency_p99 = 0;
+};
+
+Summary summarize(const Evaluation& evaluation);
+
+}  // namespace place_recognition

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// Text that HTML and SVG show as it is; bytes that are not printable ASCII or valid UTF-8 become
+/// question marks.
+std::string escapeMarkup(const std::string& text);
+
+/// A drawing in SVG, in pixels from the top left corner. Colours and fonts are those of CSS.
+class Svg {
+ public:
+  Svg(double width, double height);
+
+  void rectangle(double x, double y, double width, double height, const std::string& fill,
+                 const std::string& tooltip = "");
+  void line(double x1, double y1, double x2, double y2, const std::string& stroke);
+  void polyline(const std::vector<std::pair<double, double>>& points, const std::string& stroke);
+  void circle(double x, double y, double radius, const std::string& fill,
+              const std::string& tooltip = "");
+  /// `anchor`: start, middle or end; y is the base line.
+  void text(double x, double y, const std::string& text, const std::string& anchor = "start");
+
+  /// The whole drawing, an <svg> element.
+  std::string str() const;
+
+ private:
+  void add(const std::string& element);
+
+  double width_;
+  double height_;
+  std::string elements_;
+};
+
+/// The colour of the k-th of n places: evenly spaced hues.
+std::string placeColour(std::size_t k, std::size_t n);
+
+}  // namespace place_recognition

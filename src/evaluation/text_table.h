@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// Rows of cells as aligned columns, two spaces apart: the first to the left, the others to the
+/// right. Rows may differ in length. Widths count characters of UTF-8 text.
+std::string alignColumns(const std::vector<std::vector<std::string>>& rows);
+
+/// A number with a fixed count of decimals.
+std::string fixed(double number, int decimals);
+
+/// 0.123 as "12.3 %".
+std::string percent(double share);
+
+/// A, B, ..., Z, AA, AB, ...: short names for columns.
+std::string columnName(std::size_t index);
+
+/// The last part of a path.
+std::string baseName(const std::string& path);
+
+}  // namespace place_recognition
