@@ -26,8 +26,7 @@ void measure(Facet& facet) {
       high[i] = std::max(high[i], at[i]);
     }
   }
-  facet.origin = low[0] * facet.u + low[1] * facet.v +
-                 corners[0].dot(facet.normal) * facet.normal;
+  facet.origin = low[0] * facet.u + low[1] * facet.v + corners[0].dot(facet.normal) * facet.normal;
   facet.width = high[0] - low[0];
   facet.height = high[1] - low[1];
 }
@@ -57,10 +56,9 @@ Facet& Scene::polygon(std::vector<Vec3> corners, int material) {
   measure(facet);
   const float area = facet.width * facet.height;
   const std::vector<Vec3>& c = facet.corners;
-  facet.rectangle =
-      c.size() == 4 &&
-      std::abs(cv::norm((c[1] - c[0]).cross(c[3] - c[0])) - area) < 1e-4 * area &&
-      std::abs(cv::norm(c[2] - c[1] - c[3] + c[0])) < 1e-4;
+  facet.rectangle = c.size() == 4 &&
+                    std::abs(cv::norm((c[1] - c[0]).cross(c[3] - c[0])) - area) < 1e-4 * area &&
+                    std::abs(cv::norm(c[2] - c[1] - c[3] + c[0])) < 1e-4;
   const cv::Size2f size = materials[static_cast<std::size_t>(material)].size;
   if (size.width > 0.0f) {
     facet.repeats = {1.0f / size.width, 1.0f / size.height};
@@ -119,8 +117,9 @@ void Scene::turned(const Placement& at, const Vec3& bottom, const Vec3& top,
   };
   for (int r = 0; r + 1 < rings; ++r) {
     for (int i = 0; i < sides; ++i) {
-      Facet& facet = polygon({point(r, i), point(r, i + 1), point(r + 1, i + 1), point(r + 1, i)},
-                             material);
+      Facet& facet =
+          polygon({point(r, i), point(r, i + 1), point(r + 1, i + 1), point(r + 1, i)}, material);
+      facet.shift = {static_cast<float>(i) * facet.width * facet.repeats[0], 0.0f};
       facet.bend = 2.0f * std::sin(kPi / static_cast<float>(sides)) * facet.u;
     }
   }

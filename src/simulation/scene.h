@@ -47,10 +47,10 @@ struct Placement {
 
 /// A luminous rectangle. Without a normal it shines to all sides, as a bulb in a shade.
 struct Lamp {
-  Vec3 centre;               ///< m
-  Vec3 half_u, half_v;       ///< m, from the centre to the middle of two sides
-  Vec3 normal;               ///< unit, where it shines; zero: everywhere
-  Vec3 radiance;             ///< linear
+  Vec3 centre;          ///< m
+  Vec3 half_u, half_v;  ///< m, from the centre to the middle of two sides
+  Vec3 normal;          ///< unit, where it shines; zero: everywhere
+  Vec3 radiance;        ///< linear
 };
 
 /// The glazed part of an outer wall. It shines as the sky behind it does.

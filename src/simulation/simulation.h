@@ -30,6 +30,7 @@ struct SimulationOptions {
   /// moved since. Same options, same pixels, whatever the number of threads.
   std::uint64_t seed = 1;
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
+  unsigned threads = 0;     ///< 0: one a core
   double rate = 5.0;        ///< frames a second (0.1..100); indecs: one picture every 1/rate s
 
   /// Throws Error naming the field that is out of range.
@@ -38,13 +39,13 @@ struct SimulationOptions {
 
 /// One labelled picture of a run.
 struct SimulatedFrame {
-  cv::Mat image;          ///< CV_8UC3, BGR
-  std::string room;       ///< the room the camera stands in
-  std::string name;       ///< file stem: kitchen_07_120 (room, marker, degrees) or drive_000123
-  double stamp = 0.0;     ///< s since the start of the run
-  double x = 0.0;         ///< m, along the corridor
-  double y = 0.0;         ///< m, to the left of x
-  double yaw = 0.0;       ///< rad, anticlockwise from x; the direction the camera looks in
+  cv::Mat image;       ///< CV_8UC3, BGR
+  std::string room;    ///< the room the camera stands in
+  std::string name;    ///< file stem: kitchen_07_120 (room, marker, degrees) or drive_000123
+  double stamp = 0.0;  ///< s since the start of the run
+  double x = 0.0;      ///< m, along the corridor
+  double y = 0.0;      ///< m, to the left of x
+  double yaw = 0.0;    ///< rad, anticlockwise from x; the direction the camera looks in
 };
 
 /// Takes frame `index` of `count`; returns false to stop the run.

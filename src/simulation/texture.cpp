@@ -45,8 +45,8 @@ Texture::Texture(const cv::Mat& picture) {
   cv::resize(level, level, {powerOfTwo(level.cols), powerOfTwo(level.rows)}, 0, 0, cv::INTER_AREA);
 
   const cv::Scalar mean = cv::mean(level);
-  average_ = Vec3(static_cast<float>(mean[0]), static_cast<float>(mean[1]),
-                  static_cast<float>(mean[2]));
+  average_ =
+      Vec3(static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2]));
   levels_.push_back(encoded(level));
   while (level.cols > 1 || level.rows > 1) {
     cv::Mat half;
@@ -63,8 +63,8 @@ Vec3 Texture::sample(float s, float t, float extent_s, float extent_t) const {
   // A long thin footprint (a floor seen at a grazing angle) is a compromise between the blur of
   // its long side and the aliasing of its short one; the samples of a pixel average the rest.
   const float extent = std::max(std::min(width, height), std::max(width, height) * 0.5f);
-  const float level = std::min(std::log2(std::max(extent, 1.0f)),
-                               static_cast<float>(levels_.size() - 1));
+  const float level =
+      std::min(std::log2(std::max(extent, 1.0f)), static_cast<float>(levels_.size() - 1));
   const int fine = static_cast<int>(level);
   const int coarse = std::min(fine + 1, static_cast<int>(levels_.size()) - 1);
   const float weight = level - static_cast<float>(fine);
@@ -93,8 +93,8 @@ Vec3 Texture::bilinear(int level, float s, float t) const {
   const float w11 = wx * wy / 255.0f;
   Vec3 result;
   for (int c = 0; c < 3; ++c) {
-    result[c] = w00 * upper[left][c] + w01 * upper[right][c] + w10 * lower[left][c] +
-                w11 * lower[right][c];
+    result[c] =
+        w00 * upper[left][c] + w01 * upper[right][c] + w10 * lower[left][c] + w11 * lower[right][c];
   }
   return result;
 }

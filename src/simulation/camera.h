@@ -1,0 +1,29 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "simulation/random.h"
+#include "simulation/scene.h"
+
+namespace place_recognition::simulation {
+
+/// m above the floor, as high as the tripod of the thesis (section 3.2).
+constexpr float kCameraHeight = 0.76f;
+
+/// Where the camera stands and looks.
+struct View {
+  Vec3 eye;            ///< m
+  float yaw = 0.0f;    ///< rad, anticlockwise from x
+  float pitch = 0.0f;  ///< rad, up
+};
+
+/// The focal length in pixels of the Olympus C-3030ZOOM at wide angle (6.5 mm before a sensor
+/// 7.18 mm wide: 58 degrees across) for a picture `width` pixels wide.
+float focalLength(int width);
+
+/// Radiance (CV_32FC3, linear) to a picture (CV_8UC3): vignetting, automatic exposure that looks
+/// at the whole picture and more at its middle, automatic white balance that corrects only part of
+/// the colour of the light, noise of photons and of reading out, sRGB curve with a soft shoulder.
+cv::Mat develop(const cv::Mat& radiance, Random random);
+
+}  // namespace place_recognition::simulation

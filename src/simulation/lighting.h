@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "simulation/light.h"
+#include "simulation/ray_tracer.h"
+#include "simulation/scene.h"
+
+namespace place_recognition::simulation {
+
+/// The light on every surface, computed once for a still scene: from lamps, windows and what the
+/// surfaces throw back, on a coarse grid; from the sun, whose patches have sharp borders, on a fine
+/// one. Thread-safe once built; the same whatever the number of threads.
+class Lighting {
+ public:
+  /// `spacing`: m, of the coarse grid. Keeps references to scene and tracer.
+  Lighting(const Scene& scene, const RayTracer& tracer, const Daylight& daylight, float spacing,
+           unsigned threads);
+
+  /// Irradiance of the front of a facet at (a, b) m along its u and v; linear.
+  Vec3 irradiance(int facet, float a, float b) const;
+
+ private:
+  /// Values at the nodes of a grid that spans a facet; none: zero everywhere.
+  template <typename Value>
+  struct Grid {
+    int columns = 0, rows = 0;
+    std::vector<Value> values;
+
+    Grid() = default;
+    Grid(const Facet& facet, float spacing);
+    Value at(const Facet& facet, float a, float b) const;
+  };
+
+  Vec3 direct(const Vec3& point, const Vec3& normal) const;
+  Vec3 fromLamp(const Lamp& lamp, const Vec3& point, const Vec3& normal, bool window) const;
+  Vec3 bounced(const Vec3& point, const Vec3& normal, std::size_t node) const;
+  void bakeSun(std::size_t facet, float spacing);
+
+  /// Fills a grid a facet with `value(point, normal, node)`.
+  template <typename Function>
+  std::vector<Grid<Vec3>> bake(float spacing, unsigned threads, const Function& value) const;
+
+  const Scene& scene_;
+  const RayTracer& tracer_;
+  Daylight daylight_;
+  std::vector<Vec3> albedo_;        ///< of each material, on average
+  std::vector<Grid<Vec3>> soft_;    ///< of each facet
+  std::vector<Grid<float>> sunny_;  ///< of each facet: the cosine towards the sun where it shines
+};
+
+}  // namespace place_recognition::simulation

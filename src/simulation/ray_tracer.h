@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "simulation/scene.h"
+
+namespace place_recognition::simulation {
+
+struct Hit {
+  int facet = -1;            ///< -1: nothing
+  float distance = 0.0f;     ///< in lengths of the direction
+  float a = 0.0f, b = 0.0f;  ///< m, along the facet's u and v
+};
+
+/// Answers what a ray meets, from either side; glass does not count. Thread-safe. A hierarchy of
+/// boxes, each split where the surface area heuristic expects the fewest tests.
+class RayTracer {
+ public:
+  /// Keeps a reference to the scene.
+  explicit RayTracer(const Scene& scene);
+
+  Hit nearest(const Vec3& origin, const Vec3& direction, float reach) const;
+  bool blocked(const Vec3& origin, const Vec3& direction, float reach) const;
+
+ private:
+  struct Box {
+    Vec3 low{1e9f, 1e9f, 1e9f}, high{-1e9f, -1e9f, -1e9f};
+
+    void include(const Box& other);
+    float area() const;
+  };
+  struct Node {
+    Box box;
+    int first = 0;  ///< of a leaf: in order_; of an inner node: the left child, its sibling next
+    int count = 0;  ///< of a leaf's facets; 0: inner node
+  };
+  struct Split {
+    int axis = 0, middle = 0;
+  };
+
+  void build(int node, int begin, int end);
+  Split cheapestSplit(int begin, int end);
+  void sortAlong(int axis, int begin, int end);
+  template <bool kAny>
+  Hit trace(const Vec3& origin, const Vec3& direction, float reach) const;
+  bool intersect(int which, const Vec3& origin, const Vec3& direction, Hit& hit) const;
+
+  const Scene& scene_;
+  std::vector<Box> boxes_;  ///< of each facet
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace place_recognition::simulation

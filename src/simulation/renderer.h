@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "simulation/camera.h"
+#include "simulation/lighting.h"
+#include "simulation/ray_tracer.h"
+#include "simulation/scene.h"
+
+namespace place_recognition::simulation {
+
+/// Draws a lit scene through a pinhole: polygons are scanned into a depth buffer of 2 x 2 samples a
+/// pixel, then each visible sample is shaded once. Mirrors and glass ask the ray tracer. The centre
+/// of the upper left pixel is (0.5, 0.5). Thread-safe.
+class Renderer {
+ public:
+  /// Keeps references to all three.
+  Renderer(const Scene& scene, const RayTracer& tracer, const Lighting& lighting, cv::Size size);
+
+  /// The radiance of each pixel: CV_32FC3, linear, BGR.
+  cv::Mat render(const View& view) const;
+
+ private:
+  struct Frame;
+
+  void project(Frame& frame, int facet) const;
+  void scan(Frame& frame, int facet, const std::vector<cv::Vec2f>& outline, bool glass) const;
+  Vec3 pixel(const Frame& frame, int x, int y) const;
+  Vec3 sample(const Frame& frame, int facet, int glass, float x, float y, float extent) const;
+  Vec3 shade(const Frame& frame, int facet, float x, float y, float extent) const;
+  Vec3 surface(int facet, float a, float b, float extent_a, float extent_b) const;
+  Vec3 mirrored(const Vec3& point, const Vec3& direction, const Vec3& normal, float step) const;
+
+  const Scene& scene_;
+  const RayTracer& tracer_;
+  const Lighting& lighting_;
+  cv::Size samples_;  ///< twice the size of the picture
+  float focal_;       ///< in samples
+};
+
+}  // namespace place_recognition::simulation

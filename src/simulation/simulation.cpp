@@ -1,0 +1,131 @@
+#include "simulation/simulation.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/parallel.h"
+#include "place_recognition/error.h"
+#include "simulation/building.h"
+#include "simulation/camera.h"
+#include "simulation/furnishing.h"
+#include "simulation/lighting.h"
+#include "simulation/path.h"
+#include "simulation/renderer.h"
+
+namespace place_recognition {
+namespace {
+
+using namespace simulation;
+
+/// Frames that are rendered at a time, whatever the number of threads.
+constexpr std::size_t kBatch = 8;
+
+enum Stream : std::uint64_t {
+  kFurnitureStream = 1000,
+  kChangesStream = 2000,
+  kPathStream = 3000,
+  kNoiseStream = 4000
+};
+
+/// The generator of what differs from one condition to the next.
+Random randomOf(const SimulationOptions& options, std::uint64_t stream) {
+  return Random(options.seed, stream + static_cast<std::uint64_t>(options.condition));
+}
+
+/// Builds and furnishes the scene; returns what the camera is to take of it.
+std::vector<Pose> prepare(const SimulationOptions& options, Scene& scene) {
+  const Palette palette = makePalette(scene, options.seed, options.condition);
+  addShell(scene, palette);
+  Furniture furniture(scene, palette, Random(options.seed, kFurnitureStream));
+  furnish(furniture);
+
+  const std::vector<Marker> crosses = markers(furniture.footprints);
+  std::vector<cv::Point2f> keep_clear = driveWay();
+  for (const Marker& marker : crosses) keep_clear.push_back(marker.at);
+  furniture.random() = randomOf(options, kChangesStream);
+  addChanges(furniture, options.condition, keep_clear);
+
+  const Random jitter = randomOf(options, kPathStream);
+  return options.protocol == Protocol::kIndecs ? tripodRun(crosses, options.rate, jitter)
+                                               : driveRun(options.rate, jitter);
+}
+
+SimulatedFrame frameOf(const Pose& pose) {
+  SimulatedFrame frame;
+  frame.room = pose.room;
+  frame.name = pose.name;
+  frame.stamp = pose.stamp;
+  frame.x = pose.view.eye[0];
+  frame.y = pose.view.eye[1];
+  frame.yaw = pose.view.yaw;
+  return frame;
+}
+
+}  // namespace
+
+const char* name(Condition condition) {
+  switch (condition) {
+    case Condition::kNight:
+      return "night";
+    case Condition::kSunny:
+      return "sunny";
+    case Condition::kCloudy:
+      break;
+  }
+  return "cloudy";
+}
+
+Condition conditionFromName(const std::string& text) {
+  for (const Condition condition : {Condition::kCloudy, Condition::kNight, Condition::kSunny}) {
+    if (text == name(condition)) return condition;
+  }
+  throw Error("Unknown condition '" + text + "'; choose cloudy, night or sunny.");
+}
+
+const char* name(Protocol protocol) { return protocol == Protocol::kDrive ? "drive" : "indecs"; }
+
+Protocol protocolFromName(const std::string& text) {
+  for (const Protocol protocol : {Protocol::kIndecs, Protocol::kDrive}) {
+    if (text == name(protocol)) return protocol;
+  }
+  throw Error("Unknown protocol '" + text + "'; choose indecs or drive.");
+}
+
+void SimulationOptions::check() const {
+  if (std::min(size.width, size.height) < 16 || std::max(size.width, size.height) > 4096) {
+    throw Error("Simulation size " + std::to_string(size.width) + "x" +
+                std::to_string(size.height) + " is out of range; give sides of 16 to 4096 pixels.");
+  }
+  if (!(rate >= 0.1 && rate <= 100.0)) {
+    throw Error("Simulation rate " + std::to_string(rate) +
+                " is out of range; give 0.1 to 100 frames a second.");
+  }
+}
+
+void simulate(const SimulationOptions& options, const FrameSink& sink) {
+  options.check();
+  Scene scene;
+  const std::vector<Pose> poses = prepare(options, scene);
+  const RayTracer tracer(scene);
+  // A grid of light finer than what the picture shows would be wasted.
+  const float spacing = 0.12f * std::max(1.0f, 512.0f / static_cast<float>(options.size.width));
+  const Lighting lighting(scene, tracer, daylight(options.condition), spacing, options.threads);
+  const Renderer renderer(scene, tracer, lighting, options.size);
+
+  std::vector<SimulatedFrame> batch(kBatch);
+  for (std::size_t start = 0; start < poses.size(); start += kBatch) {
+    const std::size_t count = std::min(kBatch, poses.size() - start);
+    parallelFor(count, options.threads, [&](std::size_t i, unsigned) {
+      const Pose& pose = poses[start + i];
+      batch[i] = frameOf(pose);
+      batch[i].image =
+          develop(renderer.render(pose.view),
+                  Random(options.seed, randomOf(options, kNoiseStream).next() + start + i));
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!sink(batch[i], start + i, poses.size())) return;
+    }
+  }
+}
+
+}  // namespace place_recognition
