@@ -10,51 +10,57 @@ namespace {
 
 TEST(Calibration, RecoversTheSlopeThatMadeTheData) {
   std::mt19937 generator(9);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const int frames = 20000;
-  Eigen::MatrixXd margins(frames, 3);
+  const auto uniform = [&] { return generator() / 4294967296.0; };
+  const Calibration truth{2.5};
+  Eigen::MatrixXd margins(20000, 3);
   std::vector<int> labels;
-  for (int i = 0; i < frames; ++i) {
-    for (int k = 0; k < 3; ++k) margins(i, k) = 2 * uniform(generator) - 1;
-    const Eigen::RowVectorXd p = Calibration{2.5}.probabilities(margins.row(i));
-    const double draw = uniform(generator);
+  for (Eigen::Index i = 0; i < margins.rows(); ++i) {
+    for (Eigen::Index k = 0; k < 3; ++k) margins(i, k) = 4 * uniform() - 2;
+    const Eigen::RowVectorXd p = truth.probabilities(margins.row(i));
+    const double draw = uniform();
     labels.push_back(draw < p[0] ? 0 : draw < p[0] + p[1] ? 1 : 2);
   }
   EXPECT_NEAR(fitCalibration(margins, labels).slope, 2.5, 0.1);
-  EXPECT_NEAR(fitCalibration(10 * margins, labels).slope, 0.25, 0.01);
+  // Margins in other units are the same evidence.
+  EXPECT_NEAR(fitCalibration(1000 * margins, labels).slope, 0.0025, 0.0001);
 }
 
-TEST(Calibration, ProbabilitiesAreTheFormula) {
-  const Calibration calibration{2};
-  const Eigen::RowVector3d margins(0.5, -1, 2);
-  const double sum = std::exp(1) + std::exp(-2) + std::exp(4);
-  EXPECT_TRUE(calibration.probabilities(margins).isApprox(
-      Eigen::RowVector3d(std::exp(1), std::exp(-2), std::exp(4)) / sum, 1e-14));
-  EXPECT_NEAR(calibration.evidence(margins), sum / (sum + 1), 1e-14);
+TEST(Calibration, IsTheSlopeOfGreatestLikelihood) {
+  // Two places: p_0 = 1 / (1 + exp(-slope d)), d the difference of margins. Three right frames with
+  // d = 1, one wrong: the wanted probability of right is (3 * 5/6 + 1/6) / 4 = 2/3.
+  Eigen::MatrixXd margins(4, 2);
+  margins << 0.5, -0.5, 0.5, -0.5, -0.5, 0.5, -0.5, 0.5;
+  EXPECT_NEAR(fitCalibration(margins, {0, 0, 1, 0}).slope, std::log(2.0), 1e-9);
 }
 
-TEST(Calibration, EvidenceFallsWhereEveryMachineSaysNo) {
-  const Calibration calibration{3};
-  const Eigen::RowVector3d margins(0.5, -1, -0.2);
-  const Eigen::RowVector3d lower = margins.array() - 1;
-  EXPECT_TRUE(calibration.probabilities(lower).isApprox(calibration.probabilities(margins), 1e-12));
-  EXPECT_LT(calibration.evidence(lower), calibration.evidence(margins));
+TEST(Calibration, FollowsTheFormulas) {
+  const Calibration calibration{0.5};
+  const Eigen::RowVector3d margins(1, -2, 0.25);
+  const Eigen::RowVector3d powers(std::exp(0.5), std::exp(-1.0), std::exp(0.125));
+  EXPECT_TRUE(calibration.probabilities(margins).isApprox(powers / powers.sum(), 1e-14));
+  EXPECT_NEAR(calibration.evidence(margins), powers.sum() / (1 + powers.sum()), 1e-14);
 }
 
-void expectProbabilities(const Eigen::RowVectorXd& p) {
+void expectProbabilities(const Calibration& calibration, const Eigen::RowVectorXd& margins) {
+  const Eigen::RowVectorXd p = calibration.probabilities(margins);
   EXPECT_TRUE(p.allFinite()) << p;
   EXPECT_GE(p.minCoeff(), 0);
   EXPECT_NEAR(p.sum(), 1, 1e-12);
+  Eigen::Index most_probable = 0;
+  Eigen::Index largest = 0;
+  p.maxCoeff(&most_probable);
+  margins.maxCoeff(&largest);
+  EXPECT_EQ(most_probable, largest) << margins;
+  EXPECT_GE(calibration.evidence(margins), 0);
+  EXPECT_LE(calibration.evidence(margins), 1);
 }
 
 TEST(Calibration, IsFiniteForExtremeMargins) {
-  const Calibration calibration{3};
-  for (const double a : {-1.7e308, -1e6, 0.0, 1e6, 1.7e308}) {
-    for (const double b : {-1.7e308, -1e6, 0.0, 1e6, 1.7e308}) {
-      const Eigen::RowVector3d margins(a, b, -1e6);
-      expectProbabilities(calibration.probabilities(margins));
-      EXPECT_GE(calibration.evidence(margins), 0);
-      EXPECT_LE(calibration.evidence(margins), 1);
+  for (const double slope : {1e-6, 1.0, 1e3}) {
+    for (const double a : {-1.7e308, -1e6, 0.0, 1e6, 1.7e308}) {
+      for (const double b : {-1.7e308, -1e6, 0.0, 1e6, 1.7e308}) {
+        expectProbabilities({slope}, Eigen::RowVector3d(a, b, -1e6));
+      }
     }
   }
 }
@@ -64,7 +70,7 @@ void expectUsable(const Eigen::MatrixXd& margins, const std::vector<int>& labels
   EXPECT_TRUE(std::isfinite(calibration.slope));
   EXPECT_GT(calibration.slope, 0);
   for (Eigen::Index i = 0; i < margins.rows(); ++i) {
-    expectProbabilities(calibration.probabilities(margins.row(i)));
+    expectProbabilities(calibration, margins.row(i));
   }
 }
 
@@ -79,7 +85,15 @@ TEST(Calibration, SurvivesDegenerateInput) {
   expectUsable(1e6 * separated, {0, 0, 1, 1});
   expectUsable(8e307 * separated, {0, 0, 1, 1});
   expectUsable(1e-300 * separated, {0, 0, 1, 1});
-  expectUsable(Eigen::MatrixXd(0, 2), {});
+  EXPECT_EQ(fitCalibration(Eigen::MatrixXd(0, 2), {}).slope, 1);
+}
+
+TEST(Calibration, MoreFramesAreMoreCertain) {
+  const Eigen::MatrixXd few = (Eigen::MatrixXd(2, 2) << 1, -1, -1, 1).finished();
+  const Eigen::MatrixXd many = few.replicate(10, 1);
+  std::vector<int> labels;
+  for (int i = 0; i < 20; ++i) labels.push_back(i % 2);
+  EXPECT_GT(fitCalibration(many, labels).slope, fitCalibration(few, {0, 1}).slope);
 }
 
 }  // namespace
