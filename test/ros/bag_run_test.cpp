@@ -19,7 +19,7 @@
 #include "place_recognition/error.h"
 #include "ros/conversions.h"
 #include "ros/labelled_bag_writer.h"
-#include "ros/scratch_folder.h"
+#include "scratch_folder.h"
 
 namespace place_recognition {
 namespace {

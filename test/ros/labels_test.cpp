@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "place_recognition/error.h"
-#include "ros/scratch_folder.h"
+#include "scratch_folder.h"
 
 namespace place_recognition {
 namespace {
