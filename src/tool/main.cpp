@@ -39,7 +39,7 @@ int run(CLI::App& tool, int argc, char** argv) {
     if (e.get_exit_code() == 0) return tool.exit(e);  // --help, --version
     return fail(tool, std::string(e.what()) + "; see --help.", kBadUsage);
   } catch (const Cancelled&) {
-    return fail(tool, "stopped; nothing was written.", kStopped);
+    return fail(tool, "stopped.", kStopped);
   } catch (const Error& e) {
     return fail(tool, e.what(), kBadInput);
   } catch (const std::bad_alloc&) {

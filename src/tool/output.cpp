@@ -47,4 +47,13 @@ void requireWritable(const std::string& path) {
   }
 }
 
+void makeFolder(const std::string& path) {
+  std::error_code failure;
+  std::filesystem::create_directories(path, failure);
+  if (failure) {
+    throw Error("Cannot make the folder " + path + ": " + failure.message() +
+                "; choose a folder that can be written.");
+  }
+}
+
 }  // namespace place_recognition::tool

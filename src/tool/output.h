@@ -34,4 +34,7 @@ std::string jsonLine(const Json& value);
 /// after it. Missing folders are no hindrance, and are not made.
 void requireWritable(const std::string& path);
 
+/// Makes a folder, with those above it, unless it is there. Throws Error if it cannot.
+void makeFolder(const std::string& path);
+
 }  // namespace place_recognition::tool

@@ -39,7 +39,11 @@ class Recognitions {
  public:
   explicit Recognitions(const RecognizeOptions& options)
       : output_(options.output),
-        recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))) {}
+        recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))) {
+    for (const std::string& place : recognizer_.model().places) {
+      place_width_ = std::max(place_width_, place.size());
+    }
+  }
 
   void add(const Frame& frame) {
     requireImage(frame);
@@ -68,7 +72,6 @@ class Recognitions {
  private:
   void print(const std::string& name, const std::string& place, const Recognition& answer) {
     name_width_ = std::max(name_width_, name.size());
-    place_width_ = std::max(place_width_, place.size());
     std::ostream& out = output_.text();
     out << std::left << std::setw(static_cast<int>(name_width_)) << name << "  "
         << std::setw(static_cast<int>(place_width_)) << place << "  " << std::right << std::fixed
@@ -107,6 +110,7 @@ void recognize(const RecognizeOptions& options) {
       const std::unique_ptr<Run> run = options.input.open(run_path);
       while (run->next(frame)) {
         report(progress, "recognising " + run_path, run->fraction());
+        if (isBag(run_path)) frame.name = run_path + " " + frame.name;
         recognitions.add(frame);
       }
     }

@@ -77,11 +77,9 @@ void simulateRuns(SimulateOptions options) {
   options.simulation.protocol = protocolFromName(options.protocol);
   options.simulation.size = parseSize(options.size);
   options.simulation.check();
-  requireWritable(options.out + "/.");
-
   ProgressDisplay display(options.output.progress);
   Json runs = Json::array();
-  fs::create_directories(options.out);
+  makeFolder(options.out);
   for (const std::string& condition : options.conditions) {
     options.simulation.condition = conditionFromName(condition);
     const std::string path = options.out + "/" + condition + (as_bag ? ".bag" : "");

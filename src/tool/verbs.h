@@ -24,6 +24,7 @@ inline void addVerbs(CLI::App& tool) {
   addImport(tool);
   addTrain(tool);
   addRecognize(tool);
+  addEvaluate(tool);
   addReduce(tool);
   addFeatures(tool);
   addInfo(tool);

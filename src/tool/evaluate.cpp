@@ -1,0 +1,72 @@
+#include <iostream>
+#include <memory>
+
+#include "base/atomic_file.h"
+#include "evaluation/evaluation.h"
+#include "evaluation/report.h"
+#include "evaluation/result_json.h"
+#include "evaluation/result_table.h"
+#include "place_recognition/model_file.h"
+#include "tool/inputs.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct EvaluateOptions {
+  std::vector<std::string> inputs;
+  std::string model;
+  std::string report;
+  InputOptions input;
+  OutputOptions output;
+};
+
+void evaluateModel(const EvaluateOptions& options) {
+  const std::string report = options.report + "/report.html";
+  if (!options.report.empty()) requireWritable(report);
+  const auto model = std::make_shared<const Model>(loadModel(modelPath(options.model)));
+  const std::vector<RunOpener> runs = options.input.openers(options.inputs);
+
+  ProgressDisplay display(options.output.progress);
+  constexpr std::size_t kWrongPictures = 24;  // in the report
+  const Evaluation evaluation = evaluate(model, runs, kWrongPictures, display.callback());
+  const Summary summary = summarize(evaluation);
+  display.clear();
+
+  for (const std::string& warning : evaluation.warnings) {
+    std::cerr << "warning: " << warning << "\n";
+  }
+  options.output.text() << resultTable(evaluation, summary) << std::flush;
+  if (!options.report.empty()) {
+    makeFolder(options.report);
+    writeFileAtomically(report, htmlReport(evaluation, summary));
+    options.output.text() << "Report: " << report << std::endl;
+  }
+  options.output.writeJson(Json(resultJson(evaluation, summary)));
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("evaluate", "Measures how well a model knows labelled runs");
+  const auto options = std::make_shared<EvaluateOptions>();
+  verb->add_option("INPUT", options->inputs, kInputHelp)->required();
+  verb->add_option("--model", options->model, "Name or file of the model")
+      ->type_name("NAME")
+      ->required();
+  verb->add_option("--report", options->report,
+                   "Write DIR/report.html: figures, plots and the worst mistakes as pictures")
+      ->type_name("DIR");
+  options->input.addTo(*verb);
+  options->output.addTo(*verb);
+  verb->footer(
+      "Prints the rate of each room and their mean, each room of equal weight; the confusion\n"
+      "matrix; how far the confidence can be trusted; the time a picture takes. Pictures of places\n"
+      "that the model has not learned measure how well it says 'unknown'.\n"
+      "Example:\n"
+      "  place_tool evaluate --model office wednesday.bag --report report");
+  verb->callback([options] { evaluateModel(*options); });
+}
+
+}  // namespace place_recognition::tool

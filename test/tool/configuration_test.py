@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""--config and --set, the presets in config/ and their documentation."""
+import unittest
+
+from tool_case import SOURCE, ToolCase, paint
+
+
+class ConfigurationTest(ToolCase):
+    def setUp(self):
+        super().setUp()
+        self.write_picture("a.png", paint("kitchen", 0))
+
+    def features(self, *arguments):
+        return self.succeed("features", "a.png", *arguments)
+
+    def test_every_shipped_preset_loads_by_name_and_by_path(self):
+        presets = sorted((SOURCE / "config").glob("*.yaml"))
+        self.assertGreaterEqual(len(presets), 2)
+        for preset in presets:
+            self.assertEqual(self.features("--config", preset.stem),
+                             self.features("--config", preset))
+
+    def test_the_default_is_the_preset_crfh(self):
+        self.assertEqual(self.features(), self.features("--config", "crfh"))
+
+    def test_set_overwrites_the_file_key_by_key(self):
+        (self.folder / "mine.yaml").write_text(
+            "cues: [{name: mine, feature: {type: crfh, descriptors: [Lx], bins: [4]}}]\n")
+        by_file = self.features("--config", "mine.yaml")
+        self.assertLessEqual(len(by_file.split()), 16)
+        by_set = self.features("--set", "cues.crfh.feature.descriptors=Lx", "--set",
+                               "cues.crfh.feature.bins=[4]")
+        self.assertEqual(by_file, by_set)
+        self.assertNotEqual(by_file, self.features("--config", "mine.yaml", "--set",
+                                                   "cues.mine.feature.scales=9"))
+
+    def test_mistakes_are_named_with_where_they_stand(self):
+        (self.folder / "mine.yaml").write_text("svm: {cost: 5}\n")
+        line = self.fail("train", "nowhere", "--model", "m", "--config", "mine.yaml")
+        for words in ("mine.yaml", "'cost'", "'svm'", "c, multiclass"):
+            self.assertIn(words, line)
+        for arguments, words in (
+                (("--config", "absent.yaml"), "absent.yaml"),
+                (("--config", "crhf"), "crfh, crfh_colour"),
+                (("--set", "svm.cost=5"), "'cost'"),
+                (("--set", "svm.c"), "key=value"),
+                (("--set", "svm.c=much"), "'svm.c'"),
+                (("--set", "svm.c=-1"), "svm.c"),
+                (("--set", "cues.sift.kernel.gamma=1"), "'sift'")):
+            self.assertIn(words, self.fail("train", "nowhere", "--model", "m", *arguments))
+
+    def test_document_is_up_to_date(self):
+        self.assertEqual((SOURCE / "doc/configuration.md").read_text(), self.succeed("document"),
+                         "run: place_tool document > doc/configuration.md")
+
+
+if __name__ == "__main__":
+    unittest.main()

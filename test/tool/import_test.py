@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""place_tool import on tiny folders in each layout of doc/datasets.md."""
+import unittest
+
+import rosbag
+from tool_case import ToolCase, paint
+
+
+class ImportTest(ToolCase):
+    def labels_of(self, bag_name):
+        """(stamp, label) of each image of a bag, read with ROS' own Python."""
+        labels, label = [], None
+        with rosbag.Bag(str(self.folder / bag_name)) as bag:
+            for topic, message, _ in bag.read_messages():
+                if topic == "/place_label":
+                    label = message.data
+                else:
+                    labels.append((message.header.stamp.to_sec(), label))
+        return labels
+
+    def import_pictures(self, names, *arguments):
+        for view, name in enumerate(names):
+            self.write_picture(f"data/{name}", paint("kitchen", view))
+        self.succeed("import", "data", "--out", "run.bag", *arguments)
+        return self.labels_of("run.bag")
+
+    def test_rooms(self):
+        labels = self.import_pictures(["kitchen/2.png", "hall/9.jpg", "hall/10.jpg", "loose.png"],
+                                      "--rate", 2)
+        start = labels[0][0]
+        self.assertEqual([(stamp - start, label) for stamp, label in labels],
+                         [(0, "hall"), (0.5, "hall"), (1, "kitchen")])
+
+    def test_indecs_finds_light_room_marker_and_angle_wherever_they_stand(self):
+        for names in (["cloudy/kitchen/kitchen_07_120.png", "cloudy/kitchen/kitchen_07_30.png",
+                       "cloudy/printer_area/printer_area_01_000.png"],
+                      ["kitchen/Cloudy/7_120.png", "kitchen/Cloudy/7_30.png",
+                       "printer_area/Cloudy/1_0.png"],
+                      ["kitchen_cloudy_07_120.png", "kitchen_cloudy_07_030.png",
+                       "printer_area_cloudy_01_000.png"]):
+            labels = self.import_pictures(names, "--layout", "indecs")
+            self.assertEqual([label for _, label in labels], ["kitchen", "kitchen", "printer_area"])
+            self.assertAlmostEqual(labels[2][0] - labels[0][0], 0.4)
+            for path in (self.folder / "data").rglob("*.png"):
+                path.unlink()
+
+    def test_indecs_run_is_one_condition(self):
+        names = ["night/kitchen/1_0.png", "sunny/kitchen/1_0.png", "sunny/hall/1_0.png"]
+        labels = self.import_pictures(names, "--layout", "indecs", "--condition", "sunny")
+        self.assertEqual([label for _, label in labels], ["hall", "kitchen"])
+        self.assertIn("--condition",
+                      self.fail("import", "data", "--out", "b.bag", "--layout", "indecs"))
+
+    def test_idol_is_in_the_order_of_its_stamps(self):
+        labels = self.import_pictures(
+            ["png/t1125496219.5_rCR_x1.0_y-2.0_a0.5.png", "png/t1125496218.25_rKT_x6.5_y5.3_a.3.png"],
+            "--layout", "idol")
+        self.assertEqual(labels, [(1125496218.25, "KT"), (1125496219.5, "CR")])
+        self.write_picture("data/png/holiday.png", paint("office", 0))
+        self.assertIn("holiday.png",
+                      self.fail("import", "data", "--out", "b.bag", "--layout", "idol"))
+
+    def test_cold_takes_labels_from_its_list(self):
+        names = ["t1152886490.25_x0.205133_y0.000557_a0.002507.jpeg",
+                 "t1152886491.5_x0.3_y0.0_a0.0.jpeg"]
+        places = self.folder / "data/localization/places.lst"
+        places.parent.mkdir(parents=True)
+        places.write_text(f"{names[0]} CR-A\n{names[1]} PA-A\n")
+        labels = self.import_pictures([f"std_cam/{name}" for name in names], "--layout", "cold")
+        self.assertEqual(labels, [(1152886490.25, "CR-A"), (1152886491.5, "PA-A")])
+        places.write_text(f"{names[0]}\n")
+        self.assertIn("places.lst line 1",
+                      self.fail("import", "data", "--out", "b.bag", "--layout", "cold"))
+
+    def test_pictures_that_cannot_be_used(self):
+        self.write_picture("data/kitchen/1.png", paint("kitchen", 0))
+        (self.folder / "data/kitchen/2.png").write_bytes(b"no picture")
+        self.assertIn("2.png", self.fail("import", "data", "--out", "run.bag"))
+        self.assertIn("places.lst",
+                      self.fail("import", "data", "--out", "run.bag", "--layout", "cold"))
+
+
+if __name__ == "__main__":
+    unittest.main()

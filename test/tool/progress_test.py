@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Progress for terminals, logs and programs; and what a stop leaves behind."""
+import json
+import os
+import pty
+import signal
+import subprocess
+import unittest
+
+from tool_case import PLACE_TOOL, ToolCase
+
+SIMULATE = ("simulate", "--out", "runs", "--conditions", "night", "--size", "32x24")
+
+
+class ProgressTest(ToolCase):
+    def test_json_lines_come_before_the_result_which_is_last(self):
+        self.write_run("monday")
+        lines = [json.loads(line) for line in self.succeed(
+            "train", "monday", "--model", "./m.places", "--progress", "json", "--json",
+            "-").splitlines()]
+        self.assertEqual(lines[-1]["images"], 24)
+        self.assertGreater(len(lines), 2)
+        for line in lines[:-1]:
+            self.assertEqual(set(line), {"stage", "fraction"})
+            self.assertTrue(0 <= line["fraction"] <= 1)
+
+    def test_lines_on_stderr_where_there_is_no_terminal(self):
+        result = self.run_tool(*SIMULATE)
+        self.assertRegex(result.stderr, r"(?m)^rendering .*: \d+ %")
+        self.assertNotIn("\r", result.stderr)
+
+    def test_bar_on_a_terminal_is_gone_at_the_end(self):
+        terminal, tool_side = pty.openpty()
+        tool = subprocess.Popen([PLACE_TOOL, *SIMULATE], cwd=self.folder, stderr=tool_side,
+                                stdout=subprocess.DEVNULL)
+        os.close(tool_side)
+        shown = b""
+        try:
+            while chunk := os.read(terminal, 65536):
+                shown += chunk
+        except OSError:  # the other side is closed
+            pass
+        self.assertEqual(tool.wait(), 0)
+        self.assertIn(b"#", shown)
+        self.assertTrue(shown.endswith(b"\r\x1b[K"))
+
+    def test_none(self):
+        self.assertEqual(self.run_tool(*SIMULATE, "--progress", "none").stderr, "")
+
+
+class StopTest(ToolCase):
+    def stop(self, number, *arguments):
+        """Starts the tool, signals it at its first sign of progress; returns its last line."""
+        tool = subprocess.Popen([PLACE_TOOL, *arguments, "--progress", "json"], cwd=self.folder,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        tool.stdout.readline()
+        tool.send_signal(number)
+        _, errors = tool.communicate(timeout=60)
+        self.assertEqual(tool.returncode, 130)
+        return errors
+
+    def test_nothing_half_written_is_left(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for form in ("bag", "images"):
+                errors = self.stop(number, "simulate", "--out", "runs", "--format", form)
+                self.assertEqual(errors, "place_tool simulate: stopped.\n")
+                self.assertEqual(self.files(), ["runs"])
+
+    def test_training_writes_no_model(self):
+        self.write_run("monday")
+        before = self.files()
+        self.assertIn("stopped", self.stop(signal.SIGTERM, "train", "monday", "--model", "./m.places"))
+        self.assertEqual(self.files(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,103 @@
+"""What the tests of place_tool share: running it, painted rooms, and bags as a robot records them."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import cv2
+import numpy as np
+import rosbag
+import rospy
+from sensor_msgs.msg import CompressedImage
+from std_msgs.msg import String
+
+PLACE_TOOL = os.environ["PLACE_TOOL"]
+SOURCE = pathlib.Path(os.environ["PLACE_RECOGNITION_SOURCE_DIR"])
+
+# What the walls and the floors of a room have as colour, BGR.
+ROOMS = {"kitchen": ((60, 200, 220), (90, 60, 40)),
+         "corridor": ((200, 190, 180), (120, 120, 130)),
+         "office": ((120, 160, 60), (40, 80, 140))}
+
+
+def paint(room, view, seed=0):
+    """A picture of a room, CV_8UC3: wall, floor, a few things, noise."""
+    wall, floor = ROOMS[room]
+    random = np.random.default_rng([seed, view, sorted(ROOMS).index(room)])
+    image = np.zeros((96, 128, 3), np.float64)
+    image[:60], image[60:] = wall, floor
+    for _ in range(4):
+        x, y = random.integers(0, 100), random.integers(0, 70)
+        image[y:y + 20, x:x + 14] = np.roll(wall, 1) + random.integers(-10, 10)
+    image += random.normal(0, 6, image.shape)
+    return np.clip(image, 0, 255).astype(np.uint8)
+
+
+class ToolCase(unittest.TestCase):
+    """A test in a scratch folder, which is the tool's current one."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="place_tool_test_")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def environment(self):
+        return dict(os.environ, ROS_HOME=str(self.folder / "ros_home"))
+
+    def run_tool(self, *arguments):
+        return subprocess.run([PLACE_TOOL, *map(str, arguments)], cwd=self.folder, text=True,
+                              env=self.environment(), capture_output=True, timeout=120)
+
+    def succeed(self, *arguments):
+        """Runs the tool; returns its stdout."""
+        result = self.run_tool(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def figures(self, *arguments):
+        """Runs the tool with --json -; returns the object, which is all that is on stdout."""
+        return json.loads(self.succeed(*arguments, "--json", "-"))
+
+    def fail(self, *arguments, status=1):
+        """Runs the tool, which must fail and leave no file behind; returns its one line."""
+        before = self.files()
+        result = self.run_tool(*arguments, "--progress", "none")
+        self.assertEqual(result.returncode, status, result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith(f"place_tool {arguments[0]}: "), lines[0])
+        self.assertEqual(self.files(), before)
+        return lines[0]
+
+    def files(self):
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+
+    def write_picture(self, path, image):
+        target = self.folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        self.assertTrue(cv2.imwrite(str(target), image))
+        return target
+
+    def write_run(self, name, views=8, seed=0, rooms=tuple(ROOMS)):
+        """A folder of room/picture."""
+        for room in rooms:
+            for view in range(views):
+                self.write_picture(f"{name}/{room}/{view:03d}.png", paint(room, view, seed))
+        return name
+
+    def write_bag(self, name, frames):
+        """A bag of JPEG images; `frames`: (room or None, label or None) one a second."""
+        path = self.folder / name
+        with rosbag.Bag(str(path), "w") as bag:
+            for i, (room, label) in enumerate(frames):
+                stamp = rospy.Time(1000 + i)
+                if label is not None:
+                    bag.write("/place_label", String(label), stamp)
+                if room is not None:
+                    image = CompressedImage(format="jpeg")
+                    image.header.stamp = stamp
+                    image.data = cv2.imencode(".jpg", paint(room, i))[1].tobytes()
+                    bag.write("/camera/image_raw/compressed", image, stamp)
+        return name

@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+"""The verbs of place_tool on painted rooms, as a person and as a program would use them."""
+import json
+import unittest
+
+import cv2
+import numpy as np
+from tool_case import ROOMS, ToolCase, paint
+
+COLOUR = ("--config", "crfh_colour")
+
+
+class TrainTest(ToolCase):
+    def test_figures_say_what_was_learned(self):
+        self.write_run("monday")
+        figures = self.figures("train", "monday", "--model", "home", *COLOUR)
+        self.assertEqual(figures["images"], 24)
+        self.assertEqual(figures["rooms"], {room: {"count": 8} for room in sorted(ROOMS)})
+        self.assertGreater(figures["support_vectors"], 0)
+        self.assertEqual(figures["validation"]["average_rate"], 1)
+        model = self.folder / "ros_home/place_recognition/models/home.places"
+        self.assertEqual(model.stat().st_size, figures["model_bytes"])
+
+    def test_text_names_rooms_counts_and_file(self):
+        self.write_run("monday")
+        text = self.succeed("train", "monday", "--model", "./home.places")
+        for words in (*ROOMS, "24 images", "./home.places", "support vectors", "gamma"):
+            self.assertIn(words, text)
+
+    def test_same_inputs_give_the_same_bytes(self):
+        self.write_run("monday")
+        for name, threads in (("a", 1), ("b", 2)):
+            self.succeed("train", "monday", "--model", f"./{name}.places", "--threads", threads)
+        self.assertEqual((self.folder / "a.places").read_bytes(),
+                         (self.folder / "b.places").read_bytes())
+
+    def test_inputs_may_be_bags_folders_and_folders_of_these(self):
+        self.write_run("monday")
+        self.write_run("week/tuesday", seed=1)
+        self.write_bag("week/wednesday.bag", [(room, room) for room in ROOMS for _ in range(4)])
+        figures = self.figures("train", "monday", "week", "--model", "./home.places")
+        self.assertEqual(figures["images"], 24 + 24 + 12)
+
+    def test_bags_are_labelled_by_topic_file_or_option(self):
+        rooms = [room for room in ROOMS for _ in range(4)]
+        self.write_bag("topic.bag", [(room, room) for room in rooms])
+        self.write_bag("file.bag", [(room, None) for room in rooms])
+        (self.folder / "places.txt").write_text(
+            "".join(f"{1000 + i} {room}\n" for i, room in enumerate(rooms)))
+        by_topic = self.figures("train", "topic.bag", "--model", "./a.places")
+        by_file = self.figures("train", "file.bag", "--labels", "places.txt", "--model",
+                               "./b.places")
+        self.assertEqual(by_topic["rooms"], by_file["rooms"])
+        figures = self.figures("evaluate", "file.bag", "--label", "kitchen", "--model",
+                               "./a.places")
+        self.assertEqual(list(figures["rooms"]), ["kitchen"])
+
+
+class TrainedCase(ToolCase):
+    def setUp(self):
+        super().setUp()
+        self.write_run("monday")
+        self.write_run("tuesday", seed=1)
+        self.succeed("train", "monday", "--model", "./home.places", *COLOUR)
+
+
+class RecognizeTest(TrainedCase):
+    def test_a_line_a_picture(self):
+        picture = self.write_picture("now.jpg", paint("kitchen", 3, seed=2))
+        path, place, confidence = self.succeed("recognize", picture, "--model",
+                                               "./home.places").split()
+        self.assertEqual((path, place), (str(picture), "kitchen"))
+        self.assertTrue(0 <= float(confidence) <= 1)
+
+    def test_an_object_a_line_with_all_scores(self):
+        lines = self.succeed("recognize", "tuesday", "--model", "./home.places", "--json",
+                             "-").splitlines()
+        self.assertEqual(len(lines), 24)
+        for line in lines:
+            answer = json.loads(line)
+            probabilities = {place: scores["probability"]
+                             for place, scores in answer["scores"].items()}
+            self.assertEqual(set(probabilities), set(ROOMS))
+            self.assertAlmostEqual(sum(probabilities.values()), 1)
+            self.assertEqual(max(probabilities, key=probabilities.get), answer["place"])
+            self.assertEqual(answer["confidence"], probabilities[answer["place"]])
+            self.assertEqual(answer["place"], answer["image"].split("/")[-2])
+            self.assertTrue(all("margin" in scores for scores in answer["scores"].values()))
+
+    def test_unlabelled_pictures_and_bags_are_welcome(self):
+        self.write_picture("heap/1.png", paint("office", 1))
+        self.write_bag("run.bag", [("corridor", None)] * 2)
+        lines = self.succeed("recognize", "heap", "run.bag", "--model",
+                             "./home.places").splitlines()
+        self.assertEqual(["office" in lines[0], "corridor" in lines[1], "corridor" in lines[2]],
+                         [True] * 3)
+
+    def test_json_file_has_the_same_lines(self):
+        on_stdout = self.succeed("recognize", "tuesday", "--model", "./home.places", "--json", "-")
+        self.succeed("recognize", "tuesday", "--model", "./home.places", "--json", "answers")
+        self.assertEqual((self.folder / "answers").read_text(), on_stdout)
+
+
+class EvaluateTest(TrainedCase):
+    def test_figures(self):
+        figures = self.figures("evaluate", "tuesday", "--model", "./home.places")
+        rates = [room["rate"] for room in figures["rooms"].values()]
+        self.assertAlmostEqual(figures["average_rate"], sum(rates) / len(rates))
+        self.assertEqual([room["count"] for room in figures["rooms"].values()], [8, 8, 8])
+        self.assertEqual(np.sum(figures["confusion"]["counts"]), 24)
+        self.assertTrue(set(ROOMS) <= set(figures["confusion"]["labels"]))
+        self.assertTrue(0 <= figures["calibration_error"] <= 1)
+        self.assertGreater(figures["support_vectors"], 0)
+        self.assertEqual(figures["model_bytes"], (self.folder / "home.places").stat().st_size)
+        latency = figures["latency_ms"]
+        self.assertTrue(0 < latency["p50"] <= latency["p95"] <= latency["p99"])
+
+    def test_text_has_a_line_a_room(self):
+        text = self.succeed("evaluate", "tuesday", "--model", "./home.places")
+        for room in ROOMS:
+            self.assertIn(room, text)
+
+    def test_report_is_a_page(self):
+        self.succeed("evaluate", "tuesday", "--model", "./home.places", "--report", "report")
+        pages = list((self.folder / "report").glob("*.html"))
+        self.assertEqual(len(pages), 1)
+        self.assertIn("kitchen", pages[0].read_text())
+
+
+class ReduceTest(TrainedCase):
+    def reduce(self, *arguments):
+        return self.figures("reduce", "--model", "./home.places", "--out", "./small.places",
+                            *arguments)
+
+    def test_figures(self):
+        figures = self.reduce("--tau", 0.3)
+        self.assertLess(figures["support_vectors_after"], figures["support_vectors_before"])
+        self.assertTrue(0 < figures["mean_margin_change"] <= figures["max_margin_change"])
+        self.assertEqual(figures["model_bytes"], (self.folder / "small.places").stat().st_size)
+
+    def test_number_of_vectors(self):
+        for method in ("shared-qr", "shared-greedy"):
+            figures = self.reduce("--method", method, "--support-vectors", 5)
+            self.assertEqual(figures["support_vectors_after"], 5, method)
+
+    def test_training_pictures_as_rows_of_the_kernel_matrix(self):
+        figures = self.reduce("--method", "shared-greedy", "--support-vectors", 5, "--train",
+                              "monday")
+        self.assertEqual(figures["support_vectors_after"], 5)
+
+    def test_loss_stays_within_bounds_and_one_vector_fewer_does_not(self):
+        arguments = ("--method", "shared-qr")
+        figures = self.reduce(*arguments, "--max-loss", 5, "--validate", "tuesday")
+        rates = figures["validation"]
+        self.assertGreaterEqual(rates["average_rate_after"], rates["average_rate_before"] - 0.05)
+        evaluated = self.figures("evaluate", "tuesday", "--model", "./small.places")
+        self.assertAlmostEqual(evaluated["average_rate"], rates["average_rate_after"])
+        kept = figures["support_vectors_after"]
+        if kept > 1:
+            self.reduce(*arguments, "--support-vectors", kept - 1)
+            fewer = self.figures("evaluate", "tuesday", "--model", "./small.places")
+            self.assertLess(fewer["average_rate"], rates["average_rate_before"] - 0.05)
+
+
+class FeaturesTest(ToolCase):
+    def test_a_histogram_sums_to_one_and_its_indices_ascend(self):
+        self.write_picture("a.png", paint("kitchen", 0))
+        pairs = [pair.split(":") for pair in self.succeed("features", "a.png").split()]
+        indices = [int(index) for index, _ in pairs]
+        self.assertEqual(indices, sorted(set(indices)))
+        self.assertAlmostEqual(sum(float(value) for _, value in pairs), 1, places=5)
+
+    def test_several_cues_are_told_apart(self):
+        self.write_picture("a.png", paint("kitchen", 0))
+        (self.folder / "two.yaml").write_text(
+            "cues:\n"
+            "  - {name: shape, feature: {type: crfh, descriptors: [Lxx]}}\n"
+            "  - {name: colour, feature: {type: crfh, descriptors: [C1]}}\n")
+        lines = self.succeed("features", "a.png", "--config", "two.yaml").splitlines()
+        self.assertEqual((lines[0], lines[2], len(lines)), ("# shape", "# colour", 4))
+
+
+class InfoTest(TrainedCase):
+    def test_model(self):
+        figures = self.figures("info", "./home.places")
+        self.assertEqual(figures["inputs"], ["monday"])
+        self.assertEqual(figures["rooms"], {room: {"count": 8} for room in sorted(ROOMS)})
+        text = self.succeed("info", "./home.places")
+        for words in ("monday", "version", "[L, C1, C2]", *ROOMS):
+            self.assertIn(words, text)
+
+    def test_bag(self):
+        self.write_bag("run.bag", [("kitchen", "kitchen"), ("kitchen", None), ("office", "office")])
+        figures = self.figures("info", "run.bag")
+        topics = {topic["name"]: topic for topic in figures["topics"]}
+        images = topics["/camera/image_raw/compressed"]
+        self.assertEqual((images["messages"], images["width"], images["height"]), (3, 128, 96))
+        self.assertEqual([(label["from"], label["to"], label["place"])
+                          for label in figures["labels"]],
+                         [(0, 2, "kitchen"), (2, 2, "office")])
+        self.assertIn("kitchen", self.succeed("info", "run.bag"))
+
+
+class SimulateTest(ToolCase):
+    SMALL = ("--conditions", "night", "--size", "32x24")
+
+    def test_bag_and_folder_show_the_same_rooms(self):
+        bag = self.figures("simulate", "--out", "runs", *self.SMALL)["runs"][0]
+        folder = self.figures("simulate", "--out", "runs", "--format", "images",
+                              *self.SMALL)["runs"][0]
+        self.assertEqual(bag["rooms"], folder["rooms"])
+        self.assertEqual(len(bag["rooms"]), 5)
+        pictures = list((self.folder / "runs/night").glob("*/*.png"))
+        self.assertEqual(len(pictures), folder["images"])
+        self.assertEqual(cv2.imread(str(pictures[0])).shape, (24, 32, 3))
+        topics = self.figures("info", "runs/night.bag")["topics"]
+        self.assertIn(bag["images"], [topic["messages"] for topic in topics])
+
+
+if __name__ == "__main__":
+    unittest.main()
