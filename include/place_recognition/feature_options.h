@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "place_recognition/local_feature_options.h"
+
 namespace place_recognition {
 
 // Each option struct lists its fields once, in visit(): the YAML reader, the YAML writer and the
@@ -45,6 +47,6 @@ struct CrfhOptions {
 };
 
 /// The feature of one cue; the alternative is named by the key `type`.
-using FeatureOptions = std::variant<CrfhOptions>;
+using FeatureOptions = std::variant<CrfhOptions, LocalFeatureOptions>;
 
 }  // namespace place_recognition

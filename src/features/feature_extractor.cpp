@@ -1,12 +1,17 @@
 #include "place_recognition/feature_extractor.h"
 
 #include "features/crfh.h"
+#include "features/local_features.h"
 
 namespace place_recognition {
 namespace {
 
 std::unique_ptr<FeatureExtractor> make(const CrfhOptions& options) {
   return std::make_unique<CrfhExtractor>(options);
+}
+
+std::unique_ptr<FeatureExtractor> make(const LocalFeatureOptions& options) {
+  return std::make_unique<LocalFeatureExtractor>(options);
 }
 
 }  // namespace

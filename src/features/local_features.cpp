@@ -1,0 +1,95 @@
+#include "features/local_features.h"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+
+namespace {
+
+void require(bool holds, const char* field, const char* range) {
+  if (!holds) {
+    throw Error(std::string("The option ") + field + " of harris-laplace-sift must be " + range +
+                ".");
+  }
+}
+
+HarrisLaplace::Options detectorOptions(const LocalFeatureOptions& options) {
+  options.check();
+  HarrisLaplace::Options detector;
+  detector.sigma = options.sigma;
+  detector.steps = options.steps;
+  detector.octaves = options.octaves;
+  detector.alpha = options.alpha;
+  detector.cornerness_threshold = options.cornerness_threshold;
+  detector.laplacian_threshold = options.laplacian_threshold;
+  return detector;
+}
+
+}  // namespace
+
+void LocalFeatureOptions::check() const {
+  require(sigma >= 1 && sigma <= 10, "sigma", "1 to 10 pixels");
+  require(steps >= 2 && steps <= 8 && steps % 2 == 0, "steps", "2, 4, 6 or 8");
+  require(octaves >= 1 && octaves <= 10, "octaves", "1 to 10");
+  require(alpha >= 0 && alpha <= 0.2, "alpha", "0 to 0.2");
+  require(cornerness_threshold > 0 && std::isfinite(cornerness_threshold), "cornerness_threshold",
+          "greater than 0");
+  require(laplacian_threshold >= 0 && std::isfinite(laplacian_threshold), "laplacian_threshold",
+          "0 or greater");
+  require(max_points >= 1 && max_points <= 20000, "max_points", "1 to 20000");
+  require(min_points >= 1 && min_points <= max_points, "min_points", "1 to max_points");
+}
+
+LocalFeatureExtractor::LocalFeatureExtractor(const LocalFeatureOptions& options)
+    : options_(options), detector_(detectorOptions(options)) {}
+
+void LocalFeatureExtractor::extract(const cv::Mat& image, Feature& feature) {
+  if (image.channels() == 3) {
+    cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
+    grey_.convertTo(image_, CV_32F);
+  } else {
+    image.convertTo(image_, CV_32F);
+  }
+  auto* set = std::get_if<DescriptorSet>(&feature);
+  if (!set) set = &feature.emplace<DescriptorSet>();
+  set->descriptors.clear();
+  const std::size_t limit = options_.max_points * DescriptorSet::kDimension;
+  for (const InterestPoint& point : detector_.detect(image_, options_.max_points)) {
+    describe(point, set->descriptors);
+    if (set->descriptors.size() >= limit) break;
+  }
+  if (set->descriptors.size() > limit) set->descriptors.resize(limit);
+
+  const int count = static_cast<int>(set->size());
+  if (count < options_.min_points) {
+    missing_reason_ = "only " + std::to_string(count) + " interest points, " +
+                      std::to_string(options_.min_points) + " needed";
+    feature = std::monostate();
+  }
+}
+
+void LocalFeatureExtractor::describe(const InterestPoint& point,
+                                     std::vector<std::uint8_t>& descriptors) {
+  static_assert(DescriptorSet::kDimension == SiftDescriptor::kDimension);
+  const GaussianPyramid& pyramid = detector_.pyramid();
+  const int scale = pyramid.nearestScale(point.sigma);
+  const int octave = pyramid.octaveOf(scale);
+  const cv::Mat1f& level = pyramid.level(octave, scale);
+  const float pixel = std::exp2(static_cast<float>(-octave));
+  const float x = point.x * pixel, y = point.y * pixel, sigma = point.sigma * pixel;
+  const auto append = [&](float angle) {
+    descriptors.resize(descriptors.size() + DescriptorSet::kDimension);
+    sift_.describe(level, x, y, sigma, angle,
+                   &descriptors[descriptors.size() - DescriptorSet::kDimension]);
+  };
+  if (options_.upright) {
+    append(0);
+  } else {
+    for (const float angle : sift_.orientations(level, x, y, sigma)) append(angle);
+  }
+}
+
+}  // namespace place_recognition

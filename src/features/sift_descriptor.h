@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace place_recognition {
+
+/// SIFT orientations and descriptors (thesis section 4.3.2, Lowe 2004) of points of one level of a
+/// scale space. Positions and scales are in pixels of that level; angles in radians, from the x
+/// axis towards the y axis, that is clockwise as seen. Keeps its buffers: one a thread.
+class SiftDescriptor {
+ public:
+  static constexpr int kGrid = 4;          ///< histograms along each side
+  static constexpr int kOrientations = 8;  ///< bins of each histogram
+  static constexpr int kDimension = kGrid * kGrid * kOrientations;
+
+  /// The directions of the gradient histogram's peaks of at least 80 % of the highest, -pi .. pi;
+  /// none in a flat neighbourhood. Valid until the next call.
+  const std::vector<float>& orientations(const cv::Mat1f& level, float x, float y, float sigma);
+
+  /// The descriptor of kDimension elements at `angle`: histograms by rows, columns, directions.
+  void describe(const cv::Mat1f& level, float x, float y, float sigma, float angle,
+                std::uint8_t* descriptor);
+
+ private:
+  /// Gradients of part of a row of the image.
+  struct Samples {
+    std::vector<float> magnitude;  ///< times the window
+    std::vector<float> angle;
+    // For the descriptor: the first of the eight bins that a sample is shared among, and how far
+    // it is towards the next one along the rows and columns (along the directions: `angle`), 0..1.
+    std::vector<int> bin;
+    std::vector<float> row_share;
+    std::vector<float> column_share;
+  };
+
+  void prepareWindow(float x, float y, int radius, float sigma);
+
+  Samples samples_;
+  std::vector<float> window_x_;  ///< Gaussian weight of column round(x) - radius + i
+  std::vector<float> window_y_;
+  std::vector<float> orientations_;
+};
+
+}  // namespace place_recognition
