@@ -15,3 +15,10 @@
 
 /// For the small functions that those functions call.
 #define PLACE_RECOGNITION_INLINE inline __attribute__((always_inline))
+
+/// Before a loop: no iteration reads what another writes.
+#if defined(__clang__)
+#define PLACE_RECOGNITION_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define PLACE_RECOGNITION_INDEPENDENT _Pragma("GCC ivdep")
+#endif

@@ -1,63 +1,100 @@
 #include "features/bin_counter.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
 
 namespace place_recognition {
 namespace {
 
 constexpr int kInitialBits = 14;
+constexpr std::size_t kSlotsPerEntry = 4;  // At least; few collisions, few mispredicted branches.
+constexpr std::uint64_t kNoBin = ~std::uint64_t{0};
 
-}  // namespace
+/// Sorts entries by bin, digit by digit from the lowest: several times faster than comparing.
+template <typename Entry>
+void radixSort(std::vector<Entry>& entries, std::vector<Entry>& scratch) {
+  constexpr int kDigitBits = 10;
+  constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+  std::uint64_t all_bits = 0;
+  for (const Entry& entry : entries) all_bits |= entry.bin;
 
-BinCounter::BinCounter() : slots_(std::size_t{1} << kInitialBits), shift_(64 - kInitialBits) {}
-
-void BinCounter::clear() {
-  std::fill(slots_.begin(), slots_.end(), Slot{0, 0});
-  used_ = 0;
-}
-
-std::size_t BinCounter::firstSlot(std::uint64_t bin) const {
-  return (bin * 0x9e3779b97f4a7c15u) >> shift_;  // Fibonacci hashing: 2^64 / golden ratio.
-}
-
-BinCounter::Slot& BinCounter::slotOf(std::uint64_t bin) {
-  std::size_t i = firstSlot(bin);
-  while (slots_[i].count > 0 && slots_[i].bin != bin) i = (i + 1) & (slots_.size() - 1);
-  return slots_[i];
-}
-
-void BinCounter::add(const std::uint64_t* bins, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) {
-    Slot& slot = slotOf(bins[i]);
-    if (slot.count++ == 0) {
-      slot.bin = bins[i];
-      if (2 * ++used_ > slots_.size()) grow();
-    }
+  scratch.resize(entries.size());
+  for (int shift = 0; shift < 64 && all_bits >> shift != 0; shift += kDigitBits) {
+    const auto digit = [shift](const Entry& entry) { return (entry.bin >> shift) % kDigits; };
+    std::array<std::uint32_t, kDigits> next{};  // Where the next entry with each digit goes.
+    for (const Entry& entry : entries) ++next[digit(entry)];
+    std::uint32_t before = 0;
+    for (std::uint32_t& count : next) before += std::exchange(count, before);
+    for (const Entry& entry : entries) scratch[next[digit(entry)]++] = entry;
+    entries.swap(scratch);
   }
 }
 
+}  // namespace
+
+BinCounter::BinCounter() : table_(std::size_t{1} << kInitialBits), shift_(64 - kInitialBits) {
+  clear();
+}
+
+void BinCounter::clear() {
+  entries_.assign(1, {kNoBin, 0});
+  std::fill(table_.begin(), table_.end(), 0);
+}
+
+inline std::size_t BinCounter::hash(std::uint64_t bin) const {
+  return (bin * 0x9e3779b97f4a7c15u) >> shift_;  // Fibonacci hashing: 2^64 / golden ratio.
+}
+
+void BinCounter::add(const std::uint64_t* bins, std::size_t n) {
+  // Whether a bin is found at its first place cannot be foretold, so this is done without branches;
+  // the few that are new or further on come after.
+  missed_.resize(n);
+  std::size_t missed = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    Entry& entry = entries_[table_[hash(bins[i])]];
+    const bool found = entry.bin == bins[i];
+    entry.count += found;
+    missed_[missed] = bins[i];
+    missed += !found;
+  }
+  for (std::size_t i = 0; i < missed; ++i) ++findOrInsert(missed_[i]).count;
+}
+
+BinCounter::Entry& BinCounter::findOrInsert(std::uint64_t bin) {
+  assert(bin != kNoBin);
+  std::size_t slot = hash(bin);
+  for (; table_[slot] != 0; slot = (slot + 1) & (table_.size() - 1)) {
+    Entry& entry = entries_[table_[slot]];
+    if (entry.bin == bin) return entry;
+  }
+  table_[slot] = static_cast<std::uint32_t>(entries_.size());
+  entries_.push_back({bin, 0});
+  if (entries_.size() * kSlotsPerEntry > table_.size()) grow();
+  return entries_.back();
+}
+
 void BinCounter::grow() {
-  std::vector<Slot> old(2 * slots_.size());
-  old.swap(slots_);
+  table_.assign(2 * table_.size(), 0);
   --shift_;
-  for (const Slot& slot : old) {
-    if (slot.count > 0) slotOf(slot.bin) = slot;
+  for (std::size_t i = 1; i < entries_.size(); ++i) {
+    std::size_t slot = hash(entries_[i].bin);
+    while (table_[slot] != 0) slot = (slot + 1) & (table_.size() - 1);
+    table_[slot] = static_cast<std::uint32_t>(i);
   }
 }
 
 void BinCounter::histogram(double total, SparseVector& result) {
-  sorted_.clear();
-  for (const Slot& slot : slots_) {
-    if (slot.count > 0) sorted_.push_back(slot);
+  entries_.erase(entries_.begin());
+  radixSort(entries_, sorted_);
+  result.indices.resize(entries_.size());
+  result.values.resize(entries_.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    result.indices[i] = entries_[i].bin;
+    result.values[i] = static_cast<float>(static_cast<double>(entries_[i].count) / total);
   }
-  std::sort(sorted_.begin(), sorted_.end(),
-            [](const Slot& a, const Slot& b) { return a.bin < b.bin; });
-  result.indices.resize(sorted_.size());
-  result.values.resize(sorted_.size());
-  for (std::size_t i = 0; i < sorted_.size(); ++i) {
-    result.indices[i] = sorted_[i].bin;
-    result.values[i] = static_cast<float>(sorted_[i].count / total);
-  }
+  clear();
 }
 
 }  // namespace place_recognition

@@ -8,33 +8,34 @@
 
 namespace place_recognition {
 
-/// Counts how often each bin of a histogram of up to 2^64 bins is hit, keeping only the bins that
-/// are: an open-addressing hash table, small enough for the processor's cache, that grows with
-/// them.
+/// Counts how often each bin of a histogram of up to 2^64 - 1 bins is hit, keeping only the bins
+/// that are: in the order of their first hit, found through a small hash table, so that what is
+/// in use stays in the processor's cache. Grows with their number.
 class BinCounter {
  public:
   BinCounter();
 
   void clear();
-  /// Counts `n` more hits.
+  /// Counts `n` more hits; every bin is below 2^64 - 1.
   void add(const std::uint64_t* bins, std::size_t n);
   /// The bins that were hit, ascending, each with its count divided by `total`.
   void histogram(double total, SparseVector& result);
 
  private:
-  struct Slot {
+  struct Entry {
     std::uint64_t bin;
-    std::uint32_t count;  ///< 0: the slot is free.
+    std::uint64_t count;
   };
 
-  std::size_t firstSlot(std::uint64_t bin) const;
-  Slot& slotOf(std::uint64_t bin);
+  std::size_t hash(std::uint64_t bin) const;
+  Entry& findOrInsert(std::uint64_t bin);
   void grow();
 
-  std::vector<Slot> slots_;  ///< A power of two, at most half of them in use.
-  int shift_;                ///< 64 - log2 of their number.
-  std::size_t used_ = 0;
-  std::vector<Slot> sorted_;
+  std::vector<Entry> entries_;        ///< The first one stands for no bin.
+  std::vector<std::uint32_t> table_;  ///< By hash: which entry, 0 if none. Open addressing.
+  int shift_;                         ///< 64 - log2 of the size of the table.
+  std::vector<std::uint64_t> missed_;
+  std::vector<Entry> sorted_;
 };
 
 }  // namespace place_recognition

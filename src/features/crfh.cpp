@@ -13,7 +13,7 @@ constexpr std::uint64_t kWordSize = std::uint64_t{1} << 32;
 /// Digit floor((v - low) * bins / (high - low)) of the normalised response v.
 Quantizer makeQuantizer(const CrfhDescriptor& descriptor, double t, double derivative_range,
                         int bins, std::uint64_t weight) {
-  const auto [unit, middle] = planeScale(descriptor.channel);
+  const auto [unit, middle] = channelScale(descriptor.channel);
   const bool quadratic = descriptor.op == Operator::kDeterminant;
   const double normalization =
       scaleNormalization(descriptor.op, t) * (quadratic ? unit * unit : unit);
@@ -30,7 +30,7 @@ Quantizer makeQuantizer(const CrfhDescriptor& descriptor, double t, double deriv
 
 }  // namespace
 
-CrfhExtractor::CrfhExtractor(const CrfhOptions& options) : border_(options.border) {
+CrfhExtractor::CrfhExtractor(const CrfhOptions& options) {
   options.check();
   std::uint64_t bins_in_word = 1;
   std::uint64_t bins_so_far = 1;
@@ -53,7 +53,8 @@ CrfhExtractor::CrfhExtractor(const CrfhOptions& options) : border_(options.borde
       bins_so_far *= bins;
     }
   }
-  for (const Filter& filter : filters_) border_ = std::max(border_, filter.responses.margin());
+  for (const Filter& filter : filters_) margin_ = std::max(margin_, filter.responses.margin());
+  border_ = std::max(options.border, margin_);
 }
 
 std::size_t CrfhExtractor::planeOf(Channel channel) {
@@ -85,7 +86,7 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
     feature = std::monostate();
     return;
   }
-  for (Plane& plane : planes_) extractPlane(image, plane.channel, plane.pixels);
+  for (Plane& plane : planes_) plane.pixels.create(image.size());
   for (Filter& filter : filters_) {
     filter.responses.start(planes_[filter.plane].pixels, border_, columns);
   }
@@ -93,10 +94,19 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
   bins_.resize(columns);
 
   counter_.clear();
-  for (int y = border_; y < border_ + rows; ++y) countRow(y, columns);
+  int next_row = 0;
+  for (int y = border_; y < border_ + rows; ++y) {
+    // Just before they are needed, so that they are still in the processor's cache then.
+    for (; next_row <= y + margin_; ++next_row) extractRow(image, next_row);
+    countRow(y, columns);
+  }
 
   if (!std::holds_alternative<SparseVector>(feature)) feature = SparseVector();
   counter_.histogram(static_cast<double>(rows) * columns, std::get<SparseVector>(feature));
+}
+
+void CrfhExtractor::extractRow(const cv::Mat& image, int y) {
+  for (Plane& plane : planes_) extractChannelRow(image, plane.channel, y, plane.pixels[y]);
 }
 
 void CrfhExtractor::countRow(int y, int columns) {
@@ -105,9 +115,8 @@ void CrfhExtractor::countRow(int y, int columns) {
     quantize(filters_[dimension.filter].responses.row(dimension.op), dimension.quantizer,
              !dimension.first_in_word, columns, words_[dimension.word].row.data());
   }
-  std::fill(bins_.begin(), bins_.end(), 0);
   for (const Word& word : words_) {
-    for (int x = 0; x < columns; ++x) bins_[x] += word.weight * word.row[x];
+    joinWord(word.row.data(), word.weight, &word != &words_[0], columns, bins_.data());
   }
   counter_.add(bins_.data(), bins_.size());
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "features/bin_counter.h"
-#include "features/color_planes.h"
+#include "features/channel_rows.h"
 #include "features/response_filter.h"
 #include "features/row_kernels.h"
 #include "place_recognition/feature_extractor.h"
@@ -49,9 +49,11 @@ class CrfhExtractor : public FeatureExtractor {
 
   std::size_t planeOf(Channel channel);
   std::size_t filterOf(Channel channel, double t, const CrfhOptions& options);
+  void extractRow(const cv::Mat& image, int y);
   void countRow(int y, int columns);
 
-  int border_;
+  int margin_ = 0;  ///< What the filters need on each side of a pixel.
+  int border_ = 0;  ///< Pixels at each side of the image that are not counted.
   std::vector<Plane> planes_;
   std::vector<Filter> filters_;
   std::vector<Dimension> dimensions_;

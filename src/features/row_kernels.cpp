@@ -16,33 +16,33 @@ PLACE_RECOGNITION_INLINE float pair(float before, float here, float after) {
   if constexpr (kOrder == 2) return (before + after) - 2 * here;
 }
 
-/// Adds the next sizeof...(I) taps to `out`; the first time, starts with the centre. Written out as
-/// one expression, so that the sum stays in a register.
-template <int kOrder, std::size_t... I>
-PLACE_RECOGNITION_INLINE void addTaps(const float* __restrict in, std::ptrdiff_t stride,
-                                      const float* taps, int first, int n, float* __restrict out,
-                                      std::index_sequence<I...>) {
-  const float tap[] = {taps[first + I]...};
-  const float* const before[] = {in - (first + static_cast<int>(I)) * stride...};
-  const float* const after[] = {in + (first + static_cast<int>(I)) * stride...};
-  const float centre = kOrder == 0 ? taps[0] : 0;
+/// out = the first sizeof...(I) taps beside the centre and, if kFirst, the centre; else out += the
+/// next ones, from `tap` on. One expression, so that the sum stays in a register.
+template <int kOrder, bool kFirst, std::size_t... I>
+PLACE_RECOGNITION_INLINE void addTaps(const float* in, std::ptrdiff_t stride, const float* taps,
+                                      int tap, int n, float* out, std::index_sequence<I...>) {
+  const float centre = taps[0];
+  const float weight[] = {taps[tap + I]...};
+  const float* const before[] = {in - (tap + static_cast<int>(I)) * stride...};
+  const float* const after[] = {in + (tap + static_cast<int>(I)) * stride...};
+  PLACE_RECOGNITION_INDEPENDENT
   for (int x = 0; x < n; ++x) {
-    float sum = first > 1 ? out[x] : kOrder == 0 ? centre * in[x] : 0.0f;
-    ((sum += tap[I] * pair<kOrder>(before[I][x], in[x], after[I][x])), ...);
+    float sum = !kFirst ? out[x] : kOrder == 0 ? centre * in[x] : 0.0f;
+    ((sum += weight[I] * pair<kOrder>(before[I][x], in[x], after[I][x])), ...);
     out[x] = sum;
   }
 }
 
-constexpr int kMostTaps = 8;
+constexpr int kMostTaps = 8;  // At a time: more would not fit the registers.
 
-template <int kOrder, int kCount = kMostTaps>
+template <int kOrder, bool kFirst, int kCount = kMostTaps>
 PLACE_RECOGNITION_INLINE void addUpTo(int count, const float* in, std::ptrdiff_t stride,
-                                      const float* taps, int first, int n, float* out) {
+                                      const float* taps, int tap, int n, float* out) {
   if constexpr (kCount > 0) {
-    if (count == kCount) {
-      addTaps<kOrder>(in, stride, taps, first, n, out, std::make_index_sequence<kCount>());
+    if (count >= kCount) {
+      addTaps<kOrder, kFirst>(in, stride, taps, tap, n, out, std::make_index_sequence<kCount>());
     } else {
-      addUpTo<kOrder, kCount - 1>(count, in, stride, taps, first, n, out);
+      addUpTo<kOrder, kFirst, kCount - 1>(count, in, stride, taps, tap, n, out);
     }
   }
 }
@@ -50,9 +50,9 @@ PLACE_RECOGNITION_INLINE void addUpTo(int count, const float* in, std::ptrdiff_t
 template <int kOrder>
 PLACE_RECOGNITION_INLINE void correlateOrder(const float* in, std::ptrdiff_t stride,
                                              const float* taps, int half, int n, float* out) {
-  for (int first = 1; first <= half; first += kMostTaps) {
-    const int count = half - first + 1 < kMostTaps ? half - first + 1 : kMostTaps;
-    addUpTo<kOrder>(count, in, stride, taps, first, n, out);
+  addUpTo<kOrder, true>(half, in, stride, taps, 1, n, out);
+  for (int tap = 1 + kMostTaps; tap <= half; tap += kMostTaps) {
+    addUpTo<kOrder, false>(half - tap + 1, in, stride, taps, tap, n, out);
   }
 }
 
@@ -142,6 +142,12 @@ void quantize(const float* __restrict response, const Quantizer& quantizer, bool
     const std::uint32_t digit = weight * static_cast<std::uint32_t>(static_cast<int>(level - lowest));
     index[x] = add ? index[x] + digit : digit;
   }
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void joinWord(const std::uint32_t* __restrict digits, std::uint64_t weight, bool add, int n,
+              std::uint64_t* __restrict number) {
+  for (int x = 0; x < n; ++x) number[x] = (add ? number[x] : 0) + weight * digits[x];
 }
 
 }  // namespace place_recognition

@@ -43,4 +43,8 @@ struct Quantizer {
 void quantize(const float* response, const Quantizer& quantizer, bool add, int n,
               std::uint32_t* index);
 
+/// number[x] = weight * digits[x], or += where `add` says so: words of digits to one number.
+void joinWord(const std::uint32_t* digits, std::uint64_t weight, bool add, int n,
+              std::uint64_t* number);
+
 }  // namespace place_recognition

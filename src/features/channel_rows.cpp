@@ -1,4 +1,4 @@
-#include "features/color_planes.h"
+#include "features/channel_rows.h"
 
 #include <cassert>
 
@@ -42,16 +42,13 @@ void mixGrey(const std::uint8_t* __restrict grey, const Mixture& mixture, int n,
 
 }  // namespace
 
-void extractPlane(const cv::Mat& image, Channel channel, cv::Mat_<float>& plane) {
+void extractChannelRow(const cv::Mat& image, Channel channel, int y, float* row) {
   assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
-  plane.create(image.size());
   const auto mix = image.type() == CV_8UC3 ? mixColors : mixGrey;
-  for (int y = 0; y < image.rows; ++y) {
-    mix(image.ptr<std::uint8_t>(y), mixture(channel), image.cols, plane[y]);
-  }
+  mix(image.ptr<std::uint8_t>(y), mixture(channel), image.cols, row);
 }
 
-PlaneScale planeScale(Channel channel) {
+ChannelScale channelScale(Channel channel) {
   const double middle = mixture(channel).middle;
   switch (channel) {
     case Channel::kL: return {1.0 / 3, middle};

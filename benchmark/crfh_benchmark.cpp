@@ -1,0 +1,248 @@
+// CRFH beside the straightforward way with OpenCV, and beside the least that any implementation
+// must do: copy each response and pass over it once with a multiply-add for every tap. One core.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "crfh_limit.h"
+#include "features/gaussian.h"
+#include "place_recognition/feature_extractor.h"
+
+namespace place_recognition {
+namespace {
+
+/// A derivative of one of the planes L, R, G, B.
+struct Response {
+  char channel;
+  int x_order, y_order;
+};
+
+/// A set of descriptors, as options and as the OpenCV way wants them.
+struct Setup {
+  const char* name;
+  std::vector<std::string> descriptors;
+  std::vector<Response> responses;
+};
+
+const std::vector<double> kScales = {1, 4};
+constexpr int kBins = 28;
+constexpr int kBorder = 15;
+constexpr float kRange = 128;
+
+const std::vector<Setup>& setups() {
+  static const std::vector<Setup> setups = {
+      {"6", {"Lxx", "Lxy", "Lyy"}, {{'L', 2, 0}, {'L', 1, 1}, {'L', 0, 2}}},
+      {"8", {"Lx", "Ly", "Lxx", "Lyy"}, {{'L', 1, 0}, {'L', 0, 1}, {'L', 2, 0}, {'L', 0, 2}}},
+      {"12",
+       {"Rx", "Rxx", "Gx", "Gxx", "Bx", "Bxx"},
+       {{'R', 1, 0}, {'R', 2, 0}, {'G', 1, 0}, {'G', 2, 0}, {'B', 1, 0}, {'B', 2, 0}}}};
+  return setups;
+}
+
+/// A real picture of 640 x 480, or noise that is smooth enough to look like one.
+cv::Mat picture() {
+  const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
+  const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "nao_canteen";
+  if (data && std::filesystem::exists(folder)) {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() == ".jpg") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    if (!files.empty()) {
+      cv::Mat image = cv::imread(files[files.size() / 4], cv::IMREAD_COLOR);
+      cv::resize(image, image, {640, 480});
+      return image;
+    }
+  }
+  cv::Mat image(480, 640, CV_8UC3);
+  cv::RNG(1).fill(image, cv::RNG::UNIFORM, 0, 256);
+  cv::GaussianBlur(image, image, {}, 4);
+  cv::normalize(image, image, 0, 255, cv::NORM_MINMAX);
+  return image;
+}
+
+using Histogram = std::map<std::uint64_t, int>;
+
+int counted(const cv::Mat& image) {
+  return (image.rows - 2 * kBorder) * (image.cols - 2 * kBorder);
+}
+
+/// Throws unless both histograms agree but for 0.1 % of the pixels, which lie at an edge of a bin.
+void requireEqual(const SparseVector& ours, const Histogram& peers, const cv::Mat& image) {
+  Histogram difference = peers;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    difference[ours.indices[i]] -= static_cast<int>(std::lround(ours.values[i] * counted(image)));
+  }
+  int moved = 0;
+  for (const auto& [bin, count] : difference) moved += std::abs(count);
+  if (moved / 2 > counted(image) / 1000) throw std::runtime_error("The histograms differ.");
+}
+
+/// The straightforward way: a float image for each descriptor by sepFilter2D, then the bin of each
+/// pixel, then a sort.
+class OpenCvCrfh {
+ public:
+  explicit OpenCvCrfh(const Setup& setup) : setup_(setup) {}
+
+  void extract(const cv::Mat& image) {
+    planes_.clear();
+    bins_.assign(counted(image), 0);
+    std::uint64_t weight = 1;
+    for (double t : kScales) {
+      for (const Response& response : setup_.responses) {
+        cv::sepFilter2D(plane(image, response.channel), filtered_, CV_32F,
+                        kernel(t, response.x_order), kernel(t, response.y_order));
+        accumulate(std::pow(t, 0.5 * (response.x_order + response.y_order)), weight);
+        weight *= kBins;
+      }
+    }
+    std::sort(bins_.begin(), bins_.end());
+    histogram_.clear();
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+      if (i == 0 || bins_[i] != bins_[i - 1]) histogram_.emplace_back(bins_[i], 0);
+      ++histogram_.back().second;
+    }
+  }
+
+  Histogram histogram() const { return {histogram_.begin(), histogram_.end()}; }
+
+ private:
+  const cv::Mat& plane(const cv::Mat& image, char channel) {
+    static const std::map<char, cv::Matx13f> kMixtures = {{'L', {1 / 3.f, 1 / 3.f, 1 / 3.f}},
+                                                          {'R', {0, 0, 1}},
+                                                          {'G', {0, 1, 0}},
+                                                          {'B', {1, 0, 0}}};
+    cv::Mat& plane = planes_[channel];
+    if (plane.empty()) {
+      image.convertTo(pixels_, CV_32F);
+      cv::transform(pixels_, plane, kMixtures.at(channel));
+    }
+    return plane;
+  }
+
+  /// The Gaussian, differentiated by central differences.
+  static cv::Mat kernel(double t, int order) {
+    const int half = gaussianHalfWidth(t, 3);
+    cv::Mat_<double> kernel(1, 2 * half + 3, 0.0);
+    for (int x = -half; x <= half; ++x) kernel(0, x + half + 1) = std::exp(-x * x / (2 * t));
+    kernel /= cv::sum(kernel)[0];
+    static const cv::Matx13d kStencils[] = {{0, 1, 0}, {-0.5, 0, 0.5}, {1, -2, 1}};
+    cv::filter2D(kernel, kernel, -1, kStencils[order] * (order == 1 ? -1 : 1), {-1, -1}, 0,
+                 cv::BORDER_CONSTANT);
+    return kernel;
+  }
+
+  void accumulate(double normalization, std::uint64_t weight) {
+    const float gain = static_cast<float>(normalization * kBins / (2 * kRange));
+    std::size_t i = 0;
+    for (int y = kBorder; y < filtered_.rows - kBorder; ++y) {
+      const float* row = filtered_.ptr<float>(y);
+      for (int x = kBorder; x < filtered_.cols - kBorder; ++x) {
+        const int level = static_cast<int>(std::floor(row[x] * gain)) + kBins / 2;
+        bins_[i++] += weight * std::clamp(level, 0, kBins - 1);
+      }
+    }
+  }
+
+  const Setup& setup_;
+  cv::Mat pixels_, filtered_;
+  std::map<char, cv::Mat> planes_;
+  std::vector<std::uint64_t> bins_;
+  std::vector<std::pair<std::uint64_t, int>> histogram_;
+};
+
+/// The least work: for each of so many images of floats at each scale a copy and one pass with a
+/// fused multiply-add for every tap of the two filters, along the rows and along the columns.
+class Limit {
+ public:
+  explicit Limit(std::size_t images) : images_(images) {}
+
+  void extract(const cv::Mat& image) {
+    source_.create(image.size());
+    target_.create(image.size());
+    for (double t : kScales) {
+      const int taps = 2 * (2 * gaussianHalfWidth(t, 3) + 1);
+      for (std::size_t i = 0; i < images_; ++i) {
+        std::memcpy(source_.data, target_.data, source_.total() * sizeof(float));
+        multiplyAdd(source_.ptr<float>(), 1.f / taps, taps, source_.total() - taps,
+                    target_.ptr<float>());
+      }
+    }
+  }
+
+ private:
+  std::size_t images_;
+  cv::Mat_<float> source_, target_;
+};
+
+/// One image of floats for each response.
+struct ResponseLimit : Limit {
+  explicit ResponseLimit(const Setup& setup) : Limit(setup.responses.size()) {}
+};
+
+/// Stricter: one for each channel, as if its responses came free with the smoothed channel.
+struct SmoothingLimit : Limit {
+  explicit SmoothingLimit(const Setup& setup) : Limit(channels(setup)) {}
+  static std::size_t channels(const Setup& setup) {
+    std::set<char> channels;
+    for (const Response& response : setup.responses) channels.insert(response.channel);
+    return channels.size();
+  }
+};
+
+void ours(benchmark::State& state, const Setup& setup, const cv::Mat& image) {
+  CrfhOptions options;
+  options.descriptors = setup.descriptors;
+  options.scales = kScales;
+  options.bins = {kBins};
+  const auto extractor = makeFeatureExtractor(options);
+  Feature feature;
+  for (auto _ : state) extractor->extract(image, feature);
+
+  OpenCvCrfh peer(setup);
+  peer.extract(image);
+  requireEqual(std::get<SparseVector>(feature), peer.histogram(), image);
+  state.counters["bins"] = static_cast<double>(std::get<SparseVector>(feature).size());
+}
+
+template <typename Peer>
+void peers(benchmark::State& state, const Setup& setup, const cv::Mat& image) {
+  Peer peer(setup);
+  for (auto _ : state) peer.extract(image);
+}
+
+}  // namespace
+}  // namespace place_recognition
+
+int main(int argc, char** argv) {
+  using namespace place_recognition;
+  cv::setNumThreads(1);
+  const cv::Mat image = picture();
+  for (const Setup& setup : setups()) {
+    const std::string dimensions = std::string(setup.name) + "_dimensions";
+    const auto add = [&](const char* name, auto function) {
+      benchmark::RegisterBenchmark(("crfh/" + dimensions + "/" + name).c_str(), function, setup,
+                                   image)
+          ->Unit(benchmark::kMillisecond);
+    };
+    add("ours", ours);
+    add("opencv", peers<OpenCvCrfh>);
+    add("limit", peers<ResponseLimit>);
+    add("smoothing_limit", peers<SmoothingLimit>);
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

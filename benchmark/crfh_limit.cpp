@@ -1,0 +1,49 @@
+#include "crfh_limit.h"
+
+#include "base/simd.h"
+
+// Compiled with -ffp-contract=fast, unlike the package, so that products and sums are fused.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+#define WITH_FUSED_MULTIPLY_ADD \
+  __attribute__((target_clones("avx512f", "fma", "default")))
+#else
+#define WITH_FUSED_MULTIPLY_ADD
+#endif
+
+namespace place_recognition {
+namespace {
+
+constexpr int kMostTaps = 32;
+
+template <int kTaps>
+PLACE_RECOGNITION_INLINE void multiplyAddFixed(const float* in, float weight, std::size_t n,
+                                               float* out) {
+  PLACE_RECOGNITION_INDEPENDENT
+  for (std::size_t x = 0; x < n; ++x) {
+    float sum = 0;
+#pragma GCC unroll 32
+    for (int i = 0; i < kTaps; ++i) sum += weight * in[x + i];
+    out[x] = sum;
+  }
+}
+
+template <int kTaps = kMostTaps>
+PLACE_RECOGNITION_INLINE void multiplyAddUpTo(int taps, const float* in, float weight,
+                                              std::size_t n, float* out) {
+  if constexpr (kTaps > 0) {
+    if (taps == kTaps) {
+      multiplyAddFixed<kTaps>(in, weight, n, out);
+    } else {
+      multiplyAddUpTo<kTaps - 2>(taps, in, weight, n, out);
+    }
+  }
+}
+
+}  // namespace
+
+WITH_FUSED_MULTIPLY_ADD
+void multiplyAdd(const float* in, float weight, int taps, std::size_t n, float* out) {
+  multiplyAddUpTo(taps, in, weight, n, out);
+}
+
+}  // namespace place_recognition

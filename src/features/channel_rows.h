@@ -1,0 +1,21 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "features/crfh_descriptor.h"
+
+namespace place_recognition {
+
+/// Row `y` of a channel of an image in whole numbers around zero, so that as little as possible is
+/// rounded when it is filtered: R + G + B for L, R - G for C1, R + G - 2 B for C2, less the middle
+/// of the range. A grey image has R = G = B. `image` is CV_8UC3 (BGR) or CV_8UC1.
+void extractChannelRow(const cv::Mat& image, Channel channel, int y, float* row);
+
+/// What the numbers in such a row mean: grey levels = unit * (number + middle).
+struct ChannelScale {
+  double unit;
+  double middle;
+};
+ChannelScale channelScale(Channel channel);
+
+}  // namespace place_recognition
