@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Shows what place_recognizer answers: a line whenever the named room changes.
+
+  rosrun place_recognition place_monitor.py [--recognizer /place_recognizer] [--label-topic /place_label]
+
+Where the label topic is published too (a labelled bag is replayed), the truth stands beside each
+answer. Ctrl-C, or the end of the frames for --idle-exit seconds, ends it with a summary.
+"""
+import argparse
+import sys
+import threading
+import time
+
+import rospy
+from place_recognition.msg import PlaceRecognition
+from std_msgs.msg import String
+
+
+def percentile(values, share):
+    return sorted(values)[min(len(values) - 1, int(share * len(values)))]
+
+
+class Monitor:
+    def __init__(self, recognizer, label_topic):
+        self.lock = threading.Lock()
+        self.truth = ""
+        self.shown = None  # the answer and truth of the last line
+        self.first = self.last = None  # wall time of the first and last answer
+        self.seconds = []
+        self.right = self.labelled = 0
+        rospy.Subscriber(label_topic, String, self.on_label, queue_size=10)
+        rospy.Subscriber(recognizer + "/recognition", PlaceRecognition, self.on_answer,
+                         queue_size=1000)
+
+    def on_label(self, message):
+        with self.lock:
+            self.truth = message.data
+
+    def on_answer(self, message):
+        with self.lock:
+            self.last = time.time()
+            self.first = self.first or self.last
+            self.seconds.append(message.seconds)
+            if self.truth:
+                self.labelled += 1
+                self.right += message.known and message.place == self.truth
+            answer = message.place if message.known else "unknown"
+            if (answer, self.truth) != self.shown:
+                self.shown = (answer, self.truth)
+                self.print_line(message, answer)
+
+    def print_line(self, message, answer):
+        verdict = ""
+        if self.truth:
+            mark = "right" if answer == self.truth else "wrong" if message.known else "  -  "
+            verdict = f"   {mark}   truth: {self.truth}"
+        print(f"{message.header.stamp.to_sec():14.2f} s   {answer:<16}"
+              f" {100 * message.confidence:3.0f} %{verdict}", flush=True)
+
+    def idle(self):
+        with self.lock:
+            return time.time() - self.last if self.last else 0.0
+
+    def summary(self):
+        if len(self.seconds) < 2:
+            return "no frame was answered"
+        rate = (len(self.seconds) - 1) / max(self.last - self.first, 1e-9)
+        text = (f"{len(self.seconds)} frames answered, {rate:.0f} a second; latency in the node "
+                f"{1e3 * percentile(self.seconds, 0.5):.1f} ms (median), "
+                f"{1e3 * percentile(self.seconds, 0.99):.1f} ms (99 %)")
+        if self.labelled:
+            text += f"; {100 * self.right / self.labelled:.1f} % of the frames named right"
+        return text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--recognizer", default="/place_recognizer", help="name of the node")
+    parser.add_argument("--label-topic", default="/place_label", help="topic of the true labels")
+    parser.add_argument("--idle-exit", type=float, default=0, metavar="S",
+                        help="end after so many seconds without an answer; 0: never")
+    options = parser.parse_args(rospy.myargv(sys.argv)[1:])
+    rospy.init_node("place_monitor", anonymous=True)
+    monitor = Monitor(options.recognizer, options.label_topic)
+    while not rospy.is_shutdown():
+        time.sleep(0.1)
+        if options.idle_exit and monitor.idle() > options.idle_exit:
+            break
+    print(monitor.summary(), flush=True)
+
+
+if __name__ == "__main__":
+    main()
