@@ -158,7 +158,7 @@ void HarrisLaplace::findCorners(int octave, int step) {
 void HarrisLaplace::selectScales(const cv::Point2d& corner, int octave, int step,
                                  float cornerness) {
   const int integration = octave * options_.steps + step + integration_offset_;
-  const int first = std::max(integration - options_.steps / 2, 1);
+  const int first = std::max(integration - options_.steps / 2, integration_offset_);
   const int last = std::min(integration + options_.steps / 2, pyramid_.scales() - 2);
   double before = laplacian(corner, first - 1);
   double here = laplacian(corner, first);

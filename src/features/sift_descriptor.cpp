@@ -72,7 +72,7 @@ void toBins(const GridLine& line, float turned, int count, float* __restrict ang
   for (int i = 0; i < count; ++i) {
     const float row = std::min(std::max(line.row + i * line.row_step, 0.0f), kEnd);
     const float column = std::min(std::max(line.column + i * line.column_step, 0.0f), kEnd);
-    const float relative = (angle[i] - turned) * kPerRadian;
+    const float relative = (turned - angle[i]) * kPerRadian;
     const float direction = relative < 0 ? relative + kDirections : relative;
     const int r = static_cast<int>(row);
     const int c = static_cast<int>(column);
