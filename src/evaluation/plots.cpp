@@ -27,7 +27,7 @@ class SharePlot {
       svg_.text(x(0) - 6, y(share) + 4, fixed(100 * share, 0), "end");
     }
     svg_.text(x(0.5), y(0) + 34, x_label + ", %", "middle");
-    svg_.text(4, y(1) - 8, y_label + ", %");
+    svg_.text(4, y(1) - 13, y_label + ", %");
   }
 
   double x(double share) const { return 44 + 300 * share; }

@@ -60,9 +60,8 @@ std::string figure(const std::string& value, const std::string& what) {
 }
 
 std::string titleAndFigures(const Evaluation& evaluation, const Summary& summary) {
-  std::string html =
-      "<h1>" + escapeMarkup(evaluation.model.empty() ? "A model" : evaluation.model) +
-      "</h1>\n<p>shown " + std::to_string(evaluation.frames.size()) + " labelled pictures of";
+  std::string html = "<h1>Model " + escapeMarkup(evaluation.model) + "</h1>\n<p>shown " +
+                     std::to_string(evaluation.frames.size()) + " labelled pictures of";
   for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
     html += (r == 0 ? " " : ", ") + escapeMarkup(evaluation.runs[r]);
   }
@@ -88,24 +87,31 @@ std::string warningList(const Evaluation& evaluation) {
   return html + "</ul>\n";
 }
 
+/// The rate of a room in one run; empty if the run does not show it.
+std::string rateIn(const RunSummary& run, int place) {
+  const auto found = std::find_if(run.rooms.begin(), run.rooms.end(),
+                                  [place](const RoomSummary& room) { return room.place == place; });
+  return found == run.rooms.end() ? "" : percent(found->rate());
+}
+
 /// Rooms by runs, for more than one run.
 std::string runTable(const Summary& summary) {
   if (summary.runs.size() < 2) return "";
-  std::string html = "<h2>Rate by run</h2>\n<table>\n<thead><tr><th>run</th>";
-  for (const RoomSummary& room : summary.rooms) {
-    html += "<th>" + escapeMarkup(summary.places[static_cast<std::size_t>(room.place)]) + "</th>";
-  }
-  html += "<th>mean</th></tr></thead>\n";
+  std::string html = "<h2>Rate by run</h2>\n<table>\n<thead><tr><th></th>";
   for (const RunSummary& run : summary.runs) {
-    html += "<tr><th>" + escapeMarkup(baseName(run.name)) + "</th>";
-    for (const RoomSummary& room : summary.rooms) {
-      const auto found = std::find_if(run.rooms.begin(), run.rooms.end(),
-                                      [&](const auto& other) { return other.place == room.place; });
-      html += "<td>" + (found == run.rooms.end() ? "" : percent(found->rate())) + "</td>";
-    }
-    html += "<td>" + percent(run.average_rate) + "</td></tr>\n";
+    html += "<th>" + escapeMarkup(baseName(run.name)) + "</th>";
   }
-  return html + "</table>\n<p>Mean over the rooms of all runs: " + percent(summary.test_set_rate) +
+  html += "</tr></thead>\n";
+  for (const RoomSummary& room : summary.rooms) {
+    html +=
+        "<tr><th>" + escapeMarkup(summary.places[static_cast<std::size_t>(room.place)]) + "</th>";
+    for (const RunSummary& run : summary.runs) html += "<td>" + rateIn(run, room.place) + "</td>";
+    html += "</tr>\n";
+  }
+  html += "<tr><th>mean of the rooms</th>";
+  for (const RunSummary& run : summary.runs) html += "<td>" + percent(run.average_rate) + "</td>";
+  return html +
+         "</tr>\n</table>\n<p>Mean over the rooms of all runs: " + percent(summary.test_set_rate) +
          "</p>\n";
 }
 

@@ -115,6 +115,7 @@ void readProvenance(const proto::Provenance& message, Model& model) {
   provenance.place_images.assign(message.place_images().begin(), message.place_images().end());
   provenance.skipped_images = message.skipped_images();
   provenance.package_version = message.package_version();
+  require(isPlaceName(provenance.package_version), "its package version is not printable text");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ using proto::Vectors;
 
 // One overload for each alternative of FeatureOptions.
 Vectors::Kind kindOf(const CrfhOptions&) { return Vectors::SPARSE; }
+Vectors::Kind kindOf(const LocalFeatureOptions&) { return Vectors::DESCRIPTORS; }
 
 /// Seven bits a byte, the lowest first; the top bit says that more follow.
 void appendVarint(std::string& bytes, std::uint64_t value) {

@@ -1,0 +1,126 @@
+#include "evaluation/evaluation.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "evaluation/made_up_evaluation.h"
+#include "evaluation/summary.h"
+#include "place_recognition/error.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+TEST(Summary, CountsRoomsByTheMostProbablePlace) {
+  const Summary summary = summarize(madeUpEvaluation());
+  ASSERT_EQ(summary.rooms.size(), 2u);  // the lift was never learned
+  EXPECT_EQ(summary.rooms[0].count, 5u);
+  EXPECT_EQ(summary.rooms[0].correct, 3u);
+  EXPECT_EQ(summary.rooms[0].unknown, 2u);
+  EXPECT_DOUBLE_EQ(summary.rooms[1].rate(), 1);
+  EXPECT_DOUBLE_EQ(summary.average_rate, (0.6 + 1) / 2);
+  EXPECT_DOUBLE_EQ(summary.unknown_share, 2.0 / 6);
+}
+
+TEST(Summary, KeepsRunsApart) {
+  const Summary summary = summarize(madeUpEvaluation());
+  ASSERT_EQ(summary.runs.size(), 2u);
+  EXPECT_DOUBLE_EQ(summary.runs[0].average_rate, (2.0 / 3 + 1) / 2);
+  ASSERT_EQ(summary.runs[1].rooms.size(), 1u);
+  EXPECT_DOUBLE_EQ(summary.runs[1].average_rate, 0.5);
+  EXPECT_DOUBLE_EQ(summary.test_set_rate, (2.0 / 3 + 1 + 0.5) / 3);
+}
+
+TEST(Summary, ConfusionHasARowForEveryTruth) {
+  const Confusion confusion = summarize(madeUpEvaluation()).confusion;
+  const std::vector<std::vector<std::uint64_t>> counts{{3, 1, 0}, {0, 1, 0}, {1, 1, 0}};
+  EXPECT_EQ(confusion.counts, counts);
+  EXPECT_EQ(confusion.none, (std::vector<std::uint64_t>{1, 0, 0}));
+}
+
+TEST(Summary, TellsKnownFromUnknown) {
+  const Summary summary = summarize(madeUpEvaluation());
+  ASSERT_TRUE(summary.unknown);
+  // Learned 0.9 0.8 0.95 0.7 0.6 0 against 0.4 0.5: ten of twelve pairs in order.
+  EXPECT_DOUBLE_EQ(summary.unknown->roc_area, 10.0 / 12);
+  EXPECT_DOUBLE_EQ(summary.unknown->detection_rate, 0.5);
+  EXPECT_DOUBLE_EQ(summary.unknown->false_alarm_rate, 2.0 / 6);
+}
+
+TEST(Summary, MeasuresConfidenceOnLearnedPlaces) {
+  const Summary summary = summarize(madeUpEvaluation());
+  // Bins: 0.95 wrong and 0.9 right; 0.8; 0.7; 0.6, all right; 0 without an answer.
+  EXPECT_NEAR(summary.calibration_error, (0.85 + 0.2 + 0.3 + 0.4 + 0) / 6, 1e-12);
+  EXPECT_EQ(summary.risk_coverage.size(), 6u);
+  EXPECT_DOUBLE_EQ(summary.latency_p50, 0.004);
+  EXPECT_DOUBLE_EQ(summary.latency_p99, 0.008);
+}
+
+std::shared_ptr<const Model> model() {
+  static const auto trained =
+      std::make_shared<const Model>(train({opener(drawFrames(3, 12))}, quickOptions()).model);
+  return trained;
+}
+
+std::string refusal(const std::vector<Frame>& frames) {
+  try {
+    evaluate(model(), {opener(frames, "walk.bag")});
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Evaluate, AnswersEveryLabelledPicture) {
+  std::vector<Frame> frames = drawFrames(4, 6, 200);  // room3 was never learned
+  frames[0].place.clear();
+  frames[7].image = cv::Mat();
+  const Evaluation evaluation =
+      evaluate(model(), {opener(frames, "day"), opener(drawFrames(2, 3, 300), "night")}, 2);
+  EXPECT_EQ(evaluation.frames.size(), 24u - 2 + 6);
+  EXPECT_EQ(evaluation.places, (std::vector<std::string>{"room0", "room1", "room2", "room3"}));
+  EXPECT_EQ(evaluation.model_places, 3u);
+  EXPECT_EQ(evaluation.runs, (std::vector<std::string>{"day", "night"}));
+  EXPECT_EQ(evaluation.frames.back().run, 1);
+  EXPECT_EQ(evaluation.warnings.size(), 3u);
+  EXPECT_GT(summarize(evaluation).average_rate, 0.8);
+}
+
+TEST(Evaluate, KeepsTheMostConfidentMistakes) {
+  std::vector<Frame> frames = drawFrames(3, 6, 200);
+  for (Frame& frame : frames) frame.place = frame.place == "room0" ? "room1" : "room0";
+  const Evaluation evaluation = evaluate(model(), {opener(frames)}, 4);
+  ASSERT_EQ(evaluation.wrong.size(), 4u);
+  std::vector<double> mistakes;
+  for (const FrameResult& frame : evaluation.frames) {
+    if (!frame.correct()) mistakes.push_back(frame.confidence);
+  }
+  std::sort(mistakes.rbegin(), mistakes.rend());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const FrameResult& frame = evaluation.frames[evaluation.wrong[i].frame];
+    EXPECT_FALSE(frame.correct());
+    EXPECT_EQ(frame.confidence, mistakes[i]);
+    const std::string& jpeg = evaluation.wrong[i].jpeg;
+    const std::vector<unsigned char> bytes(jpeg.begin(), jpeg.end());
+    EXPECT_EQ(cv::imdecode(bytes, cv::IMREAD_COLOR).size(), cv::Size(96, 72));
+  }
+}
+
+TEST(Evaluate, SaysWhyItRefuses) {
+  EXPECT_NE(refusal({}).find("no pictures in walk.bag"), std::string::npos);
+  std::vector<Frame> frames = drawFrames(2, 2);
+  for (Frame& frame : frames) frame.place = "attic";
+  EXPECT_NE(refusal(frames).find("attic"), std::string::npos) << refusal(frames);
+  for (Frame& frame : frames) frame.place.clear();
+  EXPECT_NE(refusal(frames).find("label"), std::string::npos) << refusal(frames);
+}
+
+TEST(Evaluate, StopsWhenAsked) {
+  EXPECT_THROW(evaluate(model(), {opener(drawFrames(2, 2))}, 1,
+                        [](const std::string&, double fraction) { return fraction < 0.5; }),
+               Cancelled);
+}
+
+}  // namespace
+}  // namespace place_recognition

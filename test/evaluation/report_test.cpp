@@ -1,0 +1,93 @@
+#include "evaluation/report.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "evaluation/made_up_evaluation.h"
+#include "evaluation/result_json.h"
+#include "evaluation/result_table.h"
+#include "evaluation/svg.h"
+
+namespace place_recognition {
+namespace {
+
+TEST(ResultJson, HasTheKeysThatOtherProgramsRead) {
+  const Evaluation evaluation = madeUpEvaluation();
+  const nlohmann::json json = resultJson(evaluation, summarize(evaluation));
+  EXPECT_DOUBLE_EQ(json.at("average_rate").get<double>(), 0.8);
+  EXPECT_DOUBLE_EQ(json.at("rooms").at("kitchen").at("rate").get<double>(), 0.6);
+  EXPECT_EQ(json.at("rooms").at("kitchen").at("count"), 5);
+  EXPECT_EQ(json.at("confusion").at("labels"),
+            (std::vector<std::string>{"kitchen", "office", "lift"}));
+  EXPECT_EQ(json.at("confusion").at("counts").at(0).at(1), 1);
+  EXPECT_TRUE(json.at("calibration_error").is_number());
+  EXPECT_EQ(json.at("support_vectors"), 12);
+  EXPECT_EQ(json.at("model_bytes"), 2048);
+  EXPECT_DOUBLE_EQ(json.at("latency_ms").at("p50").get<double>(), 4);
+  EXPECT_TRUE(json.at("latency_ms").contains("p95") && json.at("latency_ms").contains("p99"));
+}
+
+TEST(ResultTable, ShowsRoomsRunsAndConfusion) {
+  const Evaluation evaluation = madeUpEvaluation();
+  const std::string table = resultTable(evaluation, summarize(evaluation));
+  EXPECT_EQ(table.substr(0, table.find("\n\n") + 1),
+            "room               pictures    right  'unknown'  day.bag  night.bag\n"
+            "kitchen                   5   60.0 %     40.0 %   66.7 %     50.0 %\n"
+            "office                    1  100.0 %      0.0 %  100.0 %\n"
+            "mean of the rooms             80.0 %              83.3 %     50.0 %\n");
+  EXPECT_NE(table.find("A  kitchen                         3  1  .     1\n"), std::string::npos)
+      << table;
+}
+
+/// Whether every element that is opened is closed, in order.
+bool isWellFormed(const std::string& html) {
+  std::vector<std::string> open;
+  for (std::size_t at = 0; (at = html.find('<', at)) != std::string::npos;) {
+    const std::size_t end = html.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = html.substr(at + 1, end - at - 1);
+    const std::string name = tag.substr(tag[0] == '/' ? 1 : 0, tag.find(' ') - 0);
+    const bool is_void = tag[0] == '!' || tag.back() == '/' || tag.compare(0, 4, "meta") == 0 ||
+                         tag.compare(0, 3, "img") == 0 || tag == "br";
+    if (tag[0] == '/') {
+      if (open.empty() || open.back() != name) return false;
+      open.pop_back();
+    } else if (!is_void) {
+      open.push_back(name);
+    }
+    at = end;
+  }
+  return open.empty();
+}
+
+TEST(Report, IsOneWellFormedPage) {
+  Evaluation evaluation = madeUpEvaluation();
+  evaluation.wrong.push_back({2, "jpeg"});
+  const std::string html = htmlReport(evaluation, summarize(evaluation));
+  EXPECT_TRUE(isWellFormed(html));
+  EXPECT_NE(html.find("data:image/jpeg;base64,anBlZw=="), std::string::npos);
+  EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org/2000/svg"));
+  EXPECT_EQ(html.find("nan"), std::string::npos);
+}
+
+TEST(Report, EscapesNames) {
+  Evaluation evaluation = madeUpEvaluation();
+  evaluation.places[0] = "<script>alert('x')</script>";
+  evaluation.runs[0] = "a&b\xff.bag";
+  evaluation.warnings.push_back("<b>");
+  const std::string html = htmlReport(evaluation, summarize(evaluation));
+  EXPECT_EQ(html.find("<script>"), std::string::npos);
+  EXPECT_NE(html.find("&lt;script&gt;alert(&#39;x&#39;)"), std::string::npos);
+  EXPECT_NE(html.find("a&amp;b?.bag"), std::string::npos);
+  EXPECT_TRUE(isWellFormed(html));
+}
+
+TEST(Svg, EscapesWhatIsNotText) {
+  EXPECT_EQ(escapeMarkup("K\xc3\xb6k & \"x\"\n"), "K\xc3\xb6k &amp; &quot;x&quot;?");
+  EXPECT_EQ(escapeMarkup("\xff<"), "?&lt;");
+}
+
+}  // namespace
+}  // namespace place_recognition

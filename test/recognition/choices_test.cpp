@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include "recognition/combination.h"
+#include "recognition/gamma_choice.h"
+#include "recognition/model_validation.h"
+#include "recognition/names.h"
+#include "recognition/scores.h"
+
+namespace place_recognition {
+namespace {
+
+TEST(Scores, AverageRateWeighsRoomsEqually) {
+  // Room 0: 3 of 4 right; room 1: 0 of 1; room 2 does not occur.
+  const std::vector<int> truth{0, 0, 0, 0, 1}, answers{0, 0, 0, 1, -1};
+  EXPECT_DOUBLE_EQ(averageRate(truth, answers, 3), (0.75 + 0) / 2);
+  EXPECT_DOUBLE_EQ(averageRateError(truth, answers, 3), std::sqrt(0.75 * 0.25 / 4) / 2);
+  EXPECT_EQ(averageRate(std::vector<int>(), std::vector<int>(), 3), 0);
+}
+
+TEST(Scores, CalibrationErrorIsTheWeightedGapOfTheBins) {
+  // Bin 0.9..1: mean confidence 0.95, one of two right; bin 0.3..0.4: 0.35, right.
+  EXPECT_NEAR(calibrationError({0.94, 0.96, 0.35}, {true, false, true}), (2 * 0.45 + 1 * 0.65) / 3,
+              1e-12);
+  EXPECT_NEAR(calibrationError({1, 1}, {true, true}), 0, 1e-12);
+  EXPECT_EQ(calibrationError({}, {}), 0);
+}
+
+TEST(GammaChoice, StaysNearTheNeutralOneAmongEquals) {
+  const std::vector<GammaTrial> trials{
+      {0.25, 0.90, 0.02}, {0.5, 0.89, 0.02}, {1, 0.87, 0.02}, {2, 0.885, 0.02}, {4, 0.5, 0.05}};
+  EXPECT_EQ(chooseGamma(trials, 1), 0.5);  // 1 is too poor; 0.5 comes before 2
+  EXPECT_EQ(chooseGamma(trials, 8), 2);    // 4 is too poor
+  EXPECT_EQ(chooseGamma({{3, 0, 0}}, 1), 3);
+}
+
+TEST(GammaChoice, GridFollowsTheFeatures) {
+  KernelOptions options;
+  options.gamma = 1;
+  Eigen::MatrixXd measures(2, 2);
+  measures << 0, 0.5, 0.5, 0;
+  const GammaGrid grid = gammaGrid(Kernel(options), measures);
+  EXPECT_DOUBLE_EQ(grid.neutral, 1);  // one over twice the mean off the diagonal
+  EXPECT_DOUBLE_EQ(grid.gammas.front(), 1.0 / 16);
+  EXPECT_DOUBLE_EQ(grid.gammas.back(), 16);
+  EXPECT_EQ(gammaGrid(Kernel(options), Eigen::MatrixXd::Zero(3, 3)).neutral, 0.5);
+}
+
+HeldOut heldOut(const Eigen::MatrixXd& margins, const std::vector<bool>& valid) {
+  return {margins, valid};
+}
+
+TEST(Combination, IsTheWeightedMeanOfTheCuesThatAreThere) {
+  const Eigen::MatrixXd a = (Eigen::MatrixXd(3, 2) << 1, 2, 3, 4, 0, 0).finished();
+  const Eigen::MatrixXd b = (Eigen::MatrixXd(3, 2) << 5, 6, 0, 0, 0, 0).finished();
+  const HeldOut combined =
+      combine({heldOut(a, {true, true, false}), heldOut(b, {true, false, false})}, {0.25, 0.75});
+  const Eigen::MatrixXd expected =
+      (Eigen::MatrixXd(3, 2) << 0.25 * 1 + 0.75 * 5, 0.25 * 2 + 0.75 * 6, 3, 4, 0, 0).finished();
+  EXPECT_TRUE(combined.margins.isApprox(expected));
+  EXPECT_EQ(combined.valid, (std::vector<bool>{true, true, false}));
+}
+
+TEST(Combination, PrefersTheCueThatTellsAndElseEqualWeights) {
+  const std::vector<SampleOrigin> samples{{0, 0, 0}, {0, 0, 1}, {1, 0, 2}, {1, 0, 3}};
+  const std::vector<bool> all(4, true);
+  const Eigen::MatrixXd good = (Eigen::MatrixXd(4, 2) << 1, -1, 1, -1, -1, 1, -1, 1).finished();
+  const Eigen::MatrixXd bad = -good;
+  const std::vector<double> equal =
+      chooseCueWeights({heldOut(good, all), heldOut(good, all)}, samples, 2);
+  EXPECT_EQ(equal, (std::vector<double>{0.5, 0.5}));
+  const std::vector<double> chosen =
+      chooseCueWeights({heldOut(bad, all), heldOut(good, all)}, samples, 2);
+  EXPECT_GT(chosen[1], 0.5);
+  EXPECT_EQ(chooseCueWeights({heldOut(good, all)}, samples, 2), std::vector<double>{1});
+}
+
+TEST(Validation, ThresholdLetsTheWantedShareFall) {
+  // Two places, twenty samples each, in four folds; margins that differ in size.
+  std::vector<SampleOrigin> samples;
+  Eigen::MatrixXd margins(40, 2);
+  for (int i = 0; i < 40; ++i) {
+    samples.push_back({i % 2, 0, static_cast<double>(i)});
+    const double f = 0.1 * (1 + i / 2);
+    margins.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
+  }
+  const std::vector<Fold> folds = timeBlockFolds(samples, 4, 0);
+  const HeldOut held_out = heldOut(margins, std::vector<bool>(40, true));
+  const Calibrated calibrated = calibrate(held_out, samples, folds, 0.25);
+  EXPECT_EQ(calibrated.validation.average_rate, 1);
+  int below = 0;
+  for (int i = 0; i < 40; ++i) {
+    below += calibrated.calibration.evidence(margins.row(i)) < calibrated.unknown_threshold ? 1 : 0;
+  }
+  EXPECT_NEAR(below, 10, 2);  // each fold was judged by the slope of the others
+}
+
+TEST(Validation, WorksWithoutAnyHeldOutSample) {
+  const std::vector<SampleOrigin> samples{{0, 0, 0}, {1, 0, 1}};
+  const Calibrated calibrated =
+      calibrate(heldOut(Eigen::MatrixXd::Zero(2, 2), {false, false}), samples, {}, 0.05);
+  EXPECT_GT(calibrated.calibration.slope, 0);
+  EXPECT_EQ(calibrated.unknown_threshold, 0);
+  EXPECT_EQ(calibrated.validation.average_rate, 0);
+}
+
+TEST(Names, OfPlacesAreShortPrintableUtf8) {
+  for (const char* name :
+       {"kitchen", "Elin's office", "K\xc3\xb6k", "\xe5\x8e\xa8\xe6\x88\xbf", "a/b"}) {
+    EXPECT_TRUE(isPlaceName(name)) << name;
+  }
+  for (const std::string& name :
+       {std::string(), std::string("a\tb"), std::string("\x7f"), std::string("\xc2\x85"),
+        std::string("\xff"), std::string("K\xc3"), std::string("\xe0\x80\x80"),
+        std::string(129, 'a'), std::string("a\0b", 3)}) {
+    EXPECT_FALSE(isPlaceName(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace place_recognition

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "place_recognition/run.h"
+#include "place_recognition/training.h"
+
+namespace place_recognition {
+
+/// A picture of a made-up room: blobs whose size and spacing tell the room, their positions the
+/// frame. 96 x 72.
+inline cv::Mat drawRoom(int room, unsigned frame) {
+  std::mt19937 generator(1000u * static_cast<unsigned>(room) + frame);
+  cv::Mat image(72, 96, CV_8UC3, cv::Scalar(90 + 20 * room, 120, 140 - 15 * room));
+  for (int i = 0; i < 40 + 30 * room; ++i) {
+    const cv::Point centre(static_cast<int>(generator() % 96), static_cast<int>(generator() % 72));
+    const double grey = static_cast<double>(generator() % 200);
+    cv::circle(image, centre, 2 + 2 * room, cv::Scalar(grey, grey / 2, 255 - grey), -1);
+  }
+  return image;
+}
+
+/// A run of given frames.
+class FrameList : public Run {
+ public:
+  FrameList(const std::string& name, std::vector<Frame> frames)
+      : Run(name), frames_(std::move(frames)) {}
+
+  bool next(Frame& frame) override {
+    if (position_ == frames_.size()) return false;
+    frame = frames_[position_++];
+    return true;
+  }
+  double fraction() const override {
+    return static_cast<double>(position_) / static_cast<double>(frames_.size());
+  }
+
+ private:
+  std::vector<Frame> frames_;
+  std::size_t position_ = 0;
+};
+
+/// `count` frames of each of `rooms` drawn rooms, named room0, room1, ...
+inline std::vector<Frame> drawFrames(int rooms, int count, unsigned first_frame = 0) {
+  std::vector<Frame> frames;
+  for (int room = 0; room < rooms; ++room) {
+    for (int i = 0; i < count; ++i) {
+      Frame frame;
+      frame.image = drawRoom(room, first_frame + static_cast<unsigned>(i));
+      frame.place = "room" + std::to_string(room);
+      frame.stamp = static_cast<double>(frames.size());
+      frame.name = "frame" + std::to_string(frames.size());
+      frames.push_back(frame);
+    }
+  }
+  return frames;
+}
+
+inline RunOpener opener(const std::vector<Frame>& frames, const std::string& name = "drawn") {
+  return [frames, name] { return std::make_unique<FrameList>(name, frames); };
+}
+
+/// Options that train on drawn rooms within a moment.
+inline TrainingOptions quickOptions() {
+  TrainingOptions options;
+  CrfhOptions crfh;
+  crfh.descriptors = {"L", "Lxx"};
+  crfh.scales = {1};
+  crfh.bins = {8};
+  options.cues[0].feature = crfh;
+  return options;
+}
+
+/// The same with a second cue, of colour.
+inline TrainingOptions twoCueOptions() {
+  TrainingOptions options = quickOptions();
+  CueOptions colour;
+  colour.name = "colour";
+  CrfhOptions crfh;
+  crfh.descriptors = {"R", "G", "B"};
+  crfh.scales = {1};
+  crfh.bins = {6};
+  colour.feature = crfh;
+  options.cues.push_back(colour);
+  return options;
+}
+
+}  // namespace place_recognition

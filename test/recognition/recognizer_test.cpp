@@ -1,0 +1,98 @@
+#include "place_recognition/recognizer.h"
+
+#include <gtest/gtest.h>
+
+#include "place_recognition/model_file.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+std::shared_ptr<const Model> modelOf(const TrainingOptions& options) {
+  return std::make_shared<const Model>(train({opener(drawFrames(3, 12))}, options).model);
+}
+
+TEST(Recognizer, AnswersWithProbabilitiesOfTheLargestMargin) {
+  Recognizer recognizer(modelOf(twoCueOptions()));
+  for (const Frame& frame : drawFrames(3, 8, 300)) {
+    const Recognition& answer = recognizer.recognize(frame.image);
+    EXPECT_NEAR(answer.probabilities.sum(), 1, 1e-12);
+    Eigen::Index most_probable, largest_margin;
+    EXPECT_EQ(answer.confidence, answer.probabilities.maxCoeff(&most_probable));
+    answer.margins.maxCoeff(&largest_margin);
+    EXPECT_EQ(answer.place, most_probable);
+    EXPECT_EQ(answer.place, largest_margin);
+    EXPECT_EQ(answer.known, answer.evidence >= recognizer.model().unknown_threshold);
+    EXPECT_EQ(answer.reason, "");
+  }
+}
+
+TEST(Recognizer, AnswersTheSameFromTheModelFile) {
+  const std::shared_ptr<const Model> model = modelOf(twoCueOptions());
+  Recognizer trained(model);
+  Recognizer loaded(std::make_shared<const Model>(parseModel(serializeModel(*model), "test")));
+  for (const Frame& frame : drawFrames(3, 4, 300)) {
+    EXPECT_EQ(trained.recognize(frame.image).margins, loaded.recognize(frame.image).margins);
+  }
+}
+
+TEST(Recognizer, HoldsEvidenceAgainstTheThreshold) {
+  Recognizer recognizer(modelOf(quickOptions()));
+  const cv::Mat image = drawRoom(1, 300);
+  recognizer.setUnknownThreshold(0);
+  EXPECT_TRUE(recognizer.recognize(image).known);
+  recognizer.setUnknownThreshold(1);
+  const Recognition& unknown = recognizer.recognize(image);
+  EXPECT_FALSE(unknown.known);
+  EXPECT_GE(unknown.place, 0);
+}
+
+TEST(Recognizer, SaysWhyThereIsNoAnswer) {
+  Recognizer recognizer(modelOf(quickOptions()));
+  recognizer.recognize(drawRoom(0, 300));
+  const Recognition& answer = recognizer.recognize(cv::Mat(2, 2, CV_8UC3, cv::Scalar::all(0)));
+  EXPECT_EQ(answer.place, -1);
+  EXPECT_FALSE(answer.known);
+  EXPECT_NE(answer.reason, "");
+  EXPECT_EQ(answer.confidence, 0);
+  EXPECT_TRUE(answer.probabilities.isApproxToConstant(1.0 / 3));
+}
+
+TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
+  // The second cue needs a larger image than is shown: the answer is that of the first alone.
+  TrainingOptions options = twoCueOptions();
+  std::get<CrfhOptions>(options.cues[1].feature).border = 30;
+  Model model = train({opener(drawFrames(3, 12))}, options).model;
+  model.cue_weights = {0.5, 0.5};
+  const cv::Mat small = drawRoom(1, 300)(cv::Rect(0, 0, 50, 50)).clone();
+
+  Eigen::RowVectorXd both, first;
+  Recognizer recognizer(std::make_shared<const Model>(parseModel(serializeModel(model), "test")));
+  both = recognizer.recognize(small).margins;
+  model.cue_weights = {1, 0};
+  Recognizer first_only(std::make_shared<const Model>(std::move(model)));
+  first = first_only.recognize(small).margins;
+  EXPECT_EQ(both, first);
+  EXPECT_NE(both, Eigen::RowVectorXd::Zero(3));
+}
+
+TEST(Recognizer, ScalesWideImagesDown) {
+  TrainingOptions options = quickOptions();
+  options.image.max_width = 48;
+  Recognizer recognizer(modelOf(options));
+  const cv::Mat image = drawRoom(2, 300);
+  cv::Mat half;
+  cv::resize(image, half, cv::Size(48, 36), 0, 0, cv::INTER_AREA);
+  const Eigen::RowVectorXd scaled = recognizer.recognize(image).margins;
+  EXPECT_EQ(scaled, recognizer.recognize(half).margins);
+}
+
+TEST(Recognizer, TakesGreyImages) {
+  Recognizer recognizer(modelOf(twoCueOptions()));
+  cv::Mat grey;
+  cv::cvtColor(drawRoom(1, 300), grey, cv::COLOR_BGR2GRAY);
+  EXPECT_TRUE(recognizer.recognize(grey).probabilities.allFinite());
+}
+
+}  // namespace
+}  // namespace place_recognition

@@ -1,0 +1,196 @@
+#include "place_recognition/training.h"
+
+#include <gtest/gtest.h>
+
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+/// What train() says when it refuses.
+std::string refusal(const std::vector<Frame>& frames) {
+  try {
+    train({opener(frames, "walk.bag")}, quickOptions(), 1);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// Share of right answers on new pictures of the drawn rooms.
+double rateOn(Training training, int rooms) {
+  Recognizer recognizer(std::make_shared<const Model>(std::move(training.model)));
+  int right = 0;
+  const std::vector<Frame> frames = drawFrames(rooms, 10, 500);
+  for (const Frame& frame : frames) {
+    const Recognition& answer = recognizer.recognize(frame.image);
+    right += "room" + std::to_string(answer.place) == frame.place ? 1 : 0;
+  }
+  return right / static_cast<double>(frames.size());
+}
+
+TEST(Training, LearnsDrawnRooms) {
+  Training training = train({opener(drawFrames(4, 20))}, quickOptions());
+  EXPECT_EQ(training.images, 80u);
+  EXPECT_TRUE(training.warnings.empty()) << training.warnings[0];
+  EXPECT_GT(training.model.validation.average_rate, 0.7);
+  EXPECT_LT(training.model.validation.calibration_error, 0.2);
+  EXPECT_GT(training.model.options.cues[0].kernel.gamma, 0);
+  EXPECT_GT(rateOn(std::move(training), 4), 0.7);
+}
+
+TEST(Training, CombinesCuesAndRuns) {
+  Training training =
+      train({opener(drawFrames(3, 10), "a"), opener(drawFrames(3, 10, 100), "b")}, twoCueOptions());
+  ASSERT_EQ(training.model.cue_weights.size(), 2u);
+  EXPECT_DOUBLE_EQ(training.model.cue_weights[0] + training.model.cue_weights[1], 1);
+  EXPECT_EQ(training.model.provenance.inputs, (std::vector<std::string>{"a", "b"}));
+  EXPECT_GT(rateOn(std::move(training), 3), 0.9);
+}
+
+TEST(Training, ReducesTheModel) {
+  TrainingOptions options = quickOptions();
+  const std::size_t all = train({opener(drawFrames(3, 20))}, options).model.supportVectorCount();
+  options.reduction.method = "shared-greedy";
+  options.reduction.support_vectors = 9;
+  Training reduced = train({opener(drawFrames(3, 20))}, options);
+  EXPECT_LT(reduced.model.supportVectorCount(), all);
+  EXPECT_LE(reduced.model.supportVectorCount(), 9u);
+  EXPECT_GT(rateOn(std::move(reduced), 3), 0.8);
+}
+
+TEST(Training, GivesTheSameBytesWhateverTheThreads) {
+  const std::vector<RunOpener> runs{opener(drawFrames(3, 9))};
+  const std::string once = serializeModel(train(runs, twoCueOptions(), 1).model);
+  EXPECT_EQ(serializeModel(train(runs, twoCueOptions(), 1).model), once);
+  EXPECT_EQ(serializeModel(train(runs, twoCueOptions(), 2).model), once);
+  EXPECT_EQ(serializeModel(train(runs, twoCueOptions(), 5).model), once);
+}
+
+TEST(Training, LeavesOutWhatItCannotUse) {
+  std::vector<Frame> frames = drawFrames(2, 12);
+  frames[1].place.clear();
+  frames[2].place.clear();
+  frames[5].image = cv::Mat();
+  frames[5].problem = "it is damaged and cannot be decoded";
+  frames[14].image = cv::Mat(3, 3, CV_8UC1, cv::Scalar(0));  // too small for any feature
+  const Training training = train({opener(frames)}, quickOptions());
+  EXPECT_EQ(training.images, 20u);
+  EXPECT_EQ(training.model.provenance.skipped_images, 4u);
+  EXPECT_EQ(training.model.provenance.place_images, (std::vector<std::uint64_t>{9, 11}));
+  ASSERT_FALSE(training.warnings.empty());
+  EXPECT_EQ(training.warnings[0],
+            "drawn: 2 pictures without label and 2 unusable ones (frame5: it is damaged and cannot "
+            "be decoded) were left out.");
+}
+
+TEST(Training, SaysWhyItRefuses) {
+  EXPECT_NE(refusal({}).find("no pictures in walk.bag"), std::string::npos) << refusal({});
+  EXPECT_NE(refusal(drawFrames(1, 5)).find("'room0'"), std::string::npos);
+
+  std::vector<Frame> unlabelled = drawFrames(2, 3);
+  for (Frame& frame : unlabelled) frame.place.clear();
+  EXPECT_NE(refusal(unlabelled).find("has a label"), std::string::npos) << refusal(unlabelled);
+
+  std::vector<Frame> damaged = drawFrames(2, 3);
+  for (Frame& frame : damaged) frame.image = cv::Mat(), frame.problem = "it is damaged";
+  EXPECT_NE(refusal(damaged).find("it is damaged"), std::string::npos) << refusal(damaged);
+
+  for (const char* place : {"a\nb", "\xff", "\xc0\x80", "\xed\xa0\x80"}) {
+    std::vector<Frame> frames = drawFrames(2, 3);
+    frames[4].place = place;
+    EXPECT_NE(refusal(frames).find("frame4"), std::string::npos) << refusal(frames);
+  }
+}
+
+TEST(Training, StopsWhenAsked) {
+  for (const char* stage : {"Reading drawn", "Choosing gamma", "Training", "Calibrating"}) {
+    const auto progress = [stage](const std::string& now, double) { return now != stage; };
+    EXPECT_THROW(train({opener(drawFrames(2, 6))}, quickOptions(), 2, progress), Cancelled)
+        << stage;
+  }
+}
+
+TEST(Training, ReportsFractionsThatRise) {
+  std::string last_stage;
+  double last = 0;
+  train({opener(drawFrames(2, 6))}, quickOptions(), 2,
+        [&](const std::string& stage, double fraction) {
+          EXPECT_TRUE(stage != last_stage || fraction >= last) << stage;
+          EXPECT_GE(fraction, 0);
+          EXPECT_LE(fraction, 1);
+          last_stage = stage;
+          last = fraction;
+          return true;
+        });
+}
+
+void expectFinite(const Training& training, const cv::Mat& image) {
+  const std::string bytes = serializeModel(training.model);
+  Recognizer recognizer(std::make_shared<const Model>(parseModel(bytes, "test")));
+  const Recognition& answer = recognizer.recognize(image);
+  EXPECT_TRUE(answer.probabilities.allFinite());
+  EXPECT_TRUE(answer.margins.allFinite());
+  EXPECT_NEAR(answer.probabilities.sum(), 1, 1e-9);
+}
+
+TEST(Training, SurvivesOneImageARoom) {
+  const Training training = train({opener(drawFrames(3, 1))}, quickOptions());
+  EXPECT_EQ(training.warnings.size(), 3u);
+  expectFinite(training, drawRoom(0, 7));
+}
+
+TEST(Training, SurvivesEqualImages) {
+  std::vector<Frame> frames = drawFrames(3, 8);
+  for (Frame& frame : frames) frame.image = drawRoom(0, 0);
+  expectFinite(train({opener(frames)}, quickOptions()), drawRoom(0, 7));
+}
+
+TEST(Training, SurvivesBlackImages) {
+  std::vector<Frame> frames = drawFrames(2, 6);
+  for (Frame& frame : frames) frame.image = cv::Mat::zeros(72, 96, CV_8UC3);
+  expectFinite(train({opener(frames)}, quickOptions()), drawRoom(0, 7));
+}
+
+TEST(Training, SurvivesARareRoom) {
+  std::vector<Frame> frames = drawFrames(2, 50);
+  frames.push_back(drawFrames(3, 1).back());
+  const Training training = train({opener(frames)}, quickOptions());
+  EXPECT_EQ(training.warnings.size(), 1u);
+  expectFinite(training, drawRoom(2, 7));
+}
+
+TEST(TrainingOptions, NamesTheFieldOutOfRange) {
+  const auto complaint = [](const TrainingOptions& options) {
+    try {
+      options.check();
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  TrainingOptions options;
+  EXPECT_EQ(complaint(options), "");
+  options.validation.folds = 1;
+  EXPECT_NE(complaint(options).find("validation.folds"), std::string::npos);
+  options = {};
+  options.image.max_width = -1;
+  EXPECT_NE(complaint(options).find("image.max_width"), std::string::npos);
+  options = {};
+  options.unknown.false_alarm_rate = 1.5;
+  EXPECT_NE(complaint(options).find("unknown.false_alarm_rate"), std::string::npos);
+  options = {};
+  options.cues[0].kernel.type = "cubic";
+  EXPECT_NE(complaint(options).find("Cue 'crfh'"), std::string::npos);
+  options = {};
+  options.cues.push_back(options.cues[0]);
+  EXPECT_NE(complaint(options).find("'crfh'"), std::string::npos);
+  options.cues.clear();
+  EXPECT_NE(complaint(options).find("'cues'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace place_recognition
