@@ -177,9 +177,24 @@ void Furniture::closedDoor(const Placement& at) {
   scene_.picture(at.moved(0.0f, -0.013f, 1.5f), 0.2f, 0.13f, pick(palette_.papers));
 }
 
+void Furniture::lightSwitch(const Placement& at) {
+  scene_.box(at, {-0.04f, -0.012f, 1.05f}, {0.04f, 0.0f, 1.13f}, palette_.white);
+  scene_.box(at, {-0.028f, -0.018f, 1.062f}, {0.028f, -0.012f, 1.118f}, palette_.beige);
+}
+
+void Furniture::extinguisher(const Placement& at) {
+  scene_.turned(at, {0, -0.1f, 0.75f}, {0, -0.1f, 1.2f},
+                {{0.07f, 0.07f}, {0.08f, 0.08f}, {0.08f, 0.08f}, {0.03f, 0.03f}}, palette_.red);
+  scene_.turned(at, {0, -0.1f, 1.2f}, {0, -0.1f, 1.27f}, {{0.02f, 0.02f}, {0.03f, 0.03f}},
+                palette_.black, 8);
+  scene_.turned(at, {0.03f, -0.12f, 1.24f}, {0.09f, -0.12f, 0.85f},
+                {{0.012f, 0.012f}, {0.016f, 0.016f}}, palette_.black, 6);
+  scene_.picture(at.moved(0, -0.002f, 1.45f), 0.2f, 0.2f, palette_.red);
+}
+
 void Furniture::cardboardBox(const Placement& at, float side) {
   const float half = side / 2.0f;
-  scene_.box(at, {-half, -half, 0.0f}, {half, half, side * 0.7f}, palette_.woods[0]);
+  scene_.box(at, {-half, -half, 0.0f}, {half, half, side * 0.7f}, palette_.cardboard);
   scene_.box(at, {-half - 0.001f, -0.03f, side * 0.7f - 0.12f},
              {half + 0.001f, 0.03f, side * 0.7f + 0.001f}, palette_.beige);
   stand(at, half, -half, half);

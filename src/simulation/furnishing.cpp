@@ -38,7 +38,8 @@ void furnishOfficeA(Furniture& f) {
   f.hang(against(r, Side::kMinusX, 3.1f), 1.3f, 0.42f, 0.58f, p.calendars[0], p.white);
   f.hang(against(r, Side::kPlusX, 1.2f), 1.2f, 0.6f, 0.84f, p.posters[1], p.black);
   f.plant(against(r, Side::kPlusY, 3.85f, 0.35f), 1.3f);
-  f.coatRack(against(r, Side::kMinusY, 2.0f));
+  f.coatRack(against(r, Side::kMinusY, 1.9f));
+  f.lightSwitch(against(r, Side::kMinusY, 2.75f));
   dressWindows(f, r, p.curtains[1]);
 }
 
@@ -59,6 +60,7 @@ void furnishOfficeB(Furniture& f) {
   f.hang(against(r, Side::kPlusY, 2.8f), 1.3f, 0.42f, 0.58f, p.posters[3], p.black);
   f.plant(against(r, Side::kPlusY, 0.4f, 0.35f), 1.5f);
   f.bin(against(r, Side::kPlusX, 2.2f, 0.25f), p.black);
+  f.lightSwitch(against(r, Side::kMinusY, 2.05f));
   dressWindows(f, r, p.curtains[0]);
 }
 
@@ -84,6 +86,8 @@ void furnishKitchen(Furniture& f) {
   f.hang(against(r, Side::kPlusX, 3.9f), 1.0f, 0.6f, 0.84f, p.posters[4], p.white);
   f.plant(against(r, Side::kPlusX, 4.25f, 0.3f), 1.2f);
   f.bin(against(r, Side::kMinusY, 0.3f, 0.25f), p.steel);
+  f.hang(against(r, Side::kPlusY, 2.8f), 1.9f, 0.3f, 0.3f, p.clock, p.black);
+  f.lightSwitch(against(r, Side::kPlusY, 3.05f));
   dressWindows(f, r, p.curtains[2]);
 }
 
@@ -103,6 +107,10 @@ void furnishCorridor(Furniture& f) {
   f.coatRack(against(r, Side::kMinusY, 6.0f));
   f.plant(against(r, Side::kMinusX, 0.28f, 0.3f), 1.1f);
   f.radiator(against(r, Side::kMinusX, 1.1f), 1.1f);
+  f.extinguisher(against(r, Side::kMinusY, 11.3f));
+  f.hang(against(r, Side::kPlusY, 8.95f), 1.9f, 0.3f, 0.3f, p.clock, p.black);
+  f.lightSwitch(against(r, Side::kPlusY, 4.0f));
+  f.lightSwitch(against(r, Side::kPlusY, 10.3f));
 }
 
 void furnishPrinterArea(Furniture& f) {

@@ -62,6 +62,8 @@ class Furniture {
   void blind(const Placement& at, float width, float height, int cloth);  ///< hangs under `at`
   void doorLeaf(const Placement& hinge, float width, bool paned);
   void closedDoor(const Placement& at);
+  void lightSwitch(const Placement& at);
+  void extinguisher(const Placement& at);
   void cardboardBox(const Placement& at, float side);
   void mug(const Placement& at);
   void sheets(const Placement& at, int count);
@@ -86,6 +88,9 @@ class Furniture {
             float thickness, int material);
   void limb(const Placement& at, const Vec3& from, const Vec3& to, float start, float end,
             int material);
+  void lowerBody(const Placement& at, float hip, bool seated, int cloth);
+  void upperBody(const Placement& at, float hip, float shoulder, bool seated, int cloth, int skin);
+  void head(const Placement& at, float neck, int skin);
 
   Scene& scene_;
   const Palette& palette_;

@@ -89,9 +89,9 @@ std::vector<Lighting::Grid<Vec3>> Lighting::bake(float spacing, unsigned threads
         const float a = nodePosition(x, grid.columns, facet.width);
         const Vec3 point = facet.at(a, nodePosition(y, grid.rows, facet.height));
         const Vec3 normal = normalAt(facet, a);
-        grid.values[node] = value(point + kLift * facet.normal, normal, i + node);
+        grid.values[node] = value(point + kLift * facet.normal, normal);
         if (facet.two_sided) {  // thin, hence lit through
-          const Vec3 behind = value(point - kLift * facet.normal, -normal, i + node);
+          const Vec3 behind = value(point - kLift * facet.normal, -normal);
           grid.values[node] = 0.5f * (grid.values[node] + behind);
         }
       }
@@ -111,32 +111,32 @@ Lighting::Lighting(const Scene& scene, const RayTracer& tracer, const Daylight& 
     parallelFor(scene.facets.size(), threads,
                 [&](std::size_t i, unsigned) { bakeSun(i, spacing / 4.0f); });
   }
-  const std::vector<Grid<Vec3>> first = bake(
-      spacing, threads,
-      [&](const Vec3& point, const Vec3& normal, std::size_t) { return direct(point, normal); });
+  const std::vector<Grid<Vec3>> first =
+      bake(spacing, threads,
+           [&](const Vec3& point, const Vec3& normal) { return direct(point, normal); });
   soft_ = first;
-  for (int bounce = 0; bounce < 2; ++bounce) {
-    std::vector<Grid<Vec3>> next =
-        bake(3.0f * spacing, threads, [&](const Vec3& point, const Vec3& normal, std::size_t node) {
-          return bounced(point, normal, node);
-        });
-    parallelFor(next.size(), threads, [&](std::size_t i, unsigned) {
-      if (next[i].values.empty()) return;
-      smooth(next[i]);
-      const Facet& facet = scene_.facets[i];
-      Grid<Vec3>& sum = next[i];
-      Grid<Vec3> fine = first[i];
-      for (int y = 0; y < fine.rows; ++y) {
-        for (int x = 0; x < fine.columns; ++x) {
-          fine.values[static_cast<std::size_t>(y * fine.columns + x)] +=
-              sum.at(facet, nodePosition(x, fine.columns, facet.width),
-                     nodePosition(y, fine.rows, facet.height));
-        }
+  addBounce(first, spacing, threads);
+  addBounce(first, spacing, threads);
+}
+
+void Lighting::addBounce(const std::vector<Grid<Vec3>>& first, float spacing, unsigned threads) {
+  std::vector<Grid<Vec3>> bounce =
+      bake(3.0f * spacing, threads,
+           [&](const Vec3& point, const Vec3& normal) { return bounced(point, normal); });
+  soft_ = first;
+  parallelFor(bounce.size(), threads, [&](std::size_t i, unsigned) {
+    if (bounce[i].values.empty()) return;
+    smooth(bounce[i]);
+    const Facet& facet = scene_.facets[i];
+    Grid<Vec3>& sum = soft_[i];
+    for (int y = 0; y < sum.rows; ++y) {
+      for (int x = 0; x < sum.columns; ++x) {
+        sum.values[static_cast<std::size_t>(y * sum.columns + x)] +=
+            bounce[i].at(facet, nodePosition(x, sum.columns, facet.width),
+                         nodePosition(y, sum.rows, facet.height));
       }
-      sum = std::move(fine);
-    });
-    soft_ = std::move(next);
-  }
+    }
+  });
 }
 
 Vec3 Lighting::irradiance(int facet, float a, float b) const {
@@ -190,8 +190,9 @@ Vec3 Lighting::fromLamp(const Lamp& lamp, const Vec3& point, const Vec3& normal,
   return sum;
 }
 
-Vec3 Lighting::bounced(const Vec3& point, const Vec3& normal, std::size_t node) const {
-  Random random(node, 77);
+Vec3 Lighting::bounced(const Vec3& point, const Vec3& normal) const {
+  // The same rays for every node: neighbours then agree, which noise of their own would not let.
+  Random random(77);
   const Vec3 hint = std::abs(normal[2]) > 0.7f ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   const Vec3 across = cv::normalize(hint.cross(normal));
   const Vec3 along = normal.cross(across);
@@ -219,19 +220,27 @@ void Lighting::bakeSun(std::size_t index, float spacing) {
   const Facet& facet = scene_.facets[index];
   const float cosine = facet.normal.dot(daylight_.to_sun);
   if (cosine <= 0.0f && !facet.two_sided && facet.bend == Vec3(0, 0, 0)) return;
+  const Vec3 lift = kLift * (cosine < 0.0f ? -facet.normal : facet.normal);
   Grid<float> grid(facet, spacing);
   bool shines = false;
   for (int y = 0; y < grid.rows; ++y) {
     for (int x = 0; x < grid.columns; ++x) {
       const float a = nodePosition(x, grid.columns, facet.width);
+      const float b = nodePosition(y, grid.rows, facet.height);
       float facing = normalAt(facet, a).dot(daylight_.to_sun);
       if (facet.two_sided) facing = 0.5f * std::abs(facing);
       if (facing <= 0.0f) continue;
-      const Vec3 point = facet.at(a, nodePosition(y, grid.rows, facet.height));
-      const Vec3 start = point + kLift * (cosine < 0.0f ? -facet.normal : facet.normal);
-      if (tracer_.blocked(start, daylight_.to_sun, kFarthest)) continue;
-      grid.values[static_cast<std::size_t>(y * grid.columns + x)] = facing;
-      shines = true;
+      int lit = 0;  // of four points around the node, for a soft border
+      for (int i = 0; i < 4; ++i) {
+        const float u = a + spacing * (static_cast<float>(i & 1) - 0.5f) / 2.0f;
+        const float v = b + spacing * (static_cast<float>(i >> 1) - 0.5f) / 2.0f;
+        const Vec3 point =
+            facet.at(std::clamp(u, 0.0f, facet.width), std::clamp(v, 0.0f, facet.height));
+        lit += tracer_.blocked(point + lift, daylight_.to_sun, kFarthest) ? 0 : 1;
+      }
+      grid.values[static_cast<std::size_t>(y * grid.columns + x)] =
+          facing * static_cast<float>(lit) / 4.0f;
+      shines = shines || lit > 0;
     }
   }
   if (shines) sunny_[index] = std::move(grid);

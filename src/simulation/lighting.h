@@ -34,10 +34,12 @@ class Lighting {
 
   Vec3 direct(const Vec3& point, const Vec3& normal) const;
   Vec3 fromLamp(const Lamp& lamp, const Vec3& point, const Vec3& normal, bool window) const;
-  Vec3 bounced(const Vec3& point, const Vec3& normal, std::size_t node) const;
+  Vec3 bounced(const Vec3& point, const Vec3& normal) const;
+  /// Replaces soft_ by `first`, the light straight from the lamps, and what soft_ throws back.
+  void addBounce(const std::vector<Grid<Vec3>>& first, float spacing, unsigned threads);
   void bakeSun(std::size_t facet, float spacing);
 
-  /// Fills a grid a facet with `value(point, normal, node)`.
+  /// Fills a grid a facet with `value(point, normal)`.
   template <typename Function>
   std::vector<Grid<Vec3>> bake(float spacing, unsigned threads, const Function& value) const;
 

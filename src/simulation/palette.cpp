@@ -92,7 +92,8 @@ void paintPlain(Painter& painter, Palette& palette) {
   palette.skirting = painter.plain(196, 190, 178);
   palette.frame = painter.plain(218, 216, 208);
   palette.pot = painter.plain(150, 82, 54);
-  palette.earth = painter.plain(56, 42, 32);
+  palette.cardboard = painter.plain(170, 132, 92);
+  palette.red = painter.plain(170, 24, 22, 0.02f);
   palette.skins = {painter.plain(214, 166, 140), painter.plain(176, 124, 94)};
   palette.hairs = {painter.plain(52, 38, 28), painter.plain(126, 92, 52)};
   palette.mugs = {painter.plain(176, 44, 40), painter.plain(44, 80, 140),
@@ -106,7 +107,9 @@ void paintPatterns(Painter& painter, Palette& palette) {
   for (const cv::Scalar& tone : {rgb(206, 172, 124), rgb(150, 88, 52), rgb(92, 66, 46)}) {
     palette.woods.push_back(painter.surface(wood(random, near(random, tone)), 1.1f, 0.5f));
   }
-  palette.door = painter.surface(wood(random, near(random, rgb(180, 138, 88))), 1.1f, 0.5f);
+  cv::Mat upright;
+  cv::transpose(wood(random, near(random, rgb(180, 138, 88))), upright);
+  palette.door = painter.surface(upright, 0.5f, 1.1f);
   palette.worktop = painter.surface(linoleum(random, rgb(112, 108, 104)), 0.8f, 0.8f);
   const cv::Scalar cloths[] = {rgb(54, 72, 120), rgb(150, 50, 44), rgb(60, 92, 70),
                                rgb(60, 60, 66)};
@@ -137,6 +140,7 @@ void paintPictures(Painter& painter, Palette& palette) {
   palette.papers = painter.several(5, 0.0f, 0.0f, paper);
   palette.keyboards = painter.several(2, 0.0f, 0.0f, keyboard);
   Random random = painter.random();
+  palette.clock = painter.surface(clockFace(random), 0.0f, 0.0f);
   palette.pigeonholes = painter.surface(pigeonholes(random), 0.0f, 0.0f);
   palette.control_panel = painter.surface(controlPanel(random), 0.0f, 0.0f);
   for (const int face : painter.several(3, 0.0f, 0.0f, screen)) {

@@ -21,8 +21,8 @@ struct Palette {
   Choice fabrics, curtains, blinds, clothes, skins, hairs, mugs;
   Choice books, posters, paintings, notices, whiteboards, calendars;  ///< shown once a facet
   Choice papers, screens, keyboards;
-  int pigeonholes, control_panel;
-  int leaf, pot, earth;
+  int pigeonholes, control_panel, clock;
+  int leaf, pot, cardboard, red;
   int tube_on, tube_off, shade_on, shade_off;
 };
 

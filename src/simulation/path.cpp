@@ -19,9 +19,10 @@ constexpr float kSpeed = 0.5f;     ///< m/s
 constexpr float kTurnRate = 0.7f;  ///< rad/s, at most
 constexpr float kStep = 0.02f;     ///< m
 
-std::string numbered(const char* format, const char* room, int marker, int angle) {
+template <typename... Numbers>
+std::string numbered(const char* format, Numbers... numbers) {
   char text[64];
-  std::snprintf(text, sizeof text, format, room, marker, angle);
+  std::snprintf(text, sizeof text, format, numbers...);
   return text;
 }
 
@@ -105,7 +106,7 @@ std::vector<Pose> tripodRun(const std::vector<Marker>& markers, double rate, Ran
       const int degrees = i * 360 / kAngles;
       Pose pose;
       pose.room = marker.room;
-      pose.name = numbered("%s_%02d_%03d", marker.room.c_str(), marker.number, degrees);
+      pose.name = marker.room + numbered("_%02d_%03d", marker.number, degrees);
       pose.stamp = static_cast<double>(run.size()) / rate;
       pose.view.eye = {x, y, kCameraHeight};
       pose.view.yaw =
@@ -121,23 +122,27 @@ std::vector<cv::Point2f> driveWay() { return walk(0.1f); }
 
 std::vector<Pose> driveRun(double rate, Random random) {
   const std::vector<cv::Point2f> way = walk(kStep);
+  const auto heading = [&](std::size_t i) {
+    return std::atan2(way[i + 1].y - way[i].y, way[i + 1].x - way[i].x);
+  };
   std::vector<Pose> run;
   double time = 0.0;
-  float yaw = std::atan2(way[1].y - way[0].y, way[1].x - way[0].x);
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    const cv::Point2f along = way[i + 1] - way[i];
-    const float turn = wrapped(std::atan2(along.y, along.x) - yaw);
-    yaw = wrapped(yaw + turn);
-    time += std::max(kStep / kSpeed, std::abs(turn) / kTurnRate);
-    if (time < static_cast<double>(run.size()) / rate) continue;
-    Pose pose;
-    pose.room = roomAt(way[i].x, way[i].y).name;
-    pose.name = numbered("%s_%06d", "drive", static_cast<int>(run.size()), 0);
-    pose.stamp = static_cast<double>(run.size()) / rate;
-    pose.view.eye = {way[i].x, way[i].y, kCameraHeight};
-    pose.view.yaw = yaw;
-    pose.view.pitch = 0.003f * random.normal();  // the floor is not quite even
-    run.push_back(pose);
+  for (std::size_t i = 0; i + 2 < way.size(); ++i) {
+    const float turn = wrapped(heading(i + 1) - heading(i));
+    const double duration = std::max(kStep / kSpeed, std::abs(turn) / kTurnRate);
+    for (double stamp; (stamp = static_cast<double>(run.size()) / rate) < time + duration;) {
+      const auto share = static_cast<float>((stamp - time) / duration);
+      const cv::Point2f at = way[i] + share * (way[i + 1] - way[i]);
+      Pose pose;
+      pose.room = roomAt(at.x, at.y).name;
+      pose.name = numbered("drive_%06d", static_cast<int>(run.size()));
+      pose.stamp = stamp;
+      pose.view.eye = {at.x, at.y, kCameraHeight};
+      pose.view.yaw = wrapped(heading(i) + share * turn);
+      pose.view.pitch = 0.003f * random.normal();  // the floor is not quite even
+      run.push_back(pose);
+    }
+    time += duration;
   }
   return run;
 }

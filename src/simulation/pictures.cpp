@@ -1,6 +1,7 @@
 #include "simulation/pictures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <opencv2/imgproc.hpp>
 
@@ -239,6 +240,22 @@ cv::Mat controlPanel(Random& random) {
   }
   cv::circle(picture, {484, 90}, 16, rgb(40, 150, 70), cv::FILLED, cv::LINE_AA);
   for (int i = 0; i < 4; ++i) cv::circle(picture, {30 + i * 30, 64}, 9, ink(random), cv::FILLED);
+  return picture;
+}
+
+cv::Mat clockFace(Random& random) {
+  cv::Mat picture(256, 256, CV_8UC3, rgb(236, 236, 230));
+  cv::circle(picture, {128, 128}, 118, rgb(40, 40, 44), 12, cv::LINE_AA);
+  const auto hand = [&](double turn, double from, double to, int thickness) {
+    const cv::Point2d way(std::sin(2.0 * CV_PI * turn), -std::cos(2.0 * CV_PI * turn));
+    const cv::Point2d middle(128.0, 128.0);
+    cv::line(picture, middle + from * way, middle + to * way, rgb(20, 20, 24), thickness,
+             cv::LINE_AA);
+  };
+  for (int hour = 0; hour < 12; ++hour) hand(hour / 12.0, 90.0, 106.0, 5);
+  const double time = 12.0 * random.uniform();
+  hand(time / 12.0, 0.0, 62.0, 9);
+  hand(time, 0.0, 92.0, 5);
   return picture;
 }
 

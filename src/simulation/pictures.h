@@ -28,6 +28,8 @@ cv::Mat keyboard(Random& random);
 cv::Mat pigeonholes(Random& random);
 /// The control panel of a copier.
 cv::Mat controlPanel(Random& random);
+/// Square, on the white of its casing.
+cv::Mat clockFace(Random& random);
 /// A calendar page of a month.
 cv::Mat calendar(Random& random);
 /// What stands outside, the horizon at mid height. Wide, repeating along x. Linear brightness goes

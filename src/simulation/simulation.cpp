@@ -112,15 +112,14 @@ void simulate(const SimulationOptions& options, const FrameSink& sink) {
   const Lighting lighting(scene, tracer, daylight(options.condition), spacing, options.threads);
   const Renderer renderer(scene, tracer, lighting, options.size);
 
+  const std::uint64_t noise_seed = randomOf(options, kNoiseStream).next();
   std::vector<SimulatedFrame> batch(kBatch);
   for (std::size_t start = 0; start < poses.size(); start += kBatch) {
     const std::size_t count = std::min(kBatch, poses.size() - start);
     parallelFor(count, options.threads, [&](std::size_t i, unsigned) {
       const Pose& pose = poses[start + i];
       batch[i] = frameOf(pose);
-      batch[i].image =
-          develop(renderer.render(pose.view),
-                  Random(options.seed, randomOf(options, kNoiseStream).next() + start + i));
+      batch[i].image = develop(renderer.render(pose.view), Random(noise_seed, start + i));
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (!sink(batch[i], start + i, poses.size())) return;
