@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "place_recognition/local_feature_options.h"
+#include "place_recognition/texture_options.h"
 
 namespace place_recognition {
 
@@ -47,6 +48,6 @@ struct CrfhOptions {
 };
 
 /// The feature of one cue; the alternative is named by the key `type`.
-using FeatureOptions = std::variant<CrfhOptions, LocalFeatureOptions>;
+using FeatureOptions = std::variant<CrfhOptions, LocalFeatureOptions, LbpOptions, Mr8Options>;
 
 }  // namespace place_recognition

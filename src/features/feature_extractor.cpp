@@ -1,7 +1,9 @@
 #include "place_recognition/feature_extractor.h"
 
 #include "features/crfh.h"
+#include "features/lbp.h"
 #include "features/local_features.h"
+#include "features/mr8.h"
 
 namespace place_recognition {
 namespace {
@@ -12,6 +14,14 @@ std::unique_ptr<FeatureExtractor> make(const CrfhOptions& options) {
 
 std::unique_ptr<FeatureExtractor> make(const LocalFeatureOptions& options) {
   return std::make_unique<LocalFeatureExtractor>(options);
+}
+
+std::unique_ptr<FeatureExtractor> make(const LbpOptions& options) {
+  return std::make_unique<LbpExtractor>(options);
+}
+
+std::unique_ptr<FeatureExtractor> make(const Mr8Options& options) {
+  return std::make_unique<Mr8Extractor>(options);
 }
 
 }  // namespace

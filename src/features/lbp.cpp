@@ -1,0 +1,128 @@
+#include "features/lbp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "base/simd.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+
+namespace {
+
+/// Positions are rounded to 2^-11 pixel, so that weights, products of two, times 255 fit 31 bits.
+constexpr int kPositionBits = 11;
+constexpr int kWeightBits = 2 * kPositionBits;
+
+/// For each pixel, whether the neighbour is as bright as the centre: adds it to `ones`, and to
+/// `changes` where it differs from the neighbour before, `last`, which it replaces.
+PLACE_RECOGNITION_TARGET_CLONES
+void compareNeighbour(const std::uint8_t* centre, const std::array<const std::uint8_t*, 4>& pixels,
+                      const std::array<std::int32_t, 4>& weights, int count,
+                      std::int32_t* __restrict ones, std::int32_t* __restrict changes,
+                      std::int32_t* __restrict last) {
+  const auto [a, b, c, d] = pixels;
+  const auto [wa, wb, wc, wd] = weights;
+  for (int x = 0; x < count; ++x) {
+    const std::int32_t value = wa * a[x] + wb * b[x] + wc * c[x] + wd * d[x];
+    const std::int32_t bit = value >= (centre[x] << kWeightBits) ? 1 : 0;
+    ones[x] += bit;
+    changes[x] += bit ^ last[x];
+    last[x] = bit;
+  }
+}
+
+}  // namespace
+
+void LbpOptions::check() const {
+  if (circles.empty()) throw Error("LBP option 'circles' is empty; give at least one.");
+  for (const LbpCircle& circle : circles) {
+    if (circle.points < 4 || circle.points > 32 || !(circle.radius >= 0.5 && circle.radius <= 16)) {
+      throw Error("An LBP circle has " + std::to_string(circle.points) + " points at radius " +
+                  std::to_string(circle.radius) + "; give 4 to 32 points and radius 0.5 to 16.");
+    }
+  }
+}
+
+LbpOperator::LbpOperator(const LbpCircle& circle)
+    : border_(static_cast<int>(std::ceil(circle.radius))) {
+  for (int i = 0; i < circle.points; ++i) {
+    const double angle = 2 * CV_PI * i / circle.points;
+    neighbours_.push_back(
+        neighbourAt(circle.radius * std::cos(angle), circle.radius * std::sin(angle)));
+  }
+}
+
+LbpOperator::Neighbour LbpOperator::neighbourAt(double dx, double dy) {
+  constexpr int kOne = 1 << kPositionBits;
+  const int x = static_cast<int>(std::lround(dx * kOne));
+  const int y = static_cast<int>(std::lround(dy * kOne));
+  const int left = static_cast<int>(std::floor(x / static_cast<double>(kOne)));
+  const int top = static_cast<int>(std::floor(y / static_cast<double>(kOne)));
+  const int fx = x - left * kOne;
+  const int fy = y - top * kOne;
+  // A neighbour exactly on a column or row has no business with the next one.
+  const int right = fx > 0 ? left + 1 : left;
+  const int bottom = fy > 0 ? top + 1 : top;
+  return {{{{left, top}, {right, top}, {left, bottom}, {right, bottom}}},
+          {(kOne - fx) * (kOne - fy), fx * (kOne - fy), (kOne - fx) * fy, fx * fy}};
+}
+
+const std::vector<std::int32_t>& LbpOperator::encodeRow(const cv::Mat1b& image, int y) {
+  const int count = image.cols - 2 * border_;
+  for (auto* row : {&ones_, &changes_, &last_}) row->assign(count, 0);
+  codes_.resize(count);
+  for (const Neighbour& neighbour : neighbours_) {
+    std::array<const std::uint8_t*, 4> pixels;
+    for (int i = 0; i < 4; ++i) {
+      pixels[i] = image[y + neighbour.pixels[i].y] + border_ + neighbour.pixels[i].x;
+    }
+    compareNeighbour(image[y] + border_, pixels, neighbour.weights, count, ones_.data(),
+                     changes_.data(), last_.data());
+    if (&neighbour == &neighbours_.front()) first_ = changes_;
+  }
+  // The first neighbour was compared with none; it follows the last one.
+  const int other = codes() - 1;
+  for (int x = 0; x < count; ++x) {
+    const int changes = changes_[x] - first_[x] + (first_[x] ^ last_[x]);
+    codes_[x] = changes <= 2 ? ones_[x] : other;
+  }
+  return codes_;
+}
+
+LbpExtractor::LbpExtractor(const LbpOptions& options) {
+  options.check();
+  for (const LbpCircle& circle : options.circles) operators_.emplace_back(circle);
+}
+
+void LbpExtractor::extract(const cv::Mat& image, Feature& feature) {
+  int border = 0;
+  for (const LbpOperator& op : operators_) border = std::max(border, op.border());
+  if (std::min(image.cols, image.rows) <= 2 * border) {
+    missing_reason_ = "the image of " + std::to_string(image.cols) + " x " +
+                      std::to_string(image.rows) + " pixels has no pixel farther than " +
+                      std::to_string(border) + " from its edges";
+    feature = std::monostate();
+    return;
+  }
+  if (image.channels() == 3) {
+    cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
+  } else {
+    grey_ = image;
+  }
+  if (!std::holds_alternative<DenseVector>(feature)) feature = DenseVector();
+  std::vector<float>& values = std::get<DenseVector>(feature).values;
+  values.clear();
+  for (LbpOperator& op : operators_) {
+    std::vector<std::uint32_t> counts(op.codes());
+    for (int y = op.border(); y < grey_.rows - op.border(); ++y) {
+      for (const std::int32_t code : op.encodeRow(grey_, y)) ++counts[code];
+    }
+    const double total =
+        static_cast<double>(grey_.rows - 2 * op.border()) * (grey_.cols - 2 * op.border());
+    for (const std::uint32_t count : counts) values.push_back(static_cast<float>(count / total));
+  }
+}
+
+}  // namespace place_recognition
