@@ -1,9 +1,11 @@
 # catkin: the ROS packages in use, and the messages, services, actions and dynamic parameters.
 
 # Debian's and Ubuntu's ROS is built for the system's Python, which need not come first on PATH.
-if(NOT PYTHON_EXECUTABLE)
-  set(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that ROS is installed for")
-endif()
+foreach(python PYTHON_EXECUTABLE Python3_EXECUTABLE)
+  if(NOT ${python})
+    set(${python} /usr/bin/python3 CACHE FILEPATH "Python that ROS is installed for")
+  endif()
+endforeach()
 # The environment of the tests is frozen with the folders that exist now.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 

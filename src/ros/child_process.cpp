@@ -1,6 +1,7 @@
 #include "ros/child_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -65,6 +66,33 @@ void closeOtherDescriptors() {
   _exit(127);
 }
 
+constexpr std::size_t kMaxLine = 1 << 20;
+
+/// Reads once and hands over the lines that are complete; a line too long is cut into several.
+/// False at the end, after the rest.
+bool readSome(int fd, std::string& line, const ChildProcess::LineCallback& on_line) {
+  std::array<char, 4096> buffer;
+  const ssize_t count = read(fd, buffer.data(), buffer.size());
+  if (count < 0 && errno == EINTR) return true;
+  for (ssize_t i = 0; i < count; ++i) {
+    const char c = buffer[static_cast<std::size_t>(i)];
+    if (c != '\n') line += c;
+    if (c == '\n' || line.size() == kMaxLine) {
+      on_line(line);
+      line.clear();
+    }
+  }
+  if (count > 0) return true;
+  if (!line.empty()) on_line(line);
+  line.clear();
+  return false;
+}
+
+void closeOnce(int& fd) {
+  if (fd >= 0) close(fd);
+  fd = -1;
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, Stderr stderr_use) {
@@ -92,8 +120,19 @@ ChildProcess::~ChildProcess() {
     kill();
     wait();
   }
-  close(output_);
-  if (errors_ >= 0) close(errors_);
+  closeOnce(output_);
+  closeOnce(errors_);
+}
+
+bool ChildProcess::readLines(std::chrono::milliseconds timeout, const LineCallback& on_output,
+                             const LineCallback& on_error) {
+  // poll() passes over descriptors that are -1.
+  std::array<pollfd, 2> pipes{{{output_, POLLIN, 0}, {errors_, POLLIN, 0}}};
+  if (output_ < 0 && errors_ < 0) return false;
+  if (poll(pipes.data(), pipes.size(), static_cast<int>(timeout.count())) <= 0) return true;
+  if (pipes[0].revents != 0 && !readSome(output_, output_line_, on_output)) closeOnce(output_);
+  if (pipes[1].revents != 0 && !readSome(errors_, error_line_, on_error)) closeOnce(errors_);
+  return true;
 }
 
 void ChildProcess::interrupt() const { ::kill(pid_, SIGINT); }

@@ -2,14 +2,15 @@
 
 #include <sys/types.h>
 
+#include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace place_recognition {
 
 /// A program running beside this one, with its standard output (and, if wanted, its standard error)
-/// in pipes. It is started without a shell and inherits no other descriptor. Not thread-safe, but
-/// for interrupt().
+/// in pipes. It is started without a shell and inherits no other descriptor. Not thread-safe.
 class ChildProcess {
  public:
   enum class Stderr { kDiscard, kPipe };
@@ -22,9 +23,14 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   int output() const { return output_; }  ///< descriptor to read its standard output from
-  int errors() const { return errors_; }  ///< of its standard error; -1: discarded
 
-  /// Asks the program to stop (SIGINT). From any thread, as long as wait() has not been called.
+  using LineCallback = std::function<void(const std::string& line)>;
+  /// Hands over the lines that have come on standard output and standard error, waiting for some
+  /// for at most `timeout`. False: both have ended.
+  bool readLines(std::chrono::milliseconds timeout, const LineCallback& on_output,
+                 const LineCallback& on_error);
+
+  /// Asks the program to stop (SIGINT).
   void interrupt() const;
   /// Stops it at once (SIGKILL).
   void kill() const;
@@ -34,7 +40,9 @@ class ChildProcess {
  private:
   pid_t pid_ = -1;
   int output_ = -1;
-  int errors_ = -1;
+  int errors_ = -1;          // -1: discarded
+  std::string output_line_;  // what has come of the line to come next
+  std::string error_line_;
 };
 
 /// "exit code 3" or "signal 11 (Segmentation fault)".

@@ -82,6 +82,10 @@ void checkData(const sensor_msgs::Image& message, const Encoding& encoding) {
                 " bytes are too short for " + std::to_string(message.width) + " pixels of " +
                 message.encoding + ".");
   }
+  if (encoding.channels == 2 && message.width % 2 != 0) {
+    throw Error("The image of " + message.encoding + " has an odd width, though two pixels share " +
+                "their colour.");
+  }
   const std::uint64_t needed = std::uint64_t{message.step} * (message.height - 1) + row_bytes;
   if (message.data.size() < needed) {
     throw Error("The image has " + std::to_string(message.data.size()) + " bytes where " +

@@ -22,6 +22,7 @@ constexpr int kMaxImageSide = 8192;
 /// Error for other encodings and for sizes that do not agree; nothing else, whatever the message
 /// holds.
 cv::Mat toImage(const sensor_msgs::Image& message);
+cv::Mat toImage(sensor_msgs::Image&& message) = delete;
 
 /// The same for a JPEG or PNG picture, whose size is checked before it is decoded, see
 /// decodeImage().

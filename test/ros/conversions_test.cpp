@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <random>
 #include <string>
@@ -112,7 +111,8 @@ TEST_P(BayerEncoding, GivesTheColorOfAUniformField) {
       data.push_back(site == 'b' ? 10 : site == 'g' ? 20 : 30);
     }
   }
-  const cv::Mat image = toImage(imageMessage(GetParam(), 8, 8, data));
+  const sensor_msgs::Image message = imageMessage(GetParam(), 8, 8, data);
+  const cv::Mat image = toImage(message);
   ASSERT_EQ(image.type(), CV_8UC3);
   for (int y = 1; y < 7; ++y) {
     for (int x = 1; x < 7; ++x) EXPECT_EQ(image.at<cv::Vec3b>(y, x), cv::Vec3b(10, 20, 30));
@@ -131,7 +131,8 @@ cv::Vec3d fromYuv(double y, double u, double v) {
           luma + 1.596 * (v - 128)};
 }
 
-void expectYuvPair(const cv::Mat& image) {
+void expectYuvPair(const sensor_msgs::Image& message) {
+  const cv::Mat image = toImage(message);
   ASSERT_EQ(image.type(), CV_8UC3);
   ASSERT_EQ(image.size(), cv::Size(2, 1));
   for (int x = 0; x < 2; ++x) {
@@ -141,15 +142,16 @@ void expectYuvPair(const cv::Mat& image) {
 }
 
 TEST(Conversions, Yuv422IsUyvy) {
-  expectYuvPair(toImage(imageMessage("yuv422", 2, 1, {110, 90, 140, 150})));
+  expectYuvPair(imageMessage("yuv422", 2, 1, {110, 90, 140, 150}));
 }
 
 TEST(Conversions, Yuv422Yuy2IsYuyv) {
-  expectYuvPair(toImage(imageMessage("yuv422_yuy2", 2, 1, {90, 110, 150, 140})));
+  expectYuvPair(imageMessage("yuv422_yuy2", 2, 1, {90, 110, 150, 140}));
 }
 
 TEST(Conversions, PaddedRowsAreRead) {
-  const cv::Mat image = toImage(imageMessage("mono8", 2, 2, {1, 2, 99, 99, 3, 4, 99, 99}));
+  const sensor_msgs::Image message = imageMessage("mono8", 2, 2, {1, 2, 99, 99, 3, 4, 99, 99});
+  const cv::Mat image = toImage(message);
   EXPECT_EQ(image.at<std::uint8_t>(0, 1), 2);
   EXPECT_EQ(image.at<std::uint8_t>(1, 0), 3);
 }
@@ -162,8 +164,10 @@ TEST(Conversions, PlainEncodingsShareTheMemoryOfTheMessage) {
 }
 
 TEST(Conversions, OnePixelIsAnImage) {
-  EXPECT_EQ(toImage(imageMessage("rgb8", 1, 1, {3, 2, 1})).at<cv::Vec3b>(0, 0), cv::Vec3b(1, 2, 3));
-  EXPECT_EQ(toImage(imageMessage("bayer_rggb8", 1, 1, {3})).size(), cv::Size(1, 1));
+  const sensor_msgs::Image color = imageMessage("rgb8", 1, 1, {3, 2, 1});
+  EXPECT_EQ(toImage(color).at<cv::Vec3b>(0, 0), cv::Vec3b(1, 2, 3));
+  const sensor_msgs::Image bayer = imageMessage("bayer_rggb8", 1, 1, {3});
+  EXPECT_EQ(toImage(bayer).size(), cv::Size(1, 1));
 }
 
 TEST(Conversions, SizesThatWrapIn32BitsAreRefused) {
@@ -206,15 +210,15 @@ TEST(Conversions, MessagesThatDoNotAgreeAreRefused) {
 TEST(Conversions, UnknownEncodingsAreRefusedByName) {
   EXPECT_NE(errorOf(imageMessage("nv12", 2, 2, std::vector<std::uint8_t>(6))).find("'nv12'"),
             std::string::npos);
-  const std::string nan(4, '\xff');
   EXPECT_NE(errorOf(imageMessage("32FC1", 1, 1, {0, 0, 0xc0, 0x7f})).find("'32FC1'"),
             std::string::npos);
   EXPECT_LT(errorOf(imageMessage(std::string(1 << 20, 'x'), 1, 1, {1})).size(), 600u);
   EXPECT_NE(errorOf(imageMessage("", 1, 1, {1})), "");
 }
 
-TEST(Conversions, OddWidthsOfYuvAreAnError) {
-  EXPECT_NE(errorOf(imageMessage("yuv422", 3, 1, {1, 2, 3, 4, 5, 6})), "");
+TEST(Conversions, OddWidthsOfYuvAreRefused) {
+  EXPECT_NE(errorOf(imageMessage("yuv422", 3, 1, {1, 2, 3, 4, 5, 6})).find("odd width"),
+            std::string::npos);
 }
 
 TEST(Conversions, NoMessageCrashes) {

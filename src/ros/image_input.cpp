@@ -1,0 +1,50 @@
+#include "ros/image_input.h"
+
+#include "ros/conversions.h"
+#include "ros/node_names.h"
+
+namespace place_recognition {
+
+const std_msgs::Header& ImageMessage::header() const {
+  return std::visit([](const auto& message) -> const std_msgs::Header& { return message->header; },
+                    message_);
+}
+
+cv::Mat ImageMessage::image() const {
+  return std::visit([](const auto& message) { return toImage(*message); }, message_);
+}
+
+ImageInput::ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                       Callback callback)
+    : node_(node), private_node_(private_node), callback_(std::move(callback)), transport_(node) {}
+
+void ImageInput::subscribe() {
+  if (private_node_.param<std::string>("image_transport", "raw") == "compressed") {
+    // As image_transport does: a remapping of `image` holds for what is appended to it.
+    const std::string topic = node_.resolveName(names::kImage) + names::kCompressedSuffix;
+    compressed_subscriber_ =
+        node_.subscribe(topic, names::kImageQueue, &ImageInput::onCompressed, this);
+  } else {
+    subscribeThroughPlugin();
+  }
+}
+
+void ImageInput::subscribeThroughPlugin() {
+  const image_transport::TransportHints hints("raw", ros::TransportHints(), private_node_);
+  try {
+    plugin_subscriber_ =
+        transport_.subscribe(names::kImage, names::kImageQueue, &ImageInput::onImage, this, hints);
+  } catch (const std::exception& e) {
+    ROS_ERROR("There is no image transport '%s' (%s); taking raw images. Correct ~image_transport.",
+              hints.getTransport().c_str(), e.what());
+    plugin_subscriber_ =
+        transport_.subscribe(names::kImage, names::kImageQueue, &ImageInput::onImage, this);
+  }
+}
+
+void ImageInput::unsubscribe() {
+  plugin_subscriber_.shutdown();
+  compressed_subscriber_.shutdown();
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <image_transport/image_transport.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+
+#include <functional>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <variant>
+
+namespace place_recognition {
+
+/// An image as it came.
+class ImageMessage {
+ public:
+  ImageMessage() = default;
+  explicit ImageMessage(sensor_msgs::ImageConstPtr message) : message_(std::move(message)) {}
+  explicit ImageMessage(sensor_msgs::CompressedImageConstPtr message)
+      : message_(std::move(message)) {}
+
+  const std_msgs::Header& header() const;
+  /// The picture, which may share the message's memory. Throws Error if it cannot be used.
+  cv::Mat image() const;
+
+ private:
+  std::variant<sensor_msgs::ImageConstPtr, sensor_msgs::CompressedImageConstPtr> message_;
+};
+
+/// The subscription to `image`, by the transport that the parameter `~image_transport` names.
+/// `compressed` is decoded here, for not every installation has image_transport's plugin for it.
+/// A transport that is missing altogether is reported, and raw images are taken instead.
+class ImageInput {
+ public:
+  using Callback = std::function<void(const ImageMessage&)>;
+
+  ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node, Callback callback);
+
+  /// Both may be called at any time, by one thread at a time.
+  void subscribe();
+  void unsubscribe();
+
+ private:
+  void onImage(const sensor_msgs::ImageConstPtr& message) { callback_(ImageMessage(message)); }
+  void onCompressed(const sensor_msgs::CompressedImageConstPtr& message) {
+    callback_(ImageMessage(message));
+  }
+  void subscribeThroughPlugin();
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_;
+  Callback callback_;
+  image_transport::ImageTransport transport_;
+  image_transport::Subscriber plugin_subscriber_;
+  ros::Subscriber compressed_subscriber_;
+};
+
+}  // namespace place_recognition

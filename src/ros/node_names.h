@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+/// Names and queue sizes of what the nodes publish, subscribe to and serve. Those of the nodes' own
+/// things are private: `~recognition` is /place_recognizer/recognition.
+namespace place_recognition::names {
+
+// place_recognizer
+constexpr const char* kImage = "image";
+constexpr const char* kCompressedSuffix = "/compressed";
+constexpr const char* kRecognition = "recognition";
+constexpr const char* kPlace = "place";
+constexpr const char* kModelInfo = "model_info";
+constexpr const char* kDebugImage = "debug_image";
+constexpr const char* kLoadModel = "load_model";
+constexpr const char* kReloadModel = "reload_model";
+constexpr const char* kSetEnabled = "set_enabled";
+constexpr const char* kReset = "reset";
+
+// trainer
+constexpr const char* kTrain = "train";
+constexpr const char* kRetrain = "retrain";
+
+/// What stands for a place that is not known.
+constexpr const char* kUnknown = "unknown";
+
+/// The newest image counts; older ones are of no use.
+constexpr std::uint32_t kImageQueue = 1;
+/// A subscriber that is slow for a moment loses no answer.
+constexpr std::uint32_t kAnswerQueue = 10;
+
+}  // namespace place_recognition::names

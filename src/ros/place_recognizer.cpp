@@ -1,0 +1,265 @@
+#include "ros/place_recognizer.h"
+
+#include <place_recognition/ModelInfo.h>
+#include <place_recognition/PlaceRecognition.h>
+#include <std_msgs/String.h>
+
+#include <opencv2/core/utility.hpp>
+
+#include "place_recognition/error.h"
+#include "ros/conversions.h"
+#include "ros/debug_image.h"
+#include "ros/node_names.h"
+
+namespace place_recognition {
+namespace {
+
+/// A stamp that lies further back than this, s, means that time has jumped, as in a looped bag.
+constexpr double kTimeJump = 0.5;
+/// Between two warnings of one kind, s.
+constexpr double kWarningPeriod = 10;
+
+std::string modelText(const Model& model) {
+  return model.name + " (version " + model.version + "): " + std::to_string(model.places.size()) +
+         " places, " + std::to_string(model.supportVectorCount()) + " support vectors";
+}
+
+}  // namespace
+
+PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                                 const std::string& name)
+    : node_(node),
+      private_node_(private_node),
+      diagnostics_(node, private_node, name, model_slot_),
+      input_(node, private_node, [this](const ImageMessage& message) { onImage(message); }),
+      lazy_(private_node.param("lazy", true)) {
+  const int threads = private_node_.param("threads", 0);
+  if (threads > 0) cv::setNumThreads(threads);
+  advertise();
+  reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaceRecognizerConfig>>(
+      reconfigure_mutex_, private_node_);
+  reconfigure_server_->setCallback(
+      [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
+  publishPlace(names::kUnknown);
+  loadFirstModel();
+  worker_ = std::thread([this] { work(); });
+  updateSubscription();
+}
+
+PlaceRecognizer::~PlaceRecognizer() {
+  {
+    const std::lock_guard<std::mutex> lock(control_mutex_);
+    enabled_ = false;
+    input_.unsubscribe();
+  }
+  newest_.close();
+  worker_.join();
+}
+
+void PlaceRecognizer::advertise() {
+  // Who listens to an answer wants images; ~model_info and diagnostics need none.
+  const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
+    updateSubscription();
+  };
+  const image_transport::SubscriberStatusCallback debug_changed =
+      [this](const image_transport::SingleSubscriberPublisher&) { updateSubscription(); };
+  const std::lock_guard<std::mutex> lock(control_mutex_);
+  recognition_publisher_ = private_node_.advertise<PlaceRecognition>(
+      names::kRecognition, names::kAnswerQueue, changed, changed);
+  place_publisher_ = private_node_.advertise<std_msgs::String>(names::kPlace, names::kAnswerQueue,
+                                                               changed, changed, nullptr, true);
+  model_info_publisher_ = private_node_.advertise<ModelInfo>(names::kModelInfo, 1, true);
+  debug_image_publisher_ = image_transport::ImageTransport(private_node_)
+                               .advertise(names::kDebugImage, 1, debug_changed, debug_changed);
+  services_ = {
+      private_node_.advertiseService(names::kLoadModel, &PlaceRecognizer::onLoadModel, this),
+      private_node_.advertiseService(names::kReloadModel, &PlaceRecognizer::onReloadModel, this),
+      private_node_.advertiseService(names::kSetEnabled, &PlaceRecognizer::onSetEnabled, this),
+      private_node_.advertiseService(names::kReset, &PlaceRecognizer::onReset, this)};
+}
+
+void PlaceRecognizer::loadFirstModel() {
+  const std::string name = private_node_.param<std::string>("model", "");
+  try {
+    if (name.empty()) throw Error("The parameter ~model is not set.");
+    model_slot_.load(name);
+    publishModelInfo();
+  } catch (const Error& e) {
+    ROS_ERROR(
+        "There is no model to recognize with: %s Learn one with `rosrun place_recognition "
+        "place_tool train RUN.bag --model NAME` or with the node trainer, then call %s.",
+        e.what(), private_node_.resolveName(names::kLoadModel).c_str());
+  }
+}
+
+bool PlaceRecognizer::isWanted() const {
+  return enabled_ && (!lazy_ || recognition_publisher_.getNumSubscribers() > 0 ||
+                      place_publisher_.getNumSubscribers() > 0 ||
+                      debug_image_publisher_.getNumSubscribers() > 0);
+}
+
+void PlaceRecognizer::updateSubscription() {
+  const std::lock_guard<std::mutex> lock(control_mutex_);
+  const bool wanted = isWanted();
+  if (wanted == subscribed_) return;
+  subscribed_ = wanted;
+  diagnostics_.listening(wanted);
+  if (wanted) {
+    input_.subscribe();
+  } else {
+    input_.unsubscribe();
+    newest_.clear();
+  }
+}
+
+void PlaceRecognizer::onImage(const ImageMessage& message) {
+  diagnostics_.arrived();
+  if (!newest_.put(message)) diagnostics_.skipped();
+}
+
+void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  config_ = config;
+}
+
+bool PlaceRecognizer::onLoadModel(LoadModel::Request& request, LoadModel::Response& response) {
+  try {
+    model_slot_.load(request.name);
+    publishModelInfo();
+    response.success = true;
+    response.message = "Recognizing with " + modelText(*model_slot_.model()) + ".";
+  } catch (const Error& e) {
+    response.success = false;
+    response.message = e.what();
+    ROS_WARN("The model stays as it is: %s", e.what());
+  }
+  return true;
+}
+
+bool PlaceRecognizer::onReloadModel(std_srvs::Trigger::Request&,
+                                    std_srvs::Trigger::Response& response) {
+  try {
+    model_slot_.reload();
+    publishModelInfo();
+    response.success = true;
+    response.message = "Recognizing with " + modelText(*model_slot_.model()) + ".";
+  } catch (const Error& e) {
+    response.success = false;
+    response.message = e.what();
+    ROS_WARN("The model stays as it is: %s", e.what());
+  }
+  return true;
+}
+
+bool PlaceRecognizer::onSetEnabled(std_srvs::SetBool::Request& request,
+                                   std_srvs::SetBool::Response& response) {
+  {
+    const std::lock_guard<std::mutex> lock(control_mutex_);
+    enabled_ = request.data;
+  }
+  updateSubscription();
+  reset();  // after the answer that is being worked on
+  response.success = true;
+  response.message = request.data ? "Recognizing." : "Not recognizing until enabled again.";
+  return true;
+}
+
+bool PlaceRecognizer::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  reset();
+  response.success = true;
+  response.message = "What was seen before is forgotten.";
+  return true;
+}
+
+void PlaceRecognizer::work() {
+  while (const std::optional<ArrivedImage> arrived = newest_.take()) {
+    try {
+      answer(*arrived);
+    } catch (const std::exception& e) {
+      diagnostics_.unusable(e.what());
+      ROS_WARN_THROTTLE(kWarningPeriod, "An image cannot be used: %s", e.what());
+    }
+  }
+}
+
+void PlaceRecognizer::answer(const ArrivedImage& arrived) {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  const ros::Time stamp = arrived.message.header().stamp;
+  const double seconds = (stamp.isZero() ? ros::Time::now() : stamp).toSec();
+  followClock(seconds);
+  if (!rate_limit_.admits(seconds, config_.maximum_rate)) {
+    diagnostics_.leftOut();
+    return;
+  }
+  Recognizer* recognizer = currentRecognizer();
+  if (recognizer == nullptr) {
+    ROS_WARN_THROTTLE(kWarningPeriod, "There is no model to recognize with.");
+    return;
+  }
+  const auto start = Diagnostics::Clock::now();
+  const cv::Mat image = arrived.message.image();
+  const Recognition& recognition = recognizer->recognize(image);
+  const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
+  publish(arrived, image, recognition, spent.count());
+}
+
+void PlaceRecognizer::followClock(double stamp) {
+  if (stamp < last_stamp_ - kTimeJump) {
+    ROS_INFO("Time has jumped back by %.1f s; starting afresh.", last_stamp_ - stamp);
+    rate_limit_.reset();
+    last_stamp_ = stamp;
+  }
+  last_stamp_ = std::max(last_stamp_, stamp);
+}
+
+Recognizer* PlaceRecognizer::currentRecognizer() {
+  const std::shared_ptr<const Model> model = model_slot_.model();
+  if (!model) return nullptr;
+  if (!recognizer_ || &recognizer_->model() != model.get()) {
+    recognizer_ = std::make_unique<Recognizer>(model);
+  }
+  const double threshold = config_.unknown_threshold;
+  recognizer_->setUnknownThreshold(threshold < 0 ? model->unknown_threshold : threshold);
+  return recognizer_.get();
+}
+
+void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
+                              const Recognition& recognition, double seconds) {
+  {
+    const std::lock_guard<std::mutex> lock(control_mutex_);
+    if (!enabled_) return;
+  }
+  const Model& model = recognizer_->model();
+  const std_msgs::Header& header = arrived.message.header();
+  recognition_publisher_.publish(toMessage(recognition, model, header, seconds));
+  publishPlace(recognition.known ? model.places[static_cast<std::size_t>(recognition.place)]
+                                 : names::kUnknown);
+  if (debug_image_publisher_.getNumSubscribers() > 0) {
+    debug_image_publisher_.publish(toImageMessage(drawAnswer(image, recognition, model), header));
+  }
+  diagnostics_.answered(header.stamp, arrived.arrival);
+}
+
+void PlaceRecognizer::publishPlace(const std::string& place) {
+  if (place == last_place_) return;
+  last_place_ = place;
+  std_msgs::String message;
+  message.data = place;
+  place_publisher_.publish(message);
+}
+
+void PlaceRecognizer::publishModelInfo() {
+  if (const std::shared_ptr<const Model> model = model_slot_.model()) {
+    model_info_publisher_.publish(toMessage(*model));
+    ROS_INFO("Recognizing with %s.", modelText(*model).c_str());
+  }
+}
+
+void PlaceRecognizer::reset() {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  rate_limit_.reset();
+  last_stamp_ = 0;
+  publishPlace(names::kUnknown);
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <dynamic_reconfigure/server.h>
+#include <image_transport/image_transport.h>
+#include <place_recognition/LoadModel.h>
+#include <place_recognition/PlaceRecognizerConfig.h>
+#include <ros/ros.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <boost/thread/recursive_mutex.hpp>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "place_recognition/recognizer.h"
+#include "ros/diagnostics.h"
+#include "ros/image_input.h"
+#include "ros/model_slot.h"
+#include "ros/newest_image.h"
+#include "ros/rate_limit.h"
+
+namespace place_recognition {
+
+/// Names the room of each image, as a node or a nodelet: one object for both. Callbacks may come
+/// from any number of threads; images are worked on in a thread of its own, always the newest.
+class PlaceRecognizer {
+ public:
+  /// `name` is that of the node or nodelet, for diagnostics.
+  PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                  const std::string& name);
+  ~PlaceRecognizer();
+  PlaceRecognizer(const PlaceRecognizer&) = delete;
+  PlaceRecognizer& operator=(const PlaceRecognizer&) = delete;
+
+ private:
+  void advertise();
+  void loadFirstModel();
+  void updateSubscription();
+  bool isWanted() const;
+
+  void onImage(const ImageMessage& message);
+  void onReconfigure(PlaceRecognizerConfig& config);
+  bool onLoadModel(LoadModel::Request& request, LoadModel::Response& response);
+  bool onReloadModel(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool onSetEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  void work();
+  void answer(const ArrivedImage& arrived);
+  void followClock(double stamp);
+  Recognizer* currentRecognizer();
+  void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
+               double seconds);
+  void publishPlace(const std::string& place);
+  void publishModelInfo();
+  void reset();
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_;
+  ModelSlot model_slot_;
+  Diagnostics diagnostics_;
+  ImageInput input_;
+  NewestImage newest_;
+
+  std::mutex control_mutex_;  // of what decides whether images are wanted
+  const bool lazy_;
+  bool enabled_ = true;
+  bool subscribed_ = false;
+
+  std::mutex state_mutex_;  // of what an answer depends on and leaves behind
+  PlaceRecognizerConfig config_;
+  std::unique_ptr<Recognizer> recognizer_;
+  RateLimit rate_limit_;
+  double last_stamp_ = 0;   // s
+  std::string last_place_;  // as published last
+
+  ros::Publisher recognition_publisher_;
+  ros::Publisher place_publisher_;
+  ros::Publisher model_info_publisher_;
+  image_transport::Publisher debug_image_publisher_;
+  std::vector<ros::ServiceServer> services_;
+  boost::recursive_mutex reconfigure_mutex_;
+  std::unique_ptr<dynamic_reconfigure::Server<PlaceRecognizerConfig>> reconfigure_server_;
+  std::thread worker_;
+};
+
+}  // namespace place_recognition

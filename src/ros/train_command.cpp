@@ -1,0 +1,75 @@
+#include "ros/train_command.h"
+
+#include <ros/names.h>
+
+#include <algorithm>
+#include <array>
+
+#include "place_recognition/error.h"
+#include "recognition/names.h"
+#include "ros/child_process.h"
+#include "ros/confined_path.h"
+#include "ros/labels.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr std::size_t kMaxBags = 1000;
+constexpr std::size_t kMaxRecognizers = 100;
+constexpr std::size_t kMaxYamlBytes = 64 * 1024;
+constexpr std::size_t kMaxTopicBytes = 256;
+constexpr std::array<const char*, 4> kReductions = {"none", "qr", "shared-qr", "shared-greedy"};
+
+void require(bool sound, const std::string& what) {
+  if (!sound) throw Error("The goal's " + what + ".");
+}
+
+bool isGraphName(const std::string& name) {
+  std::string problem;
+  return name.size() <= kMaxTopicBytes && ros::names::validate(name, problem);
+}
+
+void check(const TrainGoal& goal) {
+  require(!goal.bags.empty(), "bags are missing");
+  require(goal.bags.size() <= kMaxBags, "bags are more than " + std::to_string(kMaxBags));
+  require(isPlainName(goal.model), "model must be 1 to 64 letters, digits, '_' or '-'");
+  require(goal.preset.empty() || isPlainName(goal.preset),
+          "preset is no name of a file in config/, as in 'crfh'");
+  require(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
+  require(goal.yaml.size() <= kMaxYamlBytes,
+          "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
+  require(goal.reduction.empty() ||
+              std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
+          "reduction must be none, qr, shared-qr or shared-greedy");
+  require(isGraphName(goal.image_topic), "image_topic is no topic's name");
+  require(isGraphName(goal.label_topic), "label_topic is no topic's name");
+  if (!goal.label.empty()) checkLabel(goal.label, "The goal");
+  require(goal.recognizers.size() <= kMaxRecognizers,
+          "recognizers are more than " + std::to_string(kMaxRecognizers));
+  require(std::all_of(goal.recognizers.begin(), goal.recognizers.end(), isGraphName),
+          "recognizers are no names of nodes");
+}
+
+}  // namespace
+
+std::vector<std::string> trainCommand(const TrainGoal& goal,
+                                      const std::vector<std::string>& bag_roots,
+                                      const std::string& yaml_path) {
+  check(goal);
+  std::vector<std::string> command = {findExecutable("place_tool"), "train"};
+  for (const std::string& bag : goal.bags) command.push_back(confinedBagPath(bag, bag_roots));
+  // A value joined to its option cannot be taken for another option.
+  const auto add = [&command](const std::string& option, const std::string& value) {
+    if (!value.empty()) command.push_back(option + "=" + value);
+  };
+  add("--model", goal.model);
+  add("--config", goal.yaml.empty() ? goal.preset : yaml_path);
+  add("--set", goal.reduction.empty() ? "" : "reduction.method=" + goal.reduction);
+  add("--image-topic", goal.image_topic);
+  add("--label-topic", goal.label_topic);
+  add("--label", goal.label);
+  command.insert(command.end(), {"--progress=json", "--json=-"});
+  return command;
+}
+
+}  // namespace place_recognition
