@@ -125,7 +125,7 @@ void paintPatterns(Painter& painter, Palette& palette) {
   const cv::Scalar clothes[] = {rgb(40, 46, 70),    rgb(150, 150, 154), rgb(120, 30, 36),
                                 rgb(210, 206, 196), rgb(46, 84, 60),    rgb(70, 92, 130)};
   for (const cv::Scalar& cloth : clothes) {
-    palette.clothes.push_back(painter.surface(fabric(random, cloth, cloth * 0.8), 0.5f, 0.5f));
+    palette.clothes.push_back(painter.surface(fabric(random, cloth, cloth), 0.5f, 0.5f));
   }
   palette.leaf = painter.surface(leaf(random), 0.0f, 0.0f);
 }

@@ -27,7 +27,7 @@ struct SimulationOptions {
   Condition condition = Condition::kCloudy;
   Protocol protocol = Protocol::kIndecs;
   /// The building: its colours, materials, posters and books. With the condition: what has been
-  /// moved since. Same options, same pixels, whatever the number of threads.
+  /// moved since. Same options and same build, same pixels, whatever the number of threads.
   std::uint64_t seed = 1;
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
   unsigned threads = 0;     ///< 0: one a core
