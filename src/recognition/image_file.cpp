@@ -1,5 +1,7 @@
 #include "recognition/image_file.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
@@ -32,6 +34,21 @@ Size pngSize(const std::uint8_t* bytes, std::size_t size) {
   return {bigEndian(bytes + 16, 4), bigEndian(bytes + 20, 4)};
 }
 
+/// Whether every chunk up to the last one, IEND, is there and as its checksum says. Of others libpng
+/// would tell on stderr, past the caller.
+bool isWholePng(const std::uint8_t* bytes, std::size_t size) {
+  for (std::size_t i = 8; i + 12 <= size;) {
+    const std::uint64_t length = bigEndian(bytes + i, 4);
+    if (length > size - i - 12) return false;
+    const std::uint8_t* type = bytes + i + 4;
+    const auto checksum = crc32(0, type, static_cast<uInt>(length + 4));
+    if (checksum != bigEndian(type + 4 + length, 4)) return false;
+    if (std::equal(type, type + 4, "IEND")) return true;
+    i += length + 12;
+  }
+  return false;
+}
+
 /// Walks the segments of a JPEG file up to the start of frame (SOF), which has height and width.
 Size jpegSize(const std::uint8_t* bytes, std::size_t size) {
   if (size < 4 || bytes[0] != 0xff || bytes[1] != 0xd8) return {};
@@ -54,13 +71,15 @@ Size jpegSize(const std::uint8_t* bytes, std::size_t size) {
 
 DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size) {
   Size announced = pngSize(bytes, size);
-  if (announced.width == 0) announced = jpegSize(bytes, size);
+  const bool is_png = announced.width != 0;
+  if (!is_png) announced = jpegSize(bytes, size);
   if (announced.width == 0 || announced.height == 0) return {{}, "it is no PNG or JPEG picture"};
   if (announced.width * announced.height > kMaxPixels) {
     return {{},
             "it announces " + std::to_string(announced.width) + " x " +
                 std::to_string(announced.height) + " pixels, more than 64 million"};
   }
+  if (is_png && !isWholePng(bytes, size)) return {{}, "it is damaged or cut short"};
   if (size > std::numeric_limits<int>::max()) return {{}, "it has more than 2 GB"};
   DecodedImage decoded;
   try {

@@ -62,7 +62,8 @@ void addEvaluate(CLI::App& tool) {
   options->output.addTo(*verb);
   verb->footer(
       "Prints the rate of each room and their mean, each room of equal weight; the confusion\n"
-      "matrix; how far the confidence can be trusted; the time a picture takes. Pictures of places\n"
+      "matrix; how far the confidence can be trusted; the time a picture takes. Pictures of "
+      "places\n"
       "that the model has not learned measure how well it says 'unknown'.\n"
       "Example:\n"
       "  place_tool evaluate --model office wednesday.bag --report report");

@@ -71,7 +71,8 @@ void addFeatures(CLI::App& tool) {
   verb->add_option("IMAGE", options->image, "Picture (png, jpg)")->required();
   options->configuration.addTo(*verb);
   verb->footer(
-      "A histogram is one line of index:value; local features are a line each, 128 numbers 0..255.\n"
+      "A histogram is one line of index:value; local features are a line each, 128 numbers "
+      "0..255.\n"
       "Several cues follow each other, each behind a line '# NAME'.\n"
       "Example:\n"
       "  place_tool features now.jpg --config crfh_colour");

@@ -35,7 +35,7 @@ void importPictures(const ImportOptions& options) {
   std::set<std::string> places;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const LabelledPicture& picture = pictures[i];
-    report(progress, "importing", static_cast<double>(i) / pictures.size());
+    report(progress, "Importing", static_cast<double>(i) / pictures.size());
     bag.write(readPicture(picture.path), picture.place, picture.stamp);
     places.insert(picture.place);
   }

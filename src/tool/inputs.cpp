@@ -52,7 +52,8 @@ void findRunsOf(const std::string& input, std::vector<std::string>& runs) {
     return;
   }
   if (!fs::is_directory(input)) {
-    throw Error(input + " is neither a bag nor a folder; give a file that ends in .bag or a "
+    throw Error(input +
+                " is neither a bag nor a folder; give a file that ends in .bag or a "
                 "folder of room/picture files.");
   }
   const std::size_t before = runs.size();
@@ -60,7 +61,8 @@ void findRunsOf(const std::string& input, std::vector<std::string>& runs) {
     if (isRun(child)) runs.push_back(child);
   }
   if (runs.size() == before) {
-    throw Error("The folder " + input + " holds neither bags nor room/picture files (png, jpg); "
+    throw Error("The folder " + input +
+                " holds neither bags nor room/picture files (png, jpg); "
                 "put the pictures of each room into a folder with the room's name.");
   }
 }

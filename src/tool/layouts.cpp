@@ -105,7 +105,8 @@ struct IndecsPicture {
       }
     }
     if (room.empty()) {
-      throw Error(path.string() + " tells no room, neither by a folder nor by its name; see "
+      throw Error(path.string() +
+                  " tells no room, neither by a folder nor by its name; see "
                   "doc/datasets.md for the layout.");
     }
   }
@@ -125,7 +126,8 @@ std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::strin
     if (wanted.empty() || picture.condition == wanted) found.push_back(std::move(picture));
   }
   if (wanted.empty() && conditions.size() > 1) {
-    throw Error(folder.string() + " holds several conditions of light, and a run is one of them; "
+    throw Error(folder.string() +
+                " holds several conditions of light, and a run is one of them; "
                 "add --condition cloudy, night or sunny.");
   }
   std::sort(found.begin(), found.end());
@@ -143,7 +145,8 @@ std::vector<LabelledPicture> listIdol(const fs::path& folder) {
       if (word.front() == 'r') picture.place = word.substr(1);
     }
     if (picture.place.empty() || std::isnan(picture.stamp)) {
-      throw Error(picture.path + " is not named as KTH-IDOL does (tTIME_rROOM_xX_yY_aANGLE); give "
+      throw Error(picture.path +
+                  " is not named as KTH-IDOL does (tTIME_rROOM_xX_yY_aANGLE); give "
                   "the folder of one sequence, or another --layout.");
     }
     pictures.push_back(std::move(picture));

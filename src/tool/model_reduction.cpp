@@ -18,7 +18,7 @@ Eigen::MatrixXd kernelValues(const std::vector<const Feature*>& features,
   Eigen::MatrixXd transposed(support_set.size(), features.size());
   constexpr std::size_t kBlock = 64;  // between two reports
   for (std::size_t begin = 0; begin < features.size(); begin += kBlock) {
-    report(progress, "comparing vectors", static_cast<double>(begin) / features.size());
+    report(progress, "Comparing vectors", static_cast<double>(begin) / features.size());
     const std::size_t count = std::min(kBlock, features.size() - begin);
     parallelFor(count, 0, [&](std::size_t i, unsigned) {
       support_set.kernelValues(*features[begin + i],
@@ -92,8 +92,8 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
   for (const SampleOrigin& origin : samples.origins) truth_.push_back(index_in_model[origin.place]);
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     rows_.push_back(rowsWithFeature(samples.features[c]));
-    kernel_values_.push_back(kernelValues(pointers(samples.features[c]),
-                                          model.classifiers[c].supportSet(), progress));
+    kernel_values_.push_back(
+        kernelValues(pointers(samples.features[c]), model.classifiers[c].supportSet(), progress));
   }
 }
 

@@ -20,11 +20,10 @@ using std::chrono::milliseconds;
 constexpr int kBarWidth = 24;
 constexpr milliseconds kBarInterval{100};
 constexpr milliseconds kLineInterval{3000};
+constexpr milliseconds kQuietStart{1000};  // of lines: quick work needs none
 constexpr milliseconds kJsonInterval{200};
 
-int percent(double fraction) {
-  return static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0));
-}
+int percent(double fraction) { return static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0)); }
 
 }  // namespace
 
@@ -36,6 +35,7 @@ ProgressDisplay::ProgressDisplay(const std::string& style) {
       {"json", Style::kJson},
       {"none", Style::kNone}};
   style_ = kStyles.at(style);
+  if (style_ == Style::kLines) next_print_ += kQuietStart;
 }
 
 ProgressDisplay::~ProgressDisplay() { clear(); }
@@ -59,10 +59,10 @@ bool ProgressDisplay::show(const std::string& stage, double fraction) {
   const milliseconds interval = style_ == Style::kBar    ? kBarInterval
                                 : style_ == Style::kJson ? kJsonInterval
                                                          : kLineInterval;
-  const bool due = now - last_print_ >= interval;
   // Stages may follow each other faster than a person reads lines.
-  if (style_ != Style::kNone && (due || (new_stage && style_ != Style::kLines))) {
-    last_print_ = now;
+  const bool due = now >= next_print_ || (new_stage && style_ != Style::kLines);
+  if (due && style_ != Style::kNone) {
+    next_print_ = now + interval;
     print(fraction);
     bar_drawn_ = style_ == Style::kBar;
   }

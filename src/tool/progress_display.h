@@ -10,7 +10,7 @@ namespace place_recognition::tool {
 /// Shows how far a verb has come, and stops it when a signal has asked for that.
 ///
 /// bar    one line on stderr, drawn again and again: stage, bar, percent, time left
-/// lines  a line on stderr every few seconds
+/// lines  a line on stderr every few seconds, from the first second on
 /// json   lines {"stage": ..., "fraction": ...} on stdout, for other programs
 /// none   nothing
 /// auto   bar if stderr is a terminal, else lines
@@ -39,7 +39,7 @@ class ProgressDisplay {
   Style style_;
   std::string stage_;
   Clock::time_point stage_start_;
-  Clock::time_point last_print_;
+  Clock::time_point next_print_ = Clock::now();
   bool bar_drawn_ = false;
 };
 

@@ -66,7 +66,8 @@ class Recognitions {
   }
 
   void finish() {
-    if (!output_.json.empty() && output_.json != "-") writeFileAtomically(output_.json, json_lines_);
+    if (!output_.json.empty() && output_.json != "-")
+      writeFileAtomically(output_.json, json_lines_);
   }
 
  private:
@@ -100,7 +101,7 @@ void recognize(const RecognizeOptions& options) {
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     const std::string& input = options.inputs[i];
     if (isPicture(input)) {
-      report(progress, "recognising", static_cast<double>(i) / options.inputs.size());
+      report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
       frame.image = readPicture(input);
       frame.name = input;
       recognitions.add(frame);
@@ -109,7 +110,7 @@ void recognize(const RecognizeOptions& options) {
     for (const std::string& run_path : findRuns({input})) {
       const std::unique_ptr<Run> run = options.input.open(run_path);
       while (run->next(frame)) {
-        report(progress, "recognising " + run_path, run->fraction());
+        report(progress, "Recognizing " + run_path, run->fraction());
         if (isBag(run_path)) frame.name = run_path + " " + frame.name;
         recognitions.add(frame);
       }
@@ -132,7 +133,8 @@ void addRecognize(CLI::App& tool) {
   options->input.addTo(*verb);
   options->output.addTo(*verb);
   verb->footer(
-      "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object a\n"
+      "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object "
+      "a\n"
       "line: image, place, known, confidence and the scores of every place.\n"
       "Example:\n"
       "  place_tool recognize --model office now.jpg");

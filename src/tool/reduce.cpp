@@ -37,7 +37,7 @@ ReductionOptions searchByLoss(const Model& model, const ModelReduction& reductio
   ReductionOptions tried = options.reduction;
   const int span = enough;
   while (enough - too_few > 1) {
-    report(progress, "searching for the fewest vectors",
+    report(progress, "Searching for the fewest vectors",
            1 - static_cast<double>(enough - too_few) / span);
     tried.support_vectors = (enough + too_few) / 2;
     const bool holds = rate(reduction.reduce(tried, {}).machines) >= wanted;
@@ -91,9 +91,12 @@ void reduceModel(const ReduceOptions& options) {
   }
   out << "Model: " << path << ", " << std::max<std::uint64_t>(1, bytes / 1024) << " KiB"
       << std::endl;
-  Json figures = {{"support_vectors_before", before},  {"support_vectors_after", after},
-                  {"max_margin_change", max_change},   {"mean_margin_change", mean_change},
-                  {"model_bytes", bytes},              {"model", path}};
+  Json figures = {{"support_vectors_before", before},
+                  {"support_vectors_after", after},
+                  {"max_margin_change", max_change},
+                  {"mean_margin_change", mean_change},
+                  {"model_bytes", bytes},
+                  {"model", path}};
   if (!validation.is_null()) figures["validation"] = validation;
   options.output.writeJson(figures);
 }

@@ -44,7 +44,7 @@ Counts renderBag(const SimulationOptions& options, const std::string& path,
   Counts counts;
   LabelledBagWriter bag(path);
   simulate(options, [&](const SimulatedFrame& frame, std::size_t index, std::size_t count) {
-    report(progress, "rendering " + path, static_cast<double>(index) / count);
+    report(progress, "Rendering " + path, static_cast<double>(index) / count);
     bag.write(frame.image, frame.room, frame.stamp);
     ++counts[frame.room];
     return true;
@@ -58,7 +58,7 @@ Counts renderFolder(const SimulationOptions& options, const std::string& path,
   Counts counts;
   StagedFolder folder(path);
   simulate(options, [&](const SimulatedFrame& frame, std::size_t index, std::size_t count) {
-    report(progress, "rendering " + path, static_cast<double>(index) / count);
+    report(progress, "Rendering " + path, static_cast<double>(index) / count);
     const fs::path room = folder.path() / frame.room;
     fs::create_directories(room);
     const std::string file = room / (frame.name + ".png");
@@ -88,8 +88,8 @@ void simulateRuns(SimulateOptions options) {
     int images = 0;
     for (const auto& [room, count] : counts) images += count;
     display.clear();
-    options.output.text() << path << ": " << images << " pictures of " << counts.size()
-                          << " rooms" << std::endl;
+    options.output.text() << path << ": " << images << " pictures of " << counts.size() << " rooms"
+                          << std::endl;
     runs.push_back(
         {{"path", path}, {"condition", condition}, {"images", images}, {"rooms", counts}});
   }

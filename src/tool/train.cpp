@@ -47,8 +47,8 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
 void printSummary(const Training& training, const std::string& path, std::uint64_t bytes,
                   std::ostream& out) {
   const Model& model = training.model;
-  out << "Learned " << model.places.size() << " places from " << training.images
-      << " images in " << std::fixed << std::setprecision(1) << training.seconds << " s:\n";
+  out << "Learned " << model.places.size() << " places from " << training.images << " images in "
+      << std::fixed << std::setprecision(1) << training.seconds << " s:\n";
   for (std::size_t i = 0; i < model.places.size(); ++i) {
     out << std::setw(8) << model.provenance.place_images[i] << "  " << model.places[i] << "\n";
   }

@@ -9,7 +9,7 @@ MODEL = ("--model", "./home.places")
 
 class BadInputTest(ToolCase):
     def assert_fails(self, words, *arguments):
-        line = self.fail(*arguments)
+        line = self.refuse(*arguments)
         for word in words:
             self.assertIn(word, line)
         self.assertRegex(line, r"[;,:].*\w", "says what to do")
@@ -79,7 +79,7 @@ class BadInputToModelTest(ToolCase):
         self.picture = self.write_picture("now.png", paint("kitchen", 1))
 
     def assert_fails(self, words, *arguments):
-        line = self.fail(*arguments)
+        line = self.refuse(*arguments)
         for word in words:
             self.assertIn(word, line)
 
@@ -99,7 +99,8 @@ class BadInputToModelTest(ToolCase):
         self.assert_fails(["a b"], "recognize", self.picture, "--model", "a b")
 
     def test_pictures_that_do_not_decode(self):
-        for content in (b"", b"no picture", self.picture.read_bytes()[:60]):
+        whole = self.picture.read_bytes()
+        for content in (b"", b"no picture", whole[:60], whole[:-9], whole[:200] + b"?" + whole[201:]):
             (self.folder / "bad.png").write_bytes(content)
             self.assert_fails(["bad.png"], "recognize", "bad.png", *MODEL)
             self.assert_fails(["bad.png"], "features", "bad.png")
@@ -134,7 +135,7 @@ class BadUsageTest(ToolCase):
                           ("simulate", "--out", "runs", "--conditions", "foggy"),
                           ("import", "data", "--out", "a.bag", "--layout", "heap"),
                           ("features", "a.png", "b.png")):
-            self.fail(*arguments, status=2)
+            self.refuse(*arguments, status=2)
 
     def test_no_verb(self):
         result = self.run_tool()

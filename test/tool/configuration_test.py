@@ -36,7 +36,7 @@ class ConfigurationTest(ToolCase):
 
     def test_mistakes_are_named_with_where_they_stand(self):
         (self.folder / "mine.yaml").write_text("svm: {cost: 5}\n")
-        line = self.fail("train", "nowhere", "--model", "m", "--config", "mine.yaml")
+        line = self.refuse("train", "nowhere", "--model", "m", "--config", "mine.yaml")
         for words in ("mine.yaml", "'cost'", "'svm'", "c, multiclass"):
             self.assertIn(words, line)
         for arguments, words in (
@@ -47,7 +47,7 @@ class ConfigurationTest(ToolCase):
                 (("--set", "svm.c=much"), "'svm.c'"),
                 (("--set", "svm.c=-1"), "svm.c"),
                 (("--set", "cues.sift.kernel.gamma=1"), "'sift'")):
-            self.assertIn(words, self.fail("train", "nowhere", "--model", "m", *arguments))
+            self.assertIn(words, self.refuse("train", "nowhere", "--model", "m", *arguments))
 
     def test_document_is_up_to_date(self):
         self.assertEqual((SOURCE / "doc/configuration.md").read_text(), self.succeed("document"),

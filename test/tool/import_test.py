@@ -49,7 +49,7 @@ class ImportTest(ToolCase):
         labels = self.import_pictures(names, "--layout", "indecs", "--condition", "sunny")
         self.assertEqual([label for _, label in labels], ["hall", "kitchen"])
         self.assertIn("--condition",
-                      self.fail("import", "data", "--out", "b.bag", "--layout", "indecs"))
+                      self.refuse("import", "data", "--out", "b.bag", "--layout", "indecs"))
 
     def test_idol_is_in_the_order_of_its_stamps(self):
         labels = self.import_pictures(
@@ -58,7 +58,7 @@ class ImportTest(ToolCase):
         self.assertEqual(labels, [(1125496218.25, "KT"), (1125496219.5, "CR")])
         self.write_picture("data/png/holiday.png", paint("office", 0))
         self.assertIn("holiday.png",
-                      self.fail("import", "data", "--out", "b.bag", "--layout", "idol"))
+                      self.refuse("import", "data", "--out", "b.bag", "--layout", "idol"))
 
     def test_cold_takes_labels_from_its_list(self):
         names = ["t1152886490.25_x0.205133_y0.000557_a0.002507.jpeg",
@@ -70,14 +70,14 @@ class ImportTest(ToolCase):
         self.assertEqual(labels, [(1152886490.25, "CR-A"), (1152886491.5, "PA-A")])
         places.write_text(f"{names[0]}\n")
         self.assertIn("places.lst line 1",
-                      self.fail("import", "data", "--out", "b.bag", "--layout", "cold"))
+                      self.refuse("import", "data", "--out", "b.bag", "--layout", "cold"))
 
     def test_pictures_that_cannot_be_used(self):
         self.write_picture("data/kitchen/1.png", paint("kitchen", 0))
         (self.folder / "data/kitchen/2.png").write_bytes(b"no picture")
-        self.assertIn("2.png", self.fail("import", "data", "--out", "run.bag"))
+        self.assertIn("2.png", self.refuse("import", "data", "--out", "run.bag"))
         self.assertIn("places.lst",
-                      self.fail("import", "data", "--out", "run.bag", "--layout", "cold"))
+                      self.refuse("import", "data", "--out", "run.bag", "--layout", "cold"))
 
 
 if __name__ == "__main__":

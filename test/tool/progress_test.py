@@ -25,9 +25,11 @@ class ProgressTest(ToolCase):
             self.assertTrue(0 <= line["fraction"] <= 1)
 
     def test_lines_on_stderr_where_there_is_no_terminal(self):
-        result = self.run_tool(*SIMULATE)
-        self.assertRegex(result.stderr, r"(?m)^rendering .*: \d+ %")
-        self.assertNotIn("\r", result.stderr)
+        tool = subprocess.Popen([PLACE_TOOL, "simulate", "--out", "runs"], cwd=self.folder,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.assertRegex(tool.stderr.readline(), r"^Rendering .*: \d+ %")
+        tool.terminate()
+        tool.communicate(timeout=60)
 
     def test_bar_on_a_terminal_is_gone_at_the_end(self):
         terminal, tool_side = pty.openpty()
@@ -62,7 +64,8 @@ class StopTest(ToolCase):
     def test_nothing_half_written_is_left(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             for form in ("bag", "images"):
-                errors = self.stop(number, "simulate", "--out", "runs", "--format", form)
+                errors = self.stop(number, "simulate", "--out", "runs", "--format", form,
+                                   "--size", "64x48")
                 self.assertEqual(errors, "place_tool simulate: stopped.\n")
                 self.assertEqual(self.files(), ["runs"])
 

@@ -60,10 +60,10 @@ class ToolCase(unittest.TestCase):
         """Runs the tool with --json -; returns the object, which is all that is on stdout."""
         return json.loads(self.succeed(*arguments, "--json", "-"))
 
-    def fail(self, *arguments, status=1):
+    def refuse(self, *arguments, status=1):
         """Runs the tool, which must fail and leave no file behind; returns its one line."""
         before = self.files()
-        result = self.run_tool(*arguments, "--progress", "none")
+        result = self.run_tool(*arguments)
         self.assertEqual(result.returncode, status, result.stderr)
         lines = result.stderr.splitlines()
         self.assertEqual(len(lines), 1, result.stderr)
@@ -72,7 +72,9 @@ class ToolCase(unittest.TestCase):
         return lines[0]
 
     def files(self):
-        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+        """All that lies in the scratch folder, but for what ROS keeps beside its logs."""
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*")
+                      if not path.match("ros_home") and not path.match("rospack_cache*"))
 
     def write_picture(self, path, image):
         target = self.folder / path
