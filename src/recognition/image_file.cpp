@@ -34,8 +34,8 @@ Size pngSize(const std::uint8_t* bytes, std::size_t size) {
   return {bigEndian(bytes + 16, 4), bigEndian(bytes + 20, 4)};
 }
 
-/// Whether every chunk up to the last one, IEND, is there and as its checksum says. Of others libpng
-/// would tell on stderr, past the caller.
+/// Whether every chunk up to the last one, IEND, is there and as its checksum says. Of others
+/// libpng would tell on stderr, past the caller.
 bool isWholePng(const std::uint8_t* bytes, std::size_t size) {
   for (std::size_t i = 8; i + 12 <= size;) {
     const std::uint64_t length = bigEndian(bytes + i, 4);
