@@ -11,7 +11,7 @@ file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
   actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure image_transport
-  message_generation nodelet pluginlib rosbag_storage roscpp roslib sensor_msgs std_msgs std_srvs)
+  message_generation nodelet pluginlib rosbag_storage roscpp sensor_msgs std_msgs std_srvs)
 
 add_message_files(FILES ModelInfo.msg PlaceRecognition.msg PlaceScore.msg)
 add_service_files(FILES LoadModel.srv Retrain.srv)
@@ -19,16 +19,21 @@ add_action_files(FILES Train.action)
 generate_messages(DEPENDENCIES actionlib_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/PlaceRecognizer.cfg)
 
+# Include paths are set target by target, not by include_directories().
+#catkin_lint: ignore unused_include_path
 catkin_package(
   INCLUDE_DIRS include
+  LIBRARIES place_recognition_base place_recognition_features place_recognition_learning
+    place_recognition_recognition
   CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure
-    image_transport message_runtime nodelet pluginlib rosbag_storage roscpp roslib sensor_msgs
-    std_msgs std_srvs)
+    image_transport message_runtime nodelet pluginlib rosbag_storage roscpp sensor_msgs
+    std_msgs std_srvs
+  DEPENDS EIGEN3 OpenCV)
 
 # What the targets of src/ros share; the library below it neither includes nor links ROS.
 add_library(place_recognition_catkin INTERFACE)
-target_include_directories(place_recognition_catkin SYSTEM INTERFACE
-  ${catkin_INCLUDE_DIRS} ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION})
+#catkin_lint: ignore_once external_interface_path
+target_include_directories(place_recognition_catkin SYSTEM INTERFACE ${catkin_INCLUDE_DIRS})
 target_link_libraries(place_recognition_catkin INTERFACE ${catkin_LIBRARIES})
 add_dependencies(place_recognition_catkin
   ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})

@@ -1,0 +1,12 @@
+# What `catkin_make install` and `cmake --install` copy beside the libraries of the layers.
+install(DIRECTORY include/${PROJECT_NAME}/
+  DESTINATION include/${PROJECT_NAME} FILES_MATCHING PATTERN "*.h")
+
+if(PLACE_RECOGNITION_ROS)
+  install(TARGETS bag_reader place_recognizer place_tool trainer
+    RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  catkin_install_python(PROGRAMS scripts/place_monitor.py
+    DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(DIRECTORY config launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+  install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+endif()

@@ -10,5 +10,8 @@ function(place_recognition_add_layer name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   target_link_libraries(${target} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATE})
-  set_property(GLOBAL APPEND PROPERTY PLACE_RECOGNITION_LIBRARIES ${target})
+  install(TARGETS ${target}
+    ARCHIVE DESTINATION lib
+    LIBRARY DESTINATION lib
+    RUNTIME DESTINATION bin)
 endfunction()

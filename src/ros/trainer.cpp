@@ -55,7 +55,7 @@ void logFeedback(const TrainFeedback& feedback) {
 
 Trainer::Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : node_(node),
-      bag_roots_(private_node.param("bag_roots", defaultBagRoots())),
+      bag_roots_(private_node.param("bag_roots", std::vector<std::string>())),
       action_server_(
           private_node, names::kTrain, [this](GoalHandle handle) { onGoal(handle); },
           [this](GoalHandle handle) { onCancel(handle); }, false) {
