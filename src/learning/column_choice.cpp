@@ -22,7 +22,7 @@ Eigen::Index firstLargest(const Eigen::Ref<const Eigen::VectorXd>& squared_norms
 }
 
 void reportChoice(const Progress& progress, Eigen::Index chosen, Eigen::Index max_count) {
-  report(progress, "reducing", static_cast<double>(chosen) / static_cast<double>(max_count));
+  report(progress, "Reducing", static_cast<double>(chosen) / static_cast<double>(max_count));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class RowProgress {
     const double fraction = static_cast<double>(++done_) / static_cast<double>(rows_);
     if (thread != 0 || fraction < reported_ + 0.01) return;
     reported_ = fraction;
-    report(progress_, "comparing features", fraction);
+    report(progress_, "Comparing images", fraction);
   }
 
  private:

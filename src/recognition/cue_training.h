@@ -2,9 +2,7 @@
 
 #include <vector>
 
-#include "learning/folds.h"
 #include "place_recognition/classifier.h"
-#include "place_recognition/progress.h"
 #include "place_recognition/training_options.h"
 #include "recognition/held_out.h"
 
@@ -17,10 +15,9 @@ struct TrainedCue {
   HeldOut held_out;       ///< margins of each sample by cross-validation
 };
 
-/// Learns one cue from the features of all samples, some of which may be missing (at least one is
-/// there). Deterministic, whatever the number of threads.
-TrainedCue trainCue(std::vector<Feature> features, const std::vector<SampleOrigin>& samples,
-                    std::size_t places, const std::vector<Fold>& folds, const CueOptions& cue,
-                    const TrainingOptions& options, unsigned threads, const Progress& progress);
+/// Learns one cue from the features of all samples of `task`, some of which may be missing (at
+/// least one is there). Deterministic, whatever the number of threads.
+TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
+                    const ReductionOptions& reduction, const TrainingTask& task);
 
 }  // namespace place_recognition

@@ -27,6 +27,12 @@ std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>
   return kept;
 }
 
+std::vector<int> rowsOf(const std::vector<int>& samples, const std::vector<int>& cue_rows) {
+  std::vector<int> indices;
+  for (const int sample : samples) indices.push_back(cue_rows[sample]);
+  return indices;
+}
+
 /// True places of the valid samples, and those of their largest margins.
 struct Answers {
   std::vector<int> truth, places;
@@ -45,50 +51,47 @@ Answers answersOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samp
 }  // namespace
 
 Machines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                      std::size_t places, const TrainingOptions& options, unsigned threads) {
-  Machines machines = trainMachines(gram, labels, places, options.svm, threads);
-  if (options.reduction.method == "none") return machines;
+                      const TrainingTask& task, const ReductionOptions& reduction) {
+  Machines machines = trainMachines(gram, labels, task.places, task.svm, task.threads);
+  if (reduction.method == "none") return machines;
 
   const std::vector<int> vectors = supportVectors(machines);
   Machines supported = machines;
   supported.weights = rows(machines.weights, vectors);
-  supported = reduce(supported, columns(gram, vectors), options.reduction);
+  supported = reduce(supported, columns(gram, vectors), reduction);
   for (std::size_t i = 0; i < vectors.size(); ++i) {
-    machines.weights.row(vectors[i]) = supported.weights.row(i);
+    machines.weights.row(vectors[i]) = supported.weights.row(static_cast<Eigen::Index>(i));
   }
   machines.biases = supported.biases;
   return machines;
 }
 
 HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& cue_rows,
-                       const std::vector<SampleOrigin>& samples, std::size_t places,
-                       const std::vector<Fold>& folds, const TrainingOptions& options,
-                       unsigned threads) {
+                       const TrainingTask& task, const ReductionOptions& reduction) {
   HeldOut held_out;
-  held_out.margins.setZero(static_cast<Eigen::Index>(samples.size()),
-                           static_cast<Eigen::Index>(places));
-  held_out.valid.assign(samples.size(), false);
-  for (const Fold& fold : folds) {
+  held_out.margins.setZero(static_cast<Eigen::Index>(task.samples.size()),
+                           static_cast<Eigen::Index>(task.places));
+  held_out.valid.assign(task.samples.size(), false);
+  for (const Fold& fold : task.folds) {
     const std::vector<int> train = withCue(fold.train, cue_rows);
     const std::vector<int> test = withCue(fold.test, cue_rows);
-    std::vector<int> train_rows, test_rows, labels;
-    std::vector<bool> trained(places, false);
-    for (const int sample : train) {
-      train_rows.push_back(cue_rows[sample]);
-      labels.push_back(samples[sample].place);
-      trained[samples[sample].place] = true;
-    }
-    for (const int sample : test) test_rows.push_back(cue_rows[sample]);
     if (train.empty() || test.empty()) continue;
+    std::vector<int> labels;
+    std::vector<bool> trained(task.places, false);
+    for (const int sample : train) {
+      labels.push_back(task.samples[sample].place);
+      trained[labels.back()] = true;
+    }
 
+    const std::vector<int> train_rows = rowsOf(train, cue_rows);
     const Eigen::MatrixXd train_columns = columns(gram, train_rows);
     const Machines machines =
-        trainReduced(rows(train_columns, train_rows), labels, places, options, threads);
+        trainReduced(rows(train_columns, train_rows), labels, task, reduction);
     const Eigen::MatrixXd margins =
-        placeMargins(machines, machines.margins(rows(train_columns, test_rows)));
+        placeMargins(machines, machines.margins(rows(train_columns, rowsOf(test, cue_rows))));
     for (std::size_t i = 0; i < test.size(); ++i) {
-      if (!trained[samples[test[i]].place]) continue;
-      held_out.margins.row(test[i]) = margins.row(i);
+      if (!trained[task.samples[test[i]].place]) continue;
+      held_out.margins.row(test[i]) = margins.row(static_cast<Eigen::Index>(i));
       held_out.valid[test[i]] = true;
     }
   }

@@ -5,9 +5,20 @@
 
 #include "learning/folds.h"
 #include "learning/machines.h"
-#include "place_recognition/training_options.h"
+#include "place_recognition/learning_options.h"
+#include "place_recognition/progress.h"
 
 namespace place_recognition {
+
+/// What the trainings of all cues have in common.
+struct TrainingTask {
+  const std::vector<SampleOrigin>& samples;
+  std::size_t places;
+  const std::vector<Fold>& folds;  ///< of the samples
+  const SvmOptions& svm;
+  unsigned threads;
+  const Progress& progress;
+};
 
 /// Margins of samples by machines that were trained without them and their neighbours in time.
 struct HeldOut {
@@ -15,19 +26,16 @@ struct HeldOut {
   std::vector<bool> valid;  ///< of each sample: whether it has margins
 };
 
-/// Machines on the Gram matrix of their training vectors, reduced as `options.reduction` says;
-/// weights over all those vectors.
+/// Machines on the Gram matrix of their training vectors, reduced; weights over all those vectors.
 Machines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                      std::size_t places, const TrainingOptions& options, unsigned threads);
+                      const TrainingTask& task, const ReductionOptions& reduction);
 
 /// Held-out margins of every sample of a cue by cross-validation. `gram` is the Gram matrix of the
 /// cue's features; `rows`: the row of each sample in it, -1 if the sample lacks the cue. A sample
 /// is not valid if it lacks the cue, is tested in no fold, or if its own place could not be trained
 /// on in that fold.
 HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& rows,
-                       const std::vector<SampleOrigin>& samples, std::size_t places,
-                       const std::vector<Fold>& folds, const TrainingOptions& options,
-                       unsigned threads);
+                       const TrainingTask& task, const ReductionOptions& reduction);
 
 /// Mean of the rooms' rates over the valid samples, by the largest margin.
 double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,

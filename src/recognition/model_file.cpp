@@ -20,11 +20,12 @@ constexpr std::size_t kMaxFileSize = std::numeric_limits<int>::max();  // protob
 fs::path backupPath(const std::string& path, int age) { return path + "." + std::to_string(age); }
 
 /// Makes the file at `path` also its newest backup, NAME.1, and the backups one older. Renames and
-/// a hard link only: whenever this is cut off, `path` itself has not been touched. What fails here
-/// is not worth losing a training for.
+/// a hard link only: whenever this is cut off, `path` itself has not been touched. Where it is its
+/// own newest backup already, because saving failed after this, there is nothing to do. What fails
+/// here is not worth losing a training for.
 void keepBackup(const std::string& path) {
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) return;
+  if (!fs::exists(path, ignored) || fs::equivalent(path, backupPath(path, 1), ignored)) return;
   for (int age = kBackups; age > 1; --age) {
     fs::rename(backupPath(path, age - 1), backupPath(path, age), ignored);
   }

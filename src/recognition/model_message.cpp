@@ -65,7 +65,7 @@ Classifier classifierFromMessage(const proto::Classifier& message, const CueOpti
       message.weights().data(), static_cast<Eigen::Index>(vectors), message.biases_size());
   machines.biases = rowVector(message.biases());
   return Classifier(cue.kernel, std::move(machines),
-                    fromMessage(message.support_vectors(), vectorKind(cue.feature)));
+                    fromMessage(message.support_vectors(), vectorForm(cue.feature)));
 }
 
 void readNames(const proto::Model& message, Model& model) {
@@ -126,7 +126,7 @@ proto::Model toMessage(const Model& model) {
   for (const std::string& place : model.places) message.add_places(place);
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     *message.add_classifiers() =
-        toMessage(model.classifiers[c], vectorKind(model.options.cues[c].feature));
+        toMessage(model.classifiers[c], vectorForm(model.options.cues[c].feature).kind);
     message.add_cue_weights(model.cue_weights[c]);
   }
   message.set_calibration_slope(model.calibration.slope);

@@ -49,14 +49,15 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
   const std::size_t places = samples.places.size();
   const std::vector<Fold> folds =
       timeBlockFolds(samples.origins, options.validation.folds, options.validation.gap);
+  const TrainingTask task{samples.origins, places, folds, options.svm, threads, progress};
 
   Training training;
   Model& model = training.model;
   model.options = options;
   std::vector<HeldOut> held_out;
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
-    TrainedCue cue = trainCue(std::move(samples.features[c]), samples.origins, places, folds,
-                              options.cues[c], options, threads, progress);
+    TrainedCue cue =
+        trainCue(std::move(samples.features[c]), options.cues[c], options.reduction, task);
     model.options.cues[c].kernel.gamma = cue.gamma;
     model.classifiers.push_back(std::move(cue.classifier));
     held_out.push_back(std::move(cue.held_out));

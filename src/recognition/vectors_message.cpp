@@ -12,8 +12,16 @@ namespace {
 using proto::Vectors;
 
 // One overload for each alternative of FeatureOptions.
-Vectors::Kind kindOf(const CrfhOptions&) { return Vectors::SPARSE; }
-Vectors::Kind kindOf(const LocalFeatureOptions&) { return Vectors::DESCRIPTORS; }
+VectorForm formOf(const CrfhOptions&) { return {Vectors::SPARSE}; }
+VectorForm formOf(const LocalFeatureOptions&) { return {Vectors::DESCRIPTORS}; }
+VectorForm formOf(const Mr8Options&) { return {Vectors::SPARSE}; }
+VectorForm formOf(const LbpOptions& options) {
+  std::size_t dimension = 0;
+  for (const LbpCircle& circle : options.circles) {
+    dimension += static_cast<std::size_t>(circle.points) + 2;
+  }
+  return {Vectors::DENSE, dimension};
+}
 
 /// Seven bits a byte, the lowest first; the top bit says that more follow.
 void appendVarint(std::string& bytes, std::uint64_t value) {
@@ -86,20 +94,24 @@ SparseVector sparseVector(const float* values, std::uint32_t size, VarintReader&
 }
 
 /// That the sizes of the parts add up to what is there, before anything is allocated for them.
-void requireSizesFit(const Vectors& message) {
+void requireSizesFit(const Vectors& message, const VectorForm& form) {
   std::uint64_t total = 0;
-  for (const std::uint32_t size : message.sizes()) total += size;
-  const bool local = message.kind() == Vectors::DESCRIPTORS;
+  for (const std::uint32_t size : message.sizes()) {
+    if (size == 0) throw Error("a support vector is empty");
+    if (form.kind == Vectors::DENSE && size != form.dimension) {
+      throw Error("a support vector has not the dimension of the extractor's");
+    }
+    total += size;
+  }
+  const bool local = form.kind == Vectors::DESCRIPTORS;
   const std::uint64_t descriptor_bytes = local ? total * DescriptorSet::kDimension : 0;
   if (static_cast<std::uint64_t>(message.values_size()) != (local ? 0 : total) ||
       message.descriptors().size() != descriptor_bytes) {
     throw Error("the sizes of the support vectors do not add up");
   }
-  if (message.kind() == Vectors::DENSE) {
-    for (const std::uint32_t size : message.sizes()) {
-      if (size != message.sizes(0)) throw Error("the support vectors differ in dimension");
-    }
-  }
+}
+
+void requireFinite(const Vectors& message) {
   for (const float value : message.values()) {
     if (!std::isfinite(value)) throw Error("a support vector holds a number that is not finite");
   }
@@ -107,8 +119,8 @@ void requireSizesFit(const Vectors& message) {
 
 }  // namespace
 
-proto::Vectors::Kind vectorKind(const FeatureOptions& options) {
-  return std::visit([](const auto& feature) { return kindOf(feature); }, options);
+VectorForm vectorForm(const FeatureOptions& options) {
+  return std::visit([](const auto& feature) { return formOf(feature); }, options);
 }
 
 proto::Vectors toMessage(const std::vector<Feature>& features, proto::Vectors::Kind kind) {
@@ -120,9 +132,12 @@ proto::Vectors toMessage(const std::vector<Feature>& features, proto::Vectors::K
   return message;
 }
 
-std::vector<Feature> fromMessage(const proto::Vectors& message, proto::Vectors::Kind kind) {
-  if (message.kind() != kind) throw Error("the support vectors are not what the extractor gives");
-  requireSizesFit(message);
+std::vector<Feature> fromMessage(const proto::Vectors& message, const VectorForm& form) {
+  if (message.kind() != form.kind) {
+    throw Error("the support vectors are not what the extractor gives");
+  }
+  requireSizesFit(message, form);
+  requireFinite(message);
 
   std::vector<Feature> features;
   features.reserve(static_cast<std::size_t>(message.sizes_size()));
@@ -130,10 +145,10 @@ std::vector<Feature> fromMessage(const proto::Vectors& message, proto::Vectors::
   const float* values = message.values().data();
   const char* descriptors = message.descriptors().data();
   for (const std::uint32_t size : message.sizes()) {
-    if (kind == Vectors::SPARSE) {
+    if (form.kind == Vectors::SPARSE) {
       features.emplace_back(sparseVector(values, size, steps));
       values += size;
-    } else if (kind == Vectors::DENSE) {
+    } else if (form.kind == Vectors::DENSE) {
       features.emplace_back(DenseVector{{values, values + size}});
       values += size;
     } else {

@@ -9,14 +9,18 @@
 
 namespace place_recognition {
 
-/// The kind of vectors that an extractor of these options gives.
-proto::Vectors::Kind vectorKind(const FeatureOptions& options);
+/// What the vectors of an extractor look like.
+struct VectorForm {
+  proto::Vectors::Kind kind = proto::Vectors::SPARSE;
+  std::size_t dimension = 0;  ///< of dense vectors
+};
+VectorForm vectorForm(const FeatureOptions& options);
 
 /// The support vectors of one classifier as a message; all of the given kind.
 proto::Vectors toMessage(const std::vector<Feature>& features, proto::Vectors::Kind kind);
 
-/// The support vectors in `message`. Throws Error, a sentence without a source, if its sizes,
-/// indices or values are not those of vectors of the given kind.
-std::vector<Feature> fromMessage(const proto::Vectors& message, proto::Vectors::Kind kind);
+/// The support vectors in `message`. Throws Error, a phrase without a source, if its sizes, indices
+/// or values are not those of vectors of the given form.
+std::vector<Feature> fromMessage(const proto::Vectors& message, const VectorForm& form);
 
 }  // namespace place_recognition
