@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/huge_pages.h"
+
 namespace place_recognition {
 
 /// Where the values of each bin of a support set stand: an open-addressing hash table of 16-byte
@@ -14,6 +16,8 @@ class BinTable {
     std::uint32_t begin = 0;
     std::uint32_t count = 0;  ///< 0: the slot is empty
   };
+
+  using Slots = std::vector<Slot, HugePages<Slot>>;
 
   BinTable() : slots_(1u << kFirstBits), shift_(64 - kFirstBits) {}
 
@@ -36,7 +40,7 @@ class BinTable {
   /// Asks the memory for what find(bin) will read.
   void prefetch(std::uint64_t bin) const { __builtin_prefetch(&slots_[home(bin)]); }
 
-  std::vector<Slot>& slots() { return slots_; }
+  Slots& slots() { return slots_; }
 
  private:
   static constexpr unsigned kFirstBits = 10;
@@ -51,7 +55,7 @@ class BinTable {
   }
 
   void grow() {
-    std::vector<Slot> old(2 * slots_.size());
+    Slots old(2 * slots_.size());
     old.swap(slots_);
     --shift_;
     for (const Slot& slot : old) {
@@ -59,7 +63,7 @@ class BinTable {
     }
   }
 
-  std::vector<Slot> slots_;
+  Slots slots_;
   std::size_t used_ = 0;
   unsigned shift_;
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/huge_pages.h"
 #include "learning/bin_table.h"
 #include "learning/kernel_type.h"
 #include "learning/support_index.h"
@@ -41,9 +42,9 @@ class VectorIndex : public SupportIndex {
   std::size_t dimension_ = 0;   ///< of dense vectors
   std::vector<double> totals_;  ///< one a vector
   BinTable table_;
-  std::vector<float> values_;
-  std::vector<std::uint32_t> vectors_;
-  std::vector<float> rows_;  ///< as many elements a row as vectors
+  std::vector<float, HugePages<float>> values_;
+  std::vector<std::uint32_t, HugePages<std::uint32_t>> vectors_;
+  std::vector<float, HugePages<float>> rows_;  ///< as many elements a row as vectors
 };
 
 }  // namespace place_recognition
