@@ -121,10 +121,8 @@ class OpenCvCrfh {
 
  private:
   const cv::Mat& plane(const cv::Mat& image, char channel) {
-    static const std::map<char, cv::Matx13f> kMixtures = {{'L', {1 / 3.f, 1 / 3.f, 1 / 3.f}},
-                                                          {'R', {0, 0, 1}},
-                                                          {'G', {0, 1, 0}},
-                                                          {'B', {1, 0, 0}}};
+    static const std::map<char, cv::Matx13f> kMixtures = {
+        {'L', {1 / 3.f, 1 / 3.f, 1 / 3.f}}, {'R', {0, 0, 1}}, {'G', {0, 1, 0}}, {'B', {1, 0, 0}}};
     cv::Mat& plane = planes_[channel];
     if (plane.empty()) {
       image.convertTo(pixels_, CV_32F);

@@ -4,8 +4,7 @@
 
 // Compiled with -ffp-contract=fast, unlike the package, so that products and sums are fused.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
-#define WITH_FUSED_MULTIPLY_ADD \
-  __attribute__((target_clones("avx512f", "fma", "default")))
+#define WITH_FUSED_MULTIPLY_ADD __attribute__((target_clones("avx512f", "fma", "default")))
 #else
 #define WITH_FUSED_MULTIPLY_ADD
 #endif

@@ -7,8 +7,7 @@
 /// are never reordered. Sanitizers start too late for the run-time choice, so they go without.
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PLACE_RECOGNITION_TARGET_CLONES \
-  __attribute__((target_clones("avx512f", "avx2", "default")))
+#define PLACE_RECOGNITION_TARGET_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define PLACE_RECOGNITION_TARGET_CLONES
 #endif

@@ -86,15 +86,14 @@ void BinCounter::grow() {
 }
 
 void BinCounter::histogram(double total, SparseVector& result) {
-  entries_.erase(entries_.begin());
-  radixSort(entries_, sorted_);
-  result.indices.resize(entries_.size());
-  result.values.resize(entries_.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    result.indices[i] = entries_[i].bin;
-    result.values[i] = static_cast<float>(static_cast<double>(entries_[i].count) / total);
+  sorted_.assign(entries_.begin() + 1, entries_.end());
+  radixSort(sorted_, scratch_);
+  result.indices.resize(sorted_.size());
+  result.values.resize(sorted_.size());
+  for (std::size_t i = 0; i < sorted_.size(); ++i) {
+    result.indices[i] = sorted_[i].bin;
+    result.values[i] = static_cast<float>(static_cast<double>(sorted_[i].count) / total);
   }
-  clear();
 }
 
 }  // namespace place_recognition

@@ -35,7 +35,7 @@ class BinCounter {
   std::vector<std::uint32_t> table_;  ///< By hash: which entry, 0 if none. Open addressing.
   int shift_;                         ///< 64 - log2 of the size of the table.
   std::vector<std::uint64_t> missed_;
-  std::vector<Entry> sorted_;
+  std::vector<Entry> sorted_, scratch_;
 };
 
 }  // namespace place_recognition

@@ -14,12 +14,18 @@ struct Mixture {
 
 Mixture mixture(Channel channel) {
   switch (channel) {
-    case Channel::kL: return {1, 1, 1, 383};
-    case Channel::kR: return {0, 0, 1, 128};
-    case Channel::kG: return {0, 1, 0, 128};
-    case Channel::kB: return {1, 0, 0, 128};
-    case Channel::kC1: return {0, -1, 1, 0};
-    case Channel::kC2: return {-2, 1, 1, 0};
+    case Channel::kL:
+      return {1, 1, 1, 383};
+    case Channel::kR:
+      return {0, 0, 1, 128};
+    case Channel::kG:
+      return {0, 1, 0, 128};
+    case Channel::kB:
+      return {1, 0, 0, 128};
+    case Channel::kC1:
+      return {0, -1, 1, 0};
+    case Channel::kC2:
+      return {-2, 1, 1, 0};
   }
   return {};
 }
@@ -51,10 +57,13 @@ void extractChannelRow(const cv::Mat& image, Channel channel, int y, float* row)
 ChannelScale channelScale(Channel channel) {
   const double middle = mixture(channel).middle;
   switch (channel) {
-    case Channel::kL: return {1.0 / 3, middle};
+    case Channel::kL:
+      return {1.0 / 3, middle};
     case Channel::kC1:
-    case Channel::kC2: return {0.5, middle};
-    default: return {1, middle};
+    case Channel::kC2:
+      return {0.5, middle};
+    default:
+      return {1, middle};
   }
 }
 

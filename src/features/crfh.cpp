@@ -45,10 +45,9 @@ CrfhExtractor::CrfhExtractor(const CrfhOptions& options) {
       }
       const std::size_t filter = filterOf(descriptor.channel, t, options);
       filters_[filter].responses.request(descriptor.op);
-      dimensions_.push_back(
-          {filter, descriptor.op, words_.size() - 1, first_in_word,
-           makeQuantizer(descriptor, t, options.derivative_range, static_cast<int>(bins),
-                         bins_in_word)});
+      dimensions_.push_back({filter, descriptor.op, words_.size() - 1, first_in_word,
+                             makeQuantizer(descriptor, t, options.derivative_range,
+                                           static_cast<int>(bins), bins_in_word)});
       bins_in_word *= bins;
       bins_so_far *= bins;
     }
@@ -87,9 +86,6 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
     return;
   }
   for (Plane& plane : planes_) plane.pixels.create(image.size());
-  for (Filter& filter : filters_) {
-    filter.responses.start(planes_[filter.plane].pixels, border_, columns);
-  }
   for (Word& word : words_) word.row.resize(columns);
   bins_.resize(columns);
 
@@ -110,7 +106,9 @@ void CrfhExtractor::extractRow(const cv::Mat& image, int y) {
 }
 
 void CrfhExtractor::countRow(int y, int columns) {
-  for (Filter& filter : filters_) filter.responses.computeRow(y);
+  for (Filter& filter : filters_) {
+    filter.responses.computeRow(planes_[filter.plane].pixels, y, border_, columns);
+  }
   for (const Dimension& dimension : dimensions_) {
     quantize(filters_[dimension.filter].responses.row(dimension.op), dimension.quantizer,
              !dimension.first_in_word, columns, words_[dimension.word].row.data());

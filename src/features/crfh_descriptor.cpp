@@ -16,9 +16,8 @@ const std::map<std::string_view, Channel> kChannelNames = {
 const std::map<std::string_view, Operator> kSuffixes = {
     {"", Operator::kValue}, {"x", Operator::kX},   {"y", Operator::kY},
     {"xx", Operator::kXX},  {"xy", Operator::kXY}, {"yy", Operator::kYY}};
-const std::map<std::string_view, Operator> kFunctions = {{"grad", Operator::kGradient},
-                                                         {"lap", Operator::kLaplacian},
-                                                         {"det", Operator::kDeterminant}};
+const std::map<std::string_view, Operator> kFunctions = {
+    {"grad", Operator::kGradient}, {"lap", Operator::kLaplacian}, {"det", Operator::kDeterminant}};
 
 /// Splits "Lxx" and "det(L)" into the names of channel and operator.
 struct Parts {
@@ -59,12 +58,16 @@ ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_
 
 double scaleNormalization(Operator op, double t) {
   switch (op) {
-    case Operator::kValue: return 1;
+    case Operator::kValue:
+      return 1;
     case Operator::kX:
     case Operator::kY:
-    case Operator::kGradient: return std::sqrt(t);
-    case Operator::kDeterminant: return t * t;
-    default: return t;
+    case Operator::kGradient:
+      return std::sqrt(t);
+    case Operator::kDeterminant:
+      return t * t;
+    default:
+      return t;
   }
 }
 

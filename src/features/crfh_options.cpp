@@ -24,8 +24,9 @@ void checkIndexFits(const CrfhOptions& options) {
       room /= options.bins[options.bins.size() > 1 ? i : 0];
     }
   }
-  require(room > 0, "The product of the CRFH 'bins' over all descriptors and scales exceeds 64 "
-                    "bits; use fewer bins, descriptors or scales.");
+  require(room > 0,
+          "The product of the CRFH 'bins' over all descriptors and scales exceeds 64 "
+          "bits; use fewer bins, descriptors or scales.");
 }
 
 }  // namespace
@@ -42,24 +43,26 @@ void CrfhOptions::check() const {
   for (const std::string& name : descriptors) parseDescriptor(name);
 
   require(!variances().empty(), "CRFH options 'scales' and 'sigmas' are empty; give a scale.");
-  for (double t : variances()) {
-    require(t > 0 && t <= kLargestScale,
-            "A CRFH scale is out of range; 'scales' are t = sigma^2 > 0 and <= 400, 'sigmas' > 0 "
-            "and <= 20.");
+  for (double sigma : sigmas) {
+    require(sigma > 0 && sigma * sigma <= kLargestScale,
+            "CRFH option 'sigmas' must be > 0 and <= 20.");
+  }
+  for (double t : scales) {
+    require(t > 0 && t <= kLargestScale, "CRFH option 'scales' must be > 0 and <= 400.");
   }
   require(bins.size() == 1 || bins.size() == descriptors.size(),
           "CRFH option 'bins' has " + std::to_string(bins.size()) + " numbers for " +
               std::to_string(descriptors.size()) +
               " descriptors; give one for all or one for each.");
   for (int n : bins) {
-    require(n >= 1 && n <= kMostBins, "CRFH option 'bins' is " + std::to_string(n) +
-                                          "; give numbers from 1 to 65536.");
+    require(n >= 1 && n <= kMostBins,
+            "CRFH option 'bins' is " + std::to_string(n) + "; give numbers from 1 to 65536.");
   }
   checkIndexFits(*this);
 
-  require(derivatives == "central-difference" || derivatives == "gaussian",
-          "CRFH option 'derivatives' is '" + derivatives +
-              "'; give central-difference or gaussian.");
+  require(
+      derivatives == "central-difference" || derivatives == "gaussian",
+      "CRFH option 'derivatives' is '" + derivatives + "'; give central-difference or gaussian.");
   require(derivative_range > 0 && std::isfinite(derivative_range),
           "CRFH option 'derivative_range' must be positive.");
   require(half_width > 0 && half_width <= 10, "CRFH option 'half_width' must be > 0 and <= 10.");

@@ -3,36 +3,65 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 
 namespace place_recognition {
+namespace {
+
+/// Samples at 0..half_width, of sum 1 with their mirror image.
+std::vector<double> sampleGaussian(double t, int half_width) {
+  std::vector<double> samples;
+  double sum = 0;
+  for (int x = 0; x <= half_width; ++x) {
+    samples.push_back(std::exp(-x * x / (2 * t)));
+    sum += (x == 0 ? 1 : 2) * samples.back();
+  }
+  for (double& sample : samples) sample /= sum;
+  return samples;
+}
+
+/// [-1/2 0 1/2] or [1 -2 1] of a symmetric kernel.
+std::vector<double> differentiate(const std::vector<double>& g, int order) {
+  const int size = static_cast<int>(g.size());
+  const auto at = [&](int x) { return std::abs(x) < size ? g[std::abs(x)] : 0; };
+  std::vector<double> taps;
+  for (int x = 0; x <= size; ++x) {
+    taps.push_back(order == 1 ? (at(x - 1) - at(x + 1)) / 2 : at(x - 1) - 2 * at(x) + at(x + 1));
+  }
+  return taps;
+}
+
+/// Derivatives of the Gaussian g at the same samples, x g / t and (x^2 - t) g / t^2, with t and
+/// 2 t^2 replaced by what the moments of the samples make of them.
+std::vector<double> weight(const std::vector<double>& g, int order) {
+  double variance = 0, moment4 = 0;
+  for (std::size_t x = 1; x < g.size(); ++x) {
+    variance += 2 * g[x] * std::pow(x, 2);
+    moment4 += 2 * g[x] * std::pow(x, 4);
+  }
+  std::vector<double> taps;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    const double x = static_cast<double>(i);
+    taps.push_back(order == 1 ? x * g[i] / variance
+                              : 2 * (x * x - variance) * g[i] / (moment4 - variance * variance));
+  }
+  return taps;
+}
+
+}  // namespace
 
 int gaussianHalfWidth(double t, double sigmas) {
   return std::max(1, static_cast<int>(std::ceil(sigmas * std::sqrt(t))));
 }
 
-HalfKernel gaussianKernel(double t, int half_width, int order) {
+HalfKernel gaussianKernel(double t, int half_width, int order, DerivativeMethod method) {
   assert(t > 0 && half_width >= 1 && order >= 0 && order <= 2);
-  // Moments of the truncated samples; on paper they are 1, t and 3 t^2.
-  double moment0 = 0, moment2 = 0, moment4 = 0;
-  const auto gaussian = [t](double x) { return std::exp(-x * x / (2 * t)); };
-  for (int x = -half_width; x <= half_width; ++x) {
-    const double g = gaussian(x), x2 = x * x;
-    moment0 += g;
-    moment2 += g * x2;
-    moment4 += g * x2 * x2;
+  std::vector<double> taps = sampleGaussian(t, half_width);
+  if (order > 0) {
+    taps = method == DerivativeMethod::kCentralDifference ? differentiate(taps, order)
+                                                          : weight(taps, order);
   }
-  const double variance = moment2 / moment0;
-
-  HalfKernel kernel;
-  kernel.order = order;
-  for (int x = 0; x <= half_width; ++x) {
-    const double g = gaussian(x);
-    double tap = g / moment0;
-    if (order == 1) tap = x * g / moment2;
-    if (order == 2) tap = 2 * (x * x - variance) * g / (moment4 - variance * moment2);
-    kernel.taps.push_back(static_cast<float>(tap));
-  }
-  return kernel;
+  return {order, {taps.begin(), taps.end()}};
 }
 
 }  // namespace place_recognition

@@ -4,10 +4,17 @@
 
 namespace place_recognition {
 
-/// Half of a one-dimensional kernel that is its own mirror image but for the sign: taps[0] is its
-/// centre and taps[r] its value at +r (at -r too, or the negative of it at -r if `order` is 1).
+/// How derivatives are taken of a sampled image.
+enum class DerivativeMethod {
+  kCentralDifference,  ///< Smooth, then correlate with [-1/2 0 1/2] or [1 -2 1].
+  kGaussian,           ///< Correlate with a sampled derivative of the Gaussian, eq. 4.10.
+};
+
+/// Half of a one-dimensional kernel for correlation that is its own mirror image but for the sign:
+/// taps[0] is its centre, taps[r] its value at +r; at -r it is the same, or the negative if `order`
+/// is 1. The sum of a kernel of order 2 is zero, whatever rounding makes of its centre.
 struct HalfKernel {
-  int order = 0;  ///< Order of the derivative that it takes: 0, 1 or 2.
+  int order = 0;  ///< Of the derivative that it takes: 0, 1 or 2.
   std::vector<float> taps;
 
   int halfWidth() const { return static_cast<int>(taps.size()) - 1; }
@@ -17,9 +24,11 @@ struct HalfKernel {
 /// rounded up, and at least 1.
 int gaussianHalfWidth(double t, double sigmas);
 
-/// The sampled Gaussian of variance t (thesis eq. 4.3 in one dimension), normalised to sum 1, or
-/// its derivative of order 1 or 2 (eq. 4.10), normalised so that it is exact for parabolas:
-/// order 1 gives 1 on x, order 2 gives 0 on constants and 2 on x^2.
-HalfKernel gaussianKernel(double t, int half_width, int order = 0);
+/// The kernel that smooths with the Gaussian of variance t (thesis eq. 4.3 in one dimension,
+/// sampled -half_width..half_width, sum 1) and takes the derivative of the given order, 0, 1 or 2.
+/// Exact for parabolas with both methods: order 1 gives 1 on x; order 2 gives 2 on x^2. Central
+/// differences make it wider by 1.
+HalfKernel gaussianKernel(double t, int half_width, int order = 0,
+                          DerivativeMethod method = DerivativeMethod::kGaussian);
 
 }  // namespace place_recognition

@@ -1,16 +1,17 @@
 #include "features/response_filter.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "features/row_kernels.h"
 
 namespace place_recognition {
 
-ResponseFilter::ResponseFilter(double t, double half_width_sigmas, DerivativeMethod method)
-    : method_(method) {
+ResponseFilter::ResponseFilter(double t, double half_width_sigmas, DerivativeMethod method) {
   const int half_width = gaussianHalfWidth(t, half_width_sigmas);
-  for (int order = 0; order < 3; ++order) kernels_[order] = gaussianKernel(t, half_width, order);
+  margin_ = half_width + 1;  // What central differences need: both methods see the same pixels.
+  for (int order = 0; order < 3; ++order) {
+    kernels_[order] = gaussianKernel(t, half_width, order, method);
+  }
 }
 
 void ResponseFilter::request(Operator op) {
@@ -23,87 +24,45 @@ void ResponseFilter::request(Operator op) {
   }
 }
 
-void ResponseFilter::start(const cv::Mat_<float>& plane, int left, int columns) {
-  assert(left >= margin() && left + columns <= plane.cols - margin());
-  plane_ = &plane;
-  left_ = left;
-  columns_ = columns;
-  next_smooth_ = 0;
-  column_sums_.resize(columns + 2 * margin());
-  for (auto& row : smooth_) row.resize(columns + 2);
-  for (auto& buffer : buffers_) buffer.resize(columns);
-}
-
-void ResponseFilter::computeRow(int y) {
-  assert(y >= margin() && y < plane_->rows - margin());
-  if (method_ == DerivativeMethod::kCentralDifference) {
-    differentiate(y);
-  } else {
-    correlateDerivatives(y);
+void ResponseFilter::computeRow(const cv::Mat_<float>& plane, int y, int left, int columns) {
+  assert(y >= margin_ && y < plane.rows - margin_);
+  assert(left >= margin_ && left + columns <= plane.cols - margin_);
+  column_sums_.resize(columns + 2 * margin_);
+  for (int op = 0; op < kOperators; ++op) {
+    if (requested_[op]) rows_[op].resize(columns);
   }
-  combine();
+  computeDerivatives(plane, y, left, columns);
+  combineDerivatives(columns);
 }
 
-float* ResponseFilter::buffer(Operator op) {
-  float* buffer = buffers_[index(op)].data();
-  rows_[index(op)] = buffer;
-  return buffer;
-}
-
-void ResponseFilter::smooth(int y) {
-  // Columns left - 1 to left + columns are wanted, and half the kernel more to get them.
-  const int half = kernels_[0].halfWidth();
-  correlate((*plane_)[y] + left_ - 1 - half, plane_->step1(), kernels_[0],
-            columns_ + 2 + 2 * half, column_sums_.data());
-  correlate(column_sums_.data() + half, 1, kernels_[0], columns_ + 2, smooth_[y % 3].data());
-}
-
-void ResponseFilter::differentiate(int y) {
-  for (int row = std::max(y - 1, next_smooth_); row <= y + 1; ++row) smooth(row);
-  next_smooth_ = y + 2;
-
-  const float* above = smooth_[(y - 1) % 3].data() + 1;
-  const float* here = smooth_[y % 3].data() + 1;
-  const float* below = smooth_[(y + 1) % 3].data() + 1;
-  const int n = columns_;
-  rows_[index(Operator::kValue)] = here;
-  if (requested(Operator::kX)) differenceX(here, n, buffer(Operator::kX));
-  if (requested(Operator::kY)) differenceY(above, below, n, buffer(Operator::kY));
-  if (requested(Operator::kXX)) differenceXX(here, n, buffer(Operator::kXX));
-  if (requested(Operator::kXY)) differenceXY(above, below, n, buffer(Operator::kXY));
-  if (requested(Operator::kYY)) differenceYY(above, here, below, n, buffer(Operator::kYY));
-}
-
-void ResponseFilter::correlateDerivatives(int y) {
+void ResponseFilter::computeDerivatives(const cv::Mat_<float>& plane, int y, int left,
+                                        int columns) {
   static constexpr struct {
     Operator op;
     int x_order, y_order;
   } kDerivatives[] = {{Operator::kValue, 0, 0}, {Operator::kX, 1, 0},  {Operator::kXX, 2, 0},
                       {Operator::kY, 0, 1},     {Operator::kXY, 1, 1}, {Operator::kYY, 0, 2}};
-  const int half = kernels_[0].halfWidth();
-  int filtered_order = -1;  // The y order that column_sums_ holds.
+  int order = -1;  // The y order that column_sums_ holds.
   for (const auto& [op, x_order, y_order] : kDerivatives) {
     if (!requested(op)) continue;
-    if (y_order != filtered_order) {
-      correlate((*plane_)[y] + left_ - half, plane_->step1(), kernels_[y_order],
-                columns_ + 2 * half, column_sums_.data());
-      filtered_order = y_order;
+    if (y_order != order) {
+      correlate(plane[y] + left - margin_, plane.step1(), kernels_[y_order], columns + 2 * margin_,
+                column_sums_.data());
+      order = y_order;
     }
-    correlate(column_sums_.data() + half, 1, kernels_[x_order], columns_, buffer(op));
+    correlate(column_sums_.data() + margin_, 1, kernels_[x_order], columns, buffer(op));
   }
 }
 
-void ResponseFilter::combine() {
-  const int n = columns_;
+void ResponseFilter::combineDerivatives(int columns) {
+  const float *x = row(Operator::kX), *y = row(Operator::kY);
+  const float *xx = row(Operator::kXX), *xy = row(Operator::kXY), *yy = row(Operator::kYY);
   if (requested(Operator::kGradient)) {
-    gradientMagnitude(row(Operator::kX), row(Operator::kY), n, buffer(Operator::kGradient));
+    gradientMagnitude(x, y, columns, buffer(Operator::kGradient));
   }
-  if (requested(Operator::kLaplacian)) {
-    laplacian(row(Operator::kXX), row(Operator::kYY), n, buffer(Operator::kLaplacian));
-  }
+  if (requested(Operator::kLaplacian)) laplacian(xx, yy, columns, buffer(Operator::kLaplacian));
   if (requested(Operator::kDeterminant)) {
-    hessianDeterminant(row(Operator::kXX), row(Operator::kXY), row(Operator::kYY), n,
-                       buffer(Operator::kDeterminant));
+    hessianDeterminant(xx, xy, yy, columns, buffer(Operator::kDeterminant));
   }
 }
 

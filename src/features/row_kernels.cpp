@@ -10,7 +10,7 @@ namespace {
 
 /// The two mirrored samples that one tap of a kernel meets.
 template <int kOrder>
-PLACE_RECOGNITION_INLINE float pair(float before, float here, float after) {
+PLACE_RECOGNITION_INLINE float mirrored(float before, float here, float after) {
   if constexpr (kOrder == 0) return before + after;
   if constexpr (kOrder == 1) return after - before;
   if constexpr (kOrder == 2) return (before + after) - 2 * here;
@@ -28,7 +28,7 @@ PLACE_RECOGNITION_INLINE void addTaps(const float* in, std::ptrdiff_t stride, co
   PLACE_RECOGNITION_INDEPENDENT
   for (int x = 0; x < n; ++x) {
     float sum = !kFirst ? out[x] : kOrder == 0 ? centre * in[x] : 0.0f;
-    ((sum += weight[I] * pair<kOrder>(before[I][x], in[x], after[I][x])), ...);
+    ((sum += weight[I] * mirrored<kOrder>(before[I][x], in[x], after[I][x])), ...);
     out[x] = sum;
   }
 }
@@ -78,39 +78,10 @@ void correlate2(const float* in, std::ptrdiff_t stride, const float* taps, int h
 
 void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n,
                float* out) {
-  const auto function =
-      kernel.order == 0 ? correlate0 : kernel.order == 1 ? correlate1 : correlate2;
+  const auto function = kernel.order == 0   ? correlate0
+                        : kernel.order == 1 ? correlate1
+                                            : correlate2;
   function(in, stride, kernel.taps.data(), kernel.halfWidth(), n, out);
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void differenceX(const float* __restrict row, int n, float* __restrict out) {
-  for (int x = 0; x < n; ++x) out[x] = 0.5f * (row[x + 1] - row[x - 1]);
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void differenceY(const float* __restrict above, const float* __restrict below, int n,
-                 float* __restrict out) {
-  for (int x = 0; x < n; ++x) out[x] = 0.5f * (below[x] - above[x]);
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void differenceXX(const float* __restrict row, int n, float* __restrict out) {
-  for (int x = 0; x < n; ++x) out[x] = (row[x - 1] + row[x + 1]) - 2 * row[x];
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void differenceXY(const float* __restrict above, const float* __restrict below, int n,
-                  float* __restrict out) {
-  for (int x = 0; x < n; ++x) {
-    out[x] = 0.25f * ((below[x + 1] - below[x - 1]) - (above[x + 1] - above[x - 1]));
-  }
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void differenceYY(const float* __restrict above, const float* __restrict row,
-                  const float* __restrict below, int n, float* __restrict out) {
-  for (int x = 0; x < n; ++x) out[x] = (above[x] + below[x]) - 2 * row[x];
 }
 
 PLACE_RECOGNITION_TARGET_CLONES
@@ -139,7 +110,8 @@ void quantize(const float* __restrict response, const Quantizer& quantizer, bool
     float level = std::floor(gain * response[x] + offset);
     level = level > lowest ? level : lowest;
     level = level < highest ? level : highest;
-    const std::uint32_t digit = weight * static_cast<std::uint32_t>(static_cast<int>(level - lowest));
+    const std::uint32_t digit =
+        weight * static_cast<std::uint32_t>(static_cast<int>(level - lowest));
     index[x] = add ? index[x] + digit : digit;
   }
 }

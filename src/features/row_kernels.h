@@ -14,14 +14,6 @@ namespace place_recognition {
 /// Kernels of order 1 and 2 give exactly zero where the picture is constant.
 void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n, float* out);
 
-/// Central differences of first order, ([-1/2 0 1/2], 1 apart) and second, ([1 -2 1]), in the
-/// direction of `stride`. Exactly zero where the picture is constant.
-void differenceX(const float* row, int n, float* out);
-void differenceY(const float* above, const float* below, int n, float* out);
-void differenceXX(const float* row, int n, float* out);
-void differenceXY(const float* above, const float* below, int n, float* out);
-void differenceYY(const float* above, const float* row, const float* below, int n, float* out);
-
 /// sqrt(x^2 + y^2), thesis eq. 4.17.
 void gradientMagnitude(const float* x, const float* y, int n, float* out);
 /// xx + yy, eq. 4.22.
