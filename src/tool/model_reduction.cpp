@@ -71,7 +71,6 @@ ReducedMachines ModelReduction::reduce(const ReductionOptions& options,
     }
     sum += change.sum();
     count += static_cast<double>(change.size());
-    reduced.support_vectors += supportVectors(after).size();
     reduced.machines.push_back(after);
   }
   reduced.mean_margin_change = count > 0 ? sum / count : 0;

@@ -13,8 +13,7 @@ namespace place_recognition::tool {
 /// The machines of a model after reduction, one set a cue, over the vectors they had before.
 struct ReducedMachines {
   std::vector<Machines> machines;
-  std::size_t support_vectors = 0;  ///< over all cues
-  double max_margin_change = 0;     ///< over all machines and all rows of the kernel matrix
+  double max_margin_change = 0;  ///< over all machines and all rows of the kernel matrix
   double mean_margin_change = 0;
 };
 

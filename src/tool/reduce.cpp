@@ -47,15 +47,50 @@ ReductionOptions searchByLoss(const Model& model, const ModelReduction& reductio
   return tried;
 }
 
-void reduceModel(const ReduceOptions& options) {
-  const std::string path = modelPath(options.out);
-  requireWritable(path);
-  Model model = loadModel(modelPath(options.model));
-  const std::size_t before = model.supportVectorCount();
-  options.reduction.check();
+/// What a reduction did.
+struct Outcome {
+  std::size_t before = 0;  // support vectors
+  std::size_t after = 0;
+  double max_margin_change = 0;
+  double mean_margin_change = 0;
+  std::uint64_t bytes = 0;
+  bool validated = false;
+  double rate_before = 0;  // on the validation runs
+  double rate_after = 0;
+};
 
-  ProgressDisplay display(options.output.progress);
-  const Progress progress = display.callback();
+void printOutcome(const Outcome& outcome, const std::string& path, std::ostream& out) {
+  const double share = 100.0 * static_cast<double>(outcome.after) /
+                       static_cast<double>(std::max<std::size_t>(1, outcome.before));
+  out << "Support vectors: " << outcome.before << " -> " << outcome.after << std::fixed
+      << std::setprecision(1) << " (" << share << " %)\n"
+      << std::scientific << "Change of the margins: " << outcome.max_margin_change << " at most, "
+      << outcome.mean_margin_change << " in the mean\n"
+      << std::fixed;
+  if (outcome.validated) {
+    out << "Rate: " << 100 * outcome.rate_before << " % -> " << 100 * outcome.rate_after << " %\n";
+  }
+  out << "Model: " << path << ", " << std::max<std::uint64_t>(1, outcome.bytes / 1024) << " KiB"
+      << std::endl;
+}
+
+Json figures(const Outcome& outcome, const std::string& path) {
+  Json figures = {{"support_vectors_before", outcome.before},
+                  {"support_vectors_after", outcome.after},
+                  {"max_margin_change", outcome.max_margin_change},
+                  {"mean_margin_change", outcome.mean_margin_change},
+                  {"model_bytes", outcome.bytes},
+                  {"model", path}};
+  if (outcome.validated) {
+    figures["validation"] = {{"average_rate_before", outcome.rate_before},
+                             {"average_rate_after", outcome.rate_after}};
+  }
+  return figures;
+}
+
+/// Reduces `model`, replaces `path` by the result and tells what that did.
+Outcome reduceTo(const std::string& path, Model model, const ReduceOptions& options,
+                 const Progress& progress) {
   const auto collect = [&](const std::vector<std::string>& inputs) {
     return collectSamples(options.input.openers(inputs), model.options, 0, progress);
   };
@@ -63,42 +98,35 @@ void reduceModel(const ReduceOptions& options) {
   if (!options.train.empty()) training = collect(options.train);
   const ModelReduction reduction(model, options.train.empty() ? nullptr : &training, progress);
 
+  Outcome outcome;
   ReductionOptions chosen = options.reduction;
-  Json validation;
   if (!options.validate.empty()) {
     const RateOnSamples rate(model, collect(options.validate), progress);
     chosen = searchByLoss(model, reduction, rate, options, progress);
-    validation["average_rate_before"] = rate(machinesOf(model));
-    validation["average_rate_after"] = rate(reduction.reduce(chosen, {}).machines);
+    outcome.validated = true;
+    outcome.rate_before = rate(machinesOf(model));
+    outcome.rate_after = rate(reduction.reduce(chosen, {}).machines);
   }
   ReducedMachines reduced = reduction.reduce(chosen, progress);
-  const double max_change = reduced.max_margin_change;
-  const double mean_change = reduced.mean_margin_change;
-  model = withMachines(std::move(model), std::move(reduced), chosen);
-  const std::uint64_t bytes = saveModel(model, path);
-  display.clear();
+  outcome.before = model.supportVectorCount();
+  outcome.max_margin_change = reduced.max_margin_change;
+  outcome.mean_margin_change = reduced.mean_margin_change;
+  const Model smaller = withMachines(std::move(model), std::move(reduced), chosen);
+  outcome.after = smaller.supportVectorCount();
+  outcome.bytes = saveModel(smaller, path);
+  return outcome;
+}
 
-  const std::size_t after = model.supportVectorCount();
-  std::ostream& out = options.output.text();
-  out << "Support vectors: " << before << " -> " << after << std::fixed << std::setprecision(1)
-      << " (" << 100.0 * after / std::max<std::size_t>(1, before) << " %)\n"
-      << std::scientific << std::setprecision(2) << "Change of the margins: " << max_change
-      << " at most, " << mean_change << " in the mean\n";
-  if (!validation.is_null()) {
-    out << std::fixed << std::setprecision(1)
-        << "Rate: " << 100 * validation["average_rate_before"].get<double>() << " % -> "
-        << 100 * validation["average_rate_after"].get<double>() << " %\n";
-  }
-  out << "Model: " << path << ", " << std::max<std::uint64_t>(1, bytes / 1024) << " KiB"
-      << std::endl;
-  Json figures = {{"support_vectors_before", before},
-                  {"support_vectors_after", after},
-                  {"max_margin_change", max_change},
-                  {"mean_margin_change", mean_change},
-                  {"model_bytes", bytes},
-                  {"model", path}};
-  if (!validation.is_null()) figures["validation"] = validation;
-  options.output.writeJson(figures);
+void reduceModel(const ReduceOptions& options) {
+  options.reduction.check();
+  const std::string path = modelPath(options.out);
+  requireWritable(path);
+  ProgressDisplay display(options.output.progress);
+  const Outcome outcome =
+      reduceTo(path, loadModel(modelPath(options.model)), options, display.callback());
+  display.clear();
+  printOutcome(outcome, path, options.output.text());
+  options.output.writeJson(figures(outcome, path));
 }
 
 }  // namespace
