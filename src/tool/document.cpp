@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <iostream>
-#include <sstream>
 
 #include "base/options.h"
 #include "place_recognition/training_options.h"
@@ -25,16 +25,41 @@ default one, which is a single cue named `crfh`. The model keeps the options tha
 with; `place_tool info` shows them.
 )";
 
+/// YAML on one line.
+template <typename T>
+std::string flowText(const T& value) {
+  YAML::Emitter out;
+  out.SetSeqFormat(YAML::Flow);
+  out.SetMapFormat(YAML::Flow);
+  out << options_detail::write(value);
+  return out.c_str();
+}
+
+/// The comment as a sentence of its own.
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+/// A link to a section whose title is `path`, as GitHub makes anchors.
+std::string linkTo(const std::string& path) {
+  std::string anchor = path;
+  anchor.erase(std::remove(anchor.begin(), anchor.end(), '.'), anchor.end());
+  return "; see [" + path + "](#" + anchor + ")";
+}
+
 /// Collects a table of keys for each struct of options, in the order of their declaration.
 class Reference {
  public:
+  /// `path`: of keys, from the top; empty there.
   template <typename Options>
-  void add(const std::string& title, const std::string& comment, const Options& options) {
+  void add(const std::string& title, const std::string& path, const std::string& comment,
+           const Options& options) {
     const std::size_t own = sections_.size();
     sections_.push_back("\n## " + title + "\n\n" + comment +
                         "\n\n| key | default | meaning |\n| --- | --- | --- |\n");
-    Options::visit(options, [&](const char* key, const auto& field, const char* meaning) {
-      addField(own, title, key, field, meaning);
+    Options::visit(options, [&](const char* key, const auto& field, const std::string& meaning) {
+      addField(own, key, path.empty() ? key : path + "." + key, field, meaning);
     });
   }
 
@@ -43,33 +68,32 @@ class Reference {
   }
 
  private:
-  static constexpr const char* kTop = "Top level";
-
   template <typename Field>
-  void addField(std::size_t own, const std::string& title, const std::string& key,
+  void addField(std::size_t own, const std::string& key, const std::string& path,
                 const Field& field, const std::string& meaning) {
-    const std::string path = title == kTop ? key : title + "." + key;
     if constexpr (IsStruct<Field>::value) {
-      addRow(own, key, "", meaning + "; see [" + path + "](#" + anchor(path) + ")");
-      add(path, sentence(meaning), field);
+      addRow(own, key, "", meaning + linkTo(path));
+      add(path, path, sentence(meaning), field);
     } else if constexpr (IsVariant<Field>::value) {
-      addRow(own, key, "", meaning + "; by its `type`, one of the tables of " + path);
+      addRow(own, key, "", meaning + "; its `type` says which of the tables of " + path);
       addAlternatives<Field>(path, meaning);
     } else if constexpr (IsVector<Field>::value) {
-      addList(own, path, key, field, meaning);
+      addList(own, key, path, field, meaning);
     } else {
-      addRow(own, key, text(field), meaning);
+      addRow(own, key, flowText(field), meaning);
     }
   }
 
   template <typename Element>
-  void addList(std::size_t own, const std::string& path, const std::string& key,
+  void addList(std::size_t own, const std::string& key, const std::string& path,
                const std::vector<Element>& field, const std::string& meaning) {
     if constexpr (IsStruct<Element>::value) {
-      addRow(own, key, "", meaning + "; see [" + path + "](#" + anchor(path) + ")");
-      add(path, "A list: " + meaning + ".", field.front());
+      const std::string value = flowText(field);
+      constexpr std::size_t kLongest = 100;  // else the table of the elements has to do
+      addRow(own, key, value.size() <= kLongest ? value : "", meaning + linkTo(path));
+      add(path, path, "A list: " + meaning + ".", Element());
     } else {
-      addRow(own, key, text(field), meaning);
+      addRow(own, key, flowText(field), meaning);
     }
   }
 
@@ -77,36 +101,17 @@ class Reference {
   void addAlternatives(const std::string& path, const std::string& meaning) {
     if constexpr (I < std::variant_size_v<Variant>) {
       using Alternative = std::variant_alternative_t<I, Variant>;
-      add(path + ", type: " + Alternative::kType, sentence(meaning), Alternative());
+      add(path + ", type: " + Alternative::kType, path, sentence(meaning), Alternative());
       addAlternatives<Variant, I + 1>(path, meaning);
     }
   }
 
   void addRow(std::size_t section, const std::string& key, const std::string& value,
               const std::string& meaning) {
+    std::string escaped;
+    for (const char c : meaning) escaped += c == '|' ? "\\|" : std::string(1, c);
     sections_[section] +=
-        "| `" + key + "` | " + (value.empty() ? "" : "`" + value + "`") + " | " + meaning + " |\n";
-  }
-
-  template <typename T>
-  static std::string text(const T& value) {
-    YAML::Emitter out;
-    out << options_detail::write(value);
-    return out.c_str();
-  }
-
-  /// As GitHub makes it of a heading.
-  static std::string anchor(const std::string& title) {
-    std::string anchor;
-    for (const char c : title) {
-      if (c != '.') anchor += c;
-    }
-    return anchor;
-  }
-
-  static std::string sentence(std::string text) {
-    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text + ".";
+        "| `" + key + "` | " + (value.empty() ? "" : "`" + value + "`") + " | " + escaped + " |\n";
   }
 
   std::vector<std::string> sections_;
@@ -119,7 +124,7 @@ void addDocument(CLI::App& tool) {
   verb->group("");  // Not in the list of verbs: for those who change the options.
   verb->callback([] {
     Reference reference;
-    reference.add("Top level", "What `train` can be told.", TrainingOptions());
+    reference.add("Top level", "", "What `train` can be told.", TrainingOptions());
     std::cout << kIntroduction;
     reference.print(std::cout);
   });
