@@ -3,6 +3,7 @@ set(PLACE_RECOGNITION_TEST_DATA "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PAT
   "Folder of real pictures for the tests")
 
 find_package(GTest REQUIRED)
+find_program(ROSTEST NAMES rostest)
 
 # Tests are built by the target `tests`, not by `all`.
 if(NOT TARGET tests)
@@ -27,4 +28,26 @@ endfunction()
 function(place_recognition_set_test_environment name)
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT
     "PLACE_RECOGNITION_TEST_DATA=${PLACE_RECOGNITION_TEST_DATA};PLACE_RECOGNITION_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+endfunction()
+
+# place_recognition_add_rostest(NAME LAUNCH_FILE SOURCES file... [LIBRARIES target...]
+#                               [DEPENDENCIES target...])
+#
+# A gtest program NAME (named in the launch file) that runs beside nodes, which are DEPENDENCIES.
+# The launch file's argument `home` is a fresh folder for ROS_HOME.
+function(place_recognition_add_rostest name launch_file)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;DEPENDENCIES" ${ARGN})
+  add_executable(${name} EXCLUDE_FROM_ALL ${ARG_SOURCES})
+  add_dependencies(tests ${name} ${ARG_DEPENDENCIES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::GTest Threads::Threads)
+  set(home ${CMAKE_CURRENT_BINARY_DIR}/${name}_home)
+  add_test(NAME ${name}_home COMMAND ${CMAKE_COMMAND} -E remove_directory ${home})
+  add_test(NAME ${name} COMMAND ${CATKIN_ENV} ${PYTHON_EXECUTABLE} ${ROSTEST}
+    --pkgdir=${PROJECT_SOURCE_DIR} --package=${PROJECT_NAME} --results-filename=${name}.xml
+    --results-base-dir=${CATKIN_TEST_RESULTS_DIR}
+    ${CMAKE_CURRENT_SOURCE_DIR}/${launch_file} home:=${home})
+  place_recognition_set_test_environment(${name})
+  set_tests_properties(${name}_home PROPERTIES FIXTURES_SETUP ${name})
+  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED ${name})
 endfunction()

@@ -1,0 +1,105 @@
+// From the subscription to the worker: the newest image, the limit of the rate; and the debug
+// image.
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <thread>
+
+#include "ros/debug_image.h"
+#include "ros/newest_image.h"
+#include "ros/rate_limit.h"
+
+namespace place_recognition {
+namespace {
+
+ImageMessage numbered(std::uint32_t number) {
+  const auto message = boost::make_shared<sensor_msgs::Image>();
+  message->header.seq = number;
+  return ImageMessage(sensor_msgs::ImageConstPtr(message));
+}
+
+TEST(NewestImage, ReplacesTheOneThatWaits) {
+  NewestImage newest;
+  EXPECT_TRUE(newest.put(numbered(1)));
+  EXPECT_FALSE(newest.put(numbered(2)));
+  EXPECT_EQ(newest.take()->message.header().seq, 2u);
+  EXPECT_TRUE(newest.put(numbered(3)));
+  newest.clear();
+  EXPECT_TRUE(newest.put(numbered(4)));
+}
+
+TEST(NewestImage, WakesTheWorker) {
+  NewestImage newest;
+  std::uint32_t last = 0;
+  std::thread worker([&] {
+    while (const auto image = newest.take()) last = image->message.header().seq;
+  });
+  for (std::uint32_t i = 1; i <= 1000; ++i) newest.put(numbered(i));
+  while (!newest.put(numbered(1001))) std::this_thread::yield();
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  newest.close();
+  worker.join();
+  EXPECT_EQ(last, 1001u);
+}
+
+int admitted(double camera_rate, double limit, double seconds) {
+  RateLimit rate_limit;
+  int count = 0;
+  for (int i = 0; i < camera_rate * seconds; ++i) {
+    // Stamps jitter by a tenth of the period.
+    const double stamp = 1000 + (i + (i % 3 - 1) * 0.1) / camera_rate;
+    if (rate_limit.admits(stamp, limit)) ++count;
+  }
+  return count;
+}
+
+TEST(RateLimit, ThinsOut) {
+  EXPECT_EQ(admitted(30, 0, 10), 300);
+  EXPECT_NEAR(admitted(30, 10, 10), 100, 2);
+  EXPECT_NEAR(admitted(30, 7, 10), 70, 2);
+  EXPECT_NEAR(admitted(30, 0.5, 10), 5, 1);
+}
+
+TEST(RateLimit, LosesNothingOfASlowerOrEqualCamera) {
+  EXPECT_EQ(admitted(5, 10, 10), 50);
+  EXPECT_NEAR(admitted(10, 10, 10), 100, 2);
+}
+
+TEST(RateLimit, StartsAnewAfterAReset) {
+  RateLimit rate_limit;
+  EXPECT_TRUE(rate_limit.admits(100, 1));
+  EXPECT_FALSE(rate_limit.admits(50, 1));
+  rate_limit.reset();
+  EXPECT_TRUE(rate_limit.admits(50, 1));
+}
+
+TEST(DebugImage, HasABarAPlaceAndFitsAnyPicture) {
+  Model model;
+  model.places = {"corridor", "kitchen"};
+  Recognition recognition;
+  recognition.place = 1;
+  recognition.known = true;
+  recognition.probabilities = Eigen::RowVector2d(0.1, 0.9);
+  for (const cv::Size size : {cv::Size(320, 240), cv::Size(1, 1), cv::Size(3, 500)}) {
+    for (const int type : {CV_8UC3, CV_8UC1}) {
+      const cv::Mat drawn = drawAnswer(cv::Mat(size, type, cv::Scalar::all(7)), recognition, model);
+      EXPECT_EQ(drawn.type(), CV_8UC3);
+      EXPECT_EQ(drawn.cols, size.width);
+      EXPECT_GT(drawn.rows, size.height);
+    }
+  }
+  const cv::Mat drawn = drawAnswer(cv::Mat(240, 320, CV_8UC3, cv::Scalar()), recognition, model);
+  cv::Mat bars;
+  cv::inRange(drawn.rowRange(240, drawn.rows), cv::Scalar(80, 175, 40), cv::Scalar(80, 175, 40),
+              bars);
+  EXPECT_GT(cv::countNonZero(bars), 0);  // the green bar of the place named
+  recognition.known = false;
+  const cv::Mat unknown = drawAnswer(cv::Mat(240, 320, CV_8UC3, cv::Scalar()), recognition, model);
+  cv::inRange(unknown.rowRange(240, unknown.rows), cv::Scalar(80, 175, 40), cv::Scalar(80, 175, 40),
+              bars);
+  EXPECT_EQ(cv::countNonZero(bars), 0);
+}
+
+}  // namespace
+}  // namespace place_recognition

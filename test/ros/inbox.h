@@ -1,0 +1,72 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <boost/function.hpp>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// Whether `condition` has become true within `seconds` of wall time.
+template <typename Condition>
+bool eventually(Condition condition, double seconds = 15) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    ros::WallDuration(0.01).sleep();
+  }
+  return true;
+}
+
+/// What has come on a topic; needs a spinner in another thread.
+template <typename Message>
+class Inbox {
+ public:
+  Inbox(ros::NodeHandle& node, const std::string& topic) {
+    const boost::function<void(const boost::shared_ptr<const Message>&)> receive =
+        [this](const boost::shared_ptr<const Message>& message) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          messages_.push_back(*message);
+        };
+    subscriber_ = node.subscribe<Message>(topic, 1000, receive);
+  }
+
+  std::vector<Message> messages() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return messages_;
+  }
+
+  /// The first message from now on, or already here, that `matches`.
+  template <typename Matches>
+  std::optional<Message> find(Matches matches, double seconds = 15) const {
+    std::optional<Message> found;
+    eventually(
+        [&] {
+          for (const Message& message : messages()) {
+            if (!found && matches(message)) found = message;
+          }
+          return found.has_value();
+        },
+        seconds);
+    return found;
+  }
+
+  void clear() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    messages_.clear();
+  }
+
+  bool connected() const { return subscriber_.getNumPublishers() > 0; }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Message> messages_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,102 @@
+// What a goal from the network may and may not make place_tool do.
+
+#include "ros/train_command.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "place_recognition/error.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+namespace {
+
+class TrainCommand : public testing::Test {
+ protected:
+  TrainCommand() {
+    scratch_.write("run.bag", "");
+    // A stand-in: the command is not run here.
+    const std::string tool = scratch_.write("place_tool", "");
+    std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
+    setenv("PLACE_RECOGNITION_LIBEXEC", (scratch_ / "").c_str(), 1);
+    goal_.bags = {"run.bag"};
+    goal_.model = "home";
+  }
+
+  std::vector<std::string> command() { return trainCommand(goal_, {scratch_ / ""}, "/tmp/c.yaml"); }
+
+  std::string errorOf(const std::function<void(TrainGoal&)>& change) {
+    TrainGoal goal = goal_;
+    change(goal);
+    try {
+      trainCommand(goal, {scratch_ / ""}, "/tmp/c.yaml");
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  bool has(const std::string& argument) {
+    const std::vector<std::string> arguments = command();
+    return std::count(arguments.begin(), arguments.end(), argument) == 1;
+  }
+
+  ScratchFolder scratch_;
+  TrainGoal goal_;
+};
+
+TEST_F(TrainCommand, OfASmallGoal) {
+  const std::vector<std::string> expected = {scratch_ / "place_tool", "train",
+                                             scratch_ / "run.bag",    "--model=home",
+                                             "--progress=json",       "--json=-"};
+  std::vector<std::string> arguments = command();
+  arguments[0] = std::filesystem::canonical(arguments[0]).string();
+  EXPECT_EQ(arguments, expected);
+}
+
+TEST_F(TrainCommand, OfEveryField) {
+  goal_.preset = "crfh_colour";
+  goal_.reduction = "shared-qr";
+  goal_.image_topic = "/camera/image_raw";
+  goal_.label_topic = "/label";
+  goal_.label = "--help";
+  EXPECT_TRUE(has("--config=crfh_colour"));
+  EXPECT_TRUE(has("--set=reduction.method=shared-qr"));
+  EXPECT_TRUE(has("--image-topic=/camera/image_raw"));
+  EXPECT_TRUE(has("--label-topic=/label"));
+  EXPECT_TRUE(has("--label=--help"));
+  goal_.preset.clear();
+  goal_.yaml = "seed: 2";
+  EXPECT_TRUE(has("--config=/tmp/c.yaml"));
+}
+
+TEST_F(TrainCommand, BadFieldsAreNamed) {
+  const auto expectNamed = [this](const std::string& field,
+                                  const std::function<void(TrainGoal&)>& change) {
+    EXPECT_NE(errorOf(change).find(field), std::string::npos) << errorOf(change);
+  };
+  expectNamed("bags", [](TrainGoal& g) { g.bags.clear(); });
+  expectNamed("bags", [](TrainGoal& g) { g.bags.resize(1001, "run.bag"); });
+  expectNamed("run2.bag", [](TrainGoal& g) { g.bags.push_back("run2.bag"); });
+  for (const char* name : {"", "../x", "a/b", "a.places", "a b", "\xff"}) {
+    expectNamed("model", [name](TrainGoal& g) { g.model = name; });
+  }
+  expectNamed("model", [](TrainGoal& g) { g.model = std::string("a\0b", 3); });
+  expectNamed("model", [](TrainGoal& g) { g.model = std::string(65, 'a'); });
+  expectNamed("preset", [](TrainGoal& g) { g.preset = "../secret.yaml"; });
+  expectNamed("preset", [](TrainGoal& g) { g.preset = "crfh", g.yaml = "seed: 1"; });
+  expectNamed("yaml", [](TrainGoal& g) { g.yaml = std::string(1 << 20, ' '); });
+  expectNamed("reduction", [](TrainGoal& g) { g.reduction = "qr --out=/etc/passwd"; });
+  expectNamed("image_topic", [](TrainGoal& g) { g.image_topic = "a topic"; });
+  expectNamed("label_topic", [](TrainGoal& g) { g.label_topic = std::string(1000, 'a'); });
+  expectNamed("label", [](TrainGoal& g) { g.label = "a\nb"; });
+  expectNamed("recognizers", [](TrainGoal& g) { g.recognizers = {"not a name"}; });
+  expectNamed("recognizers", [](TrainGoal& g) { g.recognizers.resize(101, "/a"); });
+}
+
+}  // namespace
+}  // namespace place_recognition

@@ -1,0 +1,178 @@
+// trainer as others see it: the action, the service, what is refused. See trainer.test.
+
+#include <actionlib/client/simple_action_client.h>
+#include <gtest/gtest.h>
+#include <place_recognition/ModelInfo.h>
+#include <place_recognition/Retrain.h>
+#include <place_recognition/TrainAction.h>
+#include <ros/ros.h>
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "place_recognition/model_file.h"
+#include "recognition/drawn_run.h"
+#include "ros/inbox.h"
+#include "ros/labelled_bag_writer.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kYaml =
+    "cues:\n"
+    "  - feature: {type: crfh, descriptors: [L, Lxx], scales: [1], bins: [8]}\n";
+
+std::string home() { return std::getenv("ROS_HOME"); }
+
+void writeBag(const std::string& path, int count) {
+  LabelledBagWriter writer(path);
+  for (const Frame& frame : drawFrames(3, count))
+    writer.write(frame.image, frame.place, frame.stamp);
+  writer.close();
+}
+
+using Client = actionlib::SimpleActionClient<TrainAction>;
+
+class Trainers : public testing::Test {
+ protected:
+  Trainers() {
+    EXPECT_TRUE(client_.waitForServer(ros::Duration(30)));
+    EXPECT_TRUE(ros::service::waitForService("/trainer/retrain", 15000));
+  }
+
+  static TrainGoal goal(const std::string& model, const std::string& bag = "short.bag") {
+    TrainGoal goal;
+    goal.bags = {bag};
+    goal.model = model;
+    goal.yaml = kYaml;
+    return goal;
+  }
+
+  static Retrain::Response retrain(const std::function<void(Retrain::Request&)>& change) {
+    Retrain call;
+    call.request.bags = {"short.bag"};
+    call.request.model = "retrained";
+    call.request.yaml = kYaml;
+    change(call.request);
+    EXPECT_TRUE(ros::service::call("/trainer/retrain", call));
+    return call.response;
+  }
+
+  /// Starts a training that lasts, and waits until it is under way.
+  void startLong() {
+    client_.sendGoal(goal("cancelled", "long.bag"), Client::SimpleDoneCallback(),
+                     Client::SimpleActiveCallback(),
+                     [this](const TrainFeedbackConstPtr&) { ++feedbacks_; });
+    ASSERT_TRUE(eventually([this] { return feedbacks_ > 0; }, 60));
+  }
+
+  std::atomic<int> feedbacks_{0};
+  ros::NodeHandle node_;
+  Client client_{"/trainer/train", false};
+};
+
+TEST_F(Trainers, TrainWithFeedbackAndReloadRecognizers) {
+  Inbox<ModelInfo> infos(node_, "/place_recognizer/model_info");
+  std::atomic<bool> sound{true};
+  TrainGoal wanted = goal("home");
+  wanted.recognizers = {"/place_recognizer", "/nobody"};
+  client_.sendGoal(wanted, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                   [&](const TrainFeedbackConstPtr& feedback) {
+                     ++feedbacks_;
+                     if (feedback->stage.empty() || feedback->message.empty() ||
+                         feedback->fraction < 0 || feedback->fraction > 1) {
+                       sound = false;
+                     }
+                   });
+  ASSERT_TRUE(client_.waitForResult(ros::Duration(120)));
+  EXPECT_EQ(client_.getState(), actionlib::SimpleClientGoalState::SUCCEEDED);
+  const TrainResultConstPtr result = client_.getResult();
+  EXPECT_TRUE(result->success);
+  EXPECT_EQ(result->images, 60u);
+  EXPECT_EQ(result->places, (std::vector<std::string>{"room0", "room1", "room2"}));
+  EXPECT_GT(result->support_vectors, 0u);
+  EXPECT_GT(result->validation_rate, 0.5);
+  EXPECT_GT(result->seconds, 0);
+  EXPECT_NE(result->message.find("/place_recognizer has loaded it"), std::string::npos)
+      << result->message;
+  EXPECT_NE(result->message.find("/nobody has not loaded it"), std::string::npos);
+  EXPECT_TRUE(infos.find([](const ModelInfo& info) { return info.name == "home"; }));
+  EXPECT_EQ(loadModel(namedModelPath("home")).places.size(), 3u);
+  EXPECT_GT(feedbacks_, 0);
+  EXPECT_TRUE(sound);
+}
+
+TEST_F(Trainers, CancelLeavesNothingBehind) {
+  startLong();
+  client_.cancelGoal();
+  ASSERT_TRUE(client_.waitForResult(ros::Duration(30)));
+  EXPECT_EQ(client_.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
+  EXPECT_FALSE(client_.getResult()->success);
+  for (const auto& file : fs::directory_iterator(modelFolder())) {
+    EXPECT_EQ(file.path().filename().string().find("cancelled"), std::string::npos) << file;
+  }
+}
+
+TEST_F(Trainers, RefuseASecondTrainingMeanwhile) {
+  startLong();
+  Client second("/trainer/train", false);
+  ASSERT_TRUE(second.waitForServer(ros::Duration(15)));
+  second.sendGoal(goal("second"));
+  ASSERT_TRUE(second.waitForResult(ros::Duration(15)));
+  EXPECT_EQ(second.getState(), actionlib::SimpleClientGoalState::REJECTED);
+  EXPECT_NE(second.getResult()->message.find("Another training"), std::string::npos);
+  const Retrain::Response response = retrain([](Retrain::Request&) {});
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("Another training"), std::string::npos);
+  client_.cancelGoal();
+  ASSERT_TRUE(client_.waitForResult(ros::Duration(30)));
+  EXPECT_TRUE(retrain([](Retrain::Request&) {}).success);
+}
+
+TEST_F(Trainers, RetrainByService) {
+  const Retrain::Response response = retrain([](Retrain::Request& request) {
+    request.reduction = "none";
+    request.recognizers = {"/place_recognizer"};
+  });
+  EXPECT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.places.size(), 3u);
+  EXPECT_EQ(response.images, 60u);
+  EXPECT_NE(response.message.find("has loaded it"), std::string::npos);
+}
+
+TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
+  using Request = Retrain::Request;
+  const auto expectRefused = [](const std::string& reason,
+                                const std::function<void(Request&)>& change) {
+    const Retrain::Response response = retrain(change);
+    EXPECT_FALSE(response.success);
+    EXPECT_NE(response.message.find(reason), std::string::npos) << response.message;
+  };
+  expectRefused("model", [](Request& r) { r.model = "../home"; });
+  expectRefused("no bag", [](Request& r) { r.bags = {"/etc/passwd"}; });
+  expectRefused("no bag", [](Request& r) { r.bags = {"missing.bag"}; });
+  expectRefused("bags", [](Request& r) { r.bags.clear(); });
+  expectRefused("colour", [](Request& r) { r.yaml = "colour: true"; });
+  expectRefused("nosuchpreset", [](Request& r) { r.yaml.clear(), r.preset = "nosuchpreset"; });
+  expectRefused("/front", [](Request& r) { r.image_topic = "/front"; });
+  expectRefused("everywhere", [](Request& r) { r.label = "everywhere"; });  // a single place
+}
+
+}  // namespace
+}  // namespace place_recognition
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "trainer_rostest");
+  ros::NodeHandle node;
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  std::filesystem::create_directories(place_recognition::modelFolder());
+  place_recognition::writeBag(place_recognition::home() + "/short.bag", 20);
+  place_recognition::writeBag(place_recognition::home() + "/long.bag", 1500);
+  return RUN_ALL_TESTS();
+}
