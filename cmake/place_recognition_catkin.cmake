@@ -13,6 +13,8 @@ find_package(catkin REQUIRED COMPONENTS
   actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure image_transport
   message_generation nodelet pluginlib rosbag_storage roscpp sensor_msgs std_msgs std_srvs)
 
+include(place_recognition_rosrun)
+
 add_message_files(FILES ModelInfo.msg PlaceRecognition.msg PlaceScore.msg)
 add_service_files(FILES LoadModel.srv Retrain.srv)
 add_action_files(FILES Train.action)
