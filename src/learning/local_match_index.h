@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "learning/descriptor_panel.h"
+#include "learning/match_panels.h"
 #include "learning/support_index.h"
 
 namespace place_recognition {
 
 /// Descriptor sets for the local match kernel (eq. 5.39-5.40). K_l falls with the distance, so the
-/// best match of a descriptor is its nearest neighbour; squared distances |a|^2 + |b|^2 - 2 a'b of
-/// integer descriptors are exact, and the products a'b are computed in blocks.
+/// best match of a descriptor is its nearest neighbour, found exactly in integers.
 class LocalMatchIndex : public SupportIndex {
  public:
   LocalMatchIndex(double gamma, const std::vector<Feature>& sets);
@@ -19,16 +20,18 @@ class LocalMatchIndex : public SupportIndex {
   /// Where one set stands.
   struct Set {
     std::size_t first_panel;
-    std::size_t size;
+    std::size_t size;  ///< descriptors
   };
 
-  /// Mean of K_l over squared distances of descriptors as they are stored.
-  double meanKernel(const std::vector<std::int32_t>& squared_distances, std::size_t count) const;
+  double measure(const std::vector<DescriptorBlock>& query, std::size_t query_size,
+                 const Set& set) const;
+  /// K_l at a squared distance of descriptors as they are stored.
+  double localKernel(std::int32_t squared_distance) const;
 
   double gamma_;
+  MatchPanels* match_panels_;
   std::vector<Set> sets_;
-  std::vector<float> panels_;
-  std::vector<std::int32_t> squared_norms_;
+  std::vector<DescriptorPanel> panels_;
 };
 
 }  // namespace place_recognition

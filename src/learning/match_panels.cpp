@@ -1,0 +1,40 @@
+#include "learning/match_panels.h"
+
+#include "learning/lower_nearest.h"
+#include "learning/match_panels_x86.h"
+
+namespace place_recognition {
+
+void matchPanelsPlainly(const DescriptorBlock& block, const DescriptorPanel* panels,
+                        std::size_t panel_count, BlockByPanel& row_nearest,
+                        std::int32_t* panel_nearest) {
+  constexpr std::size_t kWidth = DescriptorPanel::kWidth;
+  for (std::size_t p = 0; p < panel_count; ++p) {
+    BlockByPanel products;
+    for (std::size_t r = 0; r < DescriptorBlock::kRows; ++r) {
+      std::int32_t parts[kWidth][4] = {};  // the order that compilers make vectors of
+      for (std::size_t k = 0; k < DescriptorPanel::kSteps; ++k) {
+        for (std::size_t lane = 0; lane < kWidth; ++lane) {
+          for (std::size_t i = 0; i < 4; ++i) {
+            parts[lane][i] += block.elements[r][4 * k + i] * panels[p].elements[k][lane][i];
+          }
+        }
+      }
+      for (std::size_t lane = 0; lane < kWidth; ++lane) {
+        products[r][lane] = parts[lane][0] + parts[lane][1] + parts[lane][2] + parts[lane][3];
+      }
+    }
+    lowerNearest(products, block, panels[p], row_nearest, panel_nearest + p * kWidth);
+  }
+}
+
+std::vector<MatchVariant> matchVariants() {
+  std::vector<MatchVariant> variants = {{"plain", &matchPanelsPlainly}};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) variants.push_back({"AVX2", &matchPanelsAvx2});
+  if (__builtin_cpu_supports("avx512vnni")) variants.push_back({"VNNI", &matchPanelsVnni});
+#endif
+  return variants;
+}
+
+}  // namespace place_recognition
