@@ -51,7 +51,7 @@ const std::vector<Setup>& setups() {
   return setups;
 }
 
-/// A real picture of 640 x 480, or noise that is smooth enough to look like one.
+/// A real picture of 640 x 480; without one, noise of all scales, which fills as many bins.
 cv::Mat picture() {
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
   const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "nao_canteen";
@@ -67,10 +67,16 @@ cv::Mat picture() {
       return image;
     }
   }
-  cv::Mat image(480, 640, CV_8UC3);
-  cv::RNG(1).fill(image, cv::RNG::UNIFORM, 0, 256);
-  cv::GaussianBlur(image, image, {}, 4);
-  cv::normalize(image, image, 0, 255, cv::NORM_MINMAX);
+  cv::Mat_<cv::Vec3f> sum(480, 640, cv::Vec3f::all(128)), noise;
+  cv::RNG random(1);
+  for (int cell = 1; cell <= 64; cell *= 2) {
+    noise.create(480 / cell + 2, 640 / cell + 2);
+    random.fill(noise, cv::RNG::NORMAL, 0, 4 * std::sqrt(cell));
+    cv::resize(noise, noise, sum.size(), 0, 0, cv::INTER_CUBIC);
+    sum += noise;
+  }
+  cv::Mat image;
+  sum.convertTo(image, CV_8UC3);
   return image;
 }
 

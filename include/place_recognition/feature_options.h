@@ -29,9 +29,9 @@ struct CrfhOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("descriptors", self.descriptors,
-            "one dimension each, all at the first scale, then all at the second and so on: a channel "
-            "L, R, G, B, C1 or C2, alone or followed by x, y, xx, xy or yy; or grad(.), lap(.), "
-            "det(.) of a channel");
+            "one dimension each, all at the first scale, then all at the second and so on: a "
+            "channel L, R, G, B, C1 or C2, alone or followed by x, y, xx, xy or yy; or grad(.), "
+            "lap(.), det(.) of a channel");
     visitor("scales", self.scales, "t = sigma^2, pixels^2, each > 0 and <= 400");
     visitor("sigmas", self.sigmas, "the scales as sigma, pixels; replaces scales if not empty");
     visitor("bins", self.bins, "quantisation levels: one number, or one for each descriptor");
