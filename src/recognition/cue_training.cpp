@@ -6,6 +6,21 @@
 namespace place_recognition {
 namespace {
 
+/// Where every gamma needs its own matrix, it is searched on about this many samples.
+constexpr std::size_t kSamplesForCostlySearch = 120;
+
+/// The features of every n-th sample of each place, the others missing; about `count` in all.
+std::vector<Feature> thinnedOut(std::vector<Feature> features,
+                                const std::vector<SampleOrigin>& samples, std::size_t places,
+                                std::size_t count) {
+  const std::size_t step = (features.size() + count - 1) / count;
+  std::vector<std::size_t> seen(places, 0);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (seen[static_cast<std::size_t>(samples[i].place)]++ % step != 0) features[i] = {};
+  }
+  return features;
+}
+
 /// The samples of one cue and how they compare.
 class CueTrainer {
  public:
@@ -20,8 +35,29 @@ class CueTrainer {
     }
   }
 
+  void setGamma(double gamma) { cue_.kernel.gamma = gamma; }
+
+  /// The gamma of the kernel, found by cross-validation.
+  double searchGamma() {
+    if (Kernel(cue_.kernel).measureIsFreeOfGamma()) compare();
+    ReductionOptions unreduced;
+    unreduced.method = "none";
+    const GammaGrid grid = gammaGrid(Kernel(cue_.kernel), measures_);
+    std::vector<GammaTrial> trials;
+    for (const double gamma : grid.gammas) {
+      report(task_.progress, "Choosing gamma",
+             static_cast<double>(trials.size()) / static_cast<double>(grid.gammas.size()));
+      setGamma(gamma);
+      compare();
+      const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
+      const HeldOut held_out = heldOutMargins(gram, rows_, task_, unreduced);
+      trials.push_back({gamma, averageRate(held_out, task_.samples, task_.places),
+                        averageRateError(held_out, task_.samples, task_.places)});
+    }
+    return chooseGamma(trials, grid.neutral);
+  }
+
   TrainedCue train(const ReductionOptions& reduction) {
-    if (gammaIsOpen()) chooseGamma();
     compare();
     const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
     report(task_.progress, "Validating", 0);
@@ -33,12 +69,6 @@ class CueTrainer {
   }
 
  private:
-  bool gammaIsOpen() const {
-    const std::string& type = cue_.kernel.type;
-    const bool has_gamma = type == "gaussian" || type == "chi-squared" || type == "local-match";
-    return has_gamma && cue_.kernel.gamma == 0;
-  }
-
   /// Measures of the kernel as it is now; those at hand serve again unless gamma is part of them.
   void compare() {
     const Kernel kernel(cue_.kernel);
@@ -47,25 +77,6 @@ class CueTrainer {
     if (at_hand) return;
     measures_ = measureMatrix(kernel, features_, task_.threads, task_.progress);
     measured_gamma_ = cue_.kernel.gamma;
-  }
-
-  void chooseGamma() {
-    if (Kernel(cue_.kernel).measureIsFreeOfGamma()) compare();
-    ReductionOptions unreduced;
-    unreduced.method = "none";
-    const GammaGrid grid = gammaGrid(Kernel(cue_.kernel), measures_);
-    std::vector<GammaTrial> trials;
-    for (const double gamma : grid.gammas) {
-      report(task_.progress, "Choosing gamma",
-             static_cast<double>(trials.size()) / static_cast<double>(grid.gammas.size()));
-      cue_.kernel.gamma = gamma;
-      compare();
-      const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
-      const HeldOut held_out = heldOutMargins(gram, rows_, task_, unreduced);
-      trials.push_back({gamma, averageRate(held_out, task_.samples, task_.places),
-                        averageRateError(held_out, task_.samples, task_.places)});
-    }
-    cue_.kernel.gamma = place_recognition::chooseGamma(trials, grid.neutral);
   }
 
   CueOptions cue_;
@@ -77,11 +88,27 @@ class CueTrainer {
   double measured_gamma_ = 0;
 };
 
+bool gammaIsOpen(const KernelOptions& kernel) {
+  const bool has_gamma =
+      kernel.type == "gaussian" || kernel.type == "chi-squared" || kernel.type == "local-match";
+  return has_gamma && kernel.gamma == 0;
+}
+
 }  // namespace
 
 TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
                     const ReductionOptions& reduction, const TrainingTask& task) {
-  return CueTrainer(std::move(features), cue, task).train(reduction);
+  double gamma = cue.kernel.gamma;
+  const bool costly = !Kernel(cue.kernel).measureIsFreeOfGamma();
+  if (gammaIsOpen(cue.kernel) && costly) {
+    gamma = CueTrainer(thinnedOut(features, task.samples, task.places, kSamplesForCostlySearch),
+                       cue, task)
+                .searchGamma();
+  }
+  CueTrainer trainer(std::move(features), cue, task);
+  if (gammaIsOpen(cue.kernel) && !costly) gamma = trainer.searchGamma();
+  trainer.setGamma(gamma);
+  return trainer.train(reduction);
 }
 
 }  // namespace place_recognition
