@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "place_recognition/adjacency.h"
+#include "place_recognition/recognizer.h"
+#include "place_recognition/temporal_filter_options.h"
+
+namespace place_recognition {
+
+class RoomChain;
+
+/// What odometry saw since the frame before.
+struct Motion {
+  double distance = 0;  ///< m, length of the way, >= 0
+  double angle = 0;     ///< rad, sum of all turning, either way, >= 0
+};
+
+/// The answer over time.
+struct FilteredAnswer {
+  int place = -1;                    ///< index in Model::places; -1: unknown
+  double confidence = 0;             ///< probability of `place`, or of 'unknown'
+  Eigen::RowVectorXd probabilities;  ///< one a place, then 'unknown'; sum to 1
+  bool changed = false;  ///< `place` differs from the last frame's, or this is the first frame
+};
+
+/// Turns the answers to single frames into a steady one: a hidden Markov model whose states are the
+/// rooms and 'unknown', followed by the forward algorithm (Rabiner 1989). Between frames the belief
+/// b moves as a chain in continuous time, see RoomChain; a frame multiplies it by likelihoods,
+///   b_s <- b_s L_s^w / sum.
+/// With the frame's evidence e, its probabilities p, the rooms' shares q of the training images and
+/// the unknown threshold T,
+///   L_k = (1 - o) (e / T) (p_k / q_k) + o,    L_unknown = (1 - o) (1 - e) / (1 - T) + o.
+/// Up to a factor that is the same for all, a posterior divided by its prior is the likelihood that
+/// the chain needs (Bourlard and Morgan 1994); T is where the frame is as much for the rooms
+/// together as against them. A share o of frames is not to be trusted and tells nothing.
+///
+/// Neighbouring frames show nearly the same, so w is the share of a frame that is new: time over
+/// decorrelation time, at most 1. All is by stamps: the answers do not depend on the frame rate as
+/// long as it is faster than that. Where odometry is given, the way driven takes the place of time:
+/// a robot that stands is still in the same room and sees nothing new; one that turns sees
+/// something new of the same room.
+///
+/// Nothing is allocated after construction. Not thread-safe: one filter a stream of frames.
+class TemporalFilter {
+ public:
+  /// For the answers of a recogniser with `model`, of whose places `adjacency` is. Throws Error if
+  /// an option is out of range.
+  TemporalFilter(const Model& model, const Adjacency& adjacency,
+                 const TemporalFilterOptions& options);
+  ~TemporalFilter();
+  TemporalFilter(TemporalFilter&&) noexcept;
+  TemporalFilter& operator=(TemporalFilter&&) noexcept;
+
+  /// Takes the frame of time `stamp` (s). A stamp before the last one, or more than the maximum gap
+  /// after it, starts anew; an equal one adds nothing. The result stays valid until the next call.
+  const FilteredAnswer& update(double stamp, const Recognition& recognition,
+                               const std::optional<Motion>& motion = std::nullopt);
+
+  /// Forgets all frames.
+  void reset() { started_ = false; }
+
+  /// The model's threshold until set, as Recognizer::setUnknownThreshold(); kept within 0.01..0.99.
+  void setUnknownThreshold(double threshold);
+
+ private:
+  void start();
+  void move(double elapsed, const std::optional<Motion>& motion);
+  void weigh(const Recognition& recognition);
+  void decide(bool first);
+
+  TemporalFilterOptions options_;
+  std::unique_ptr<RoomChain> chain_;
+  double unknown_threshold_;
+  bool started_ = false;
+  double last_stamp_ = 0;
+  double new_share_ = 1;  // w of the next frame
+  int state_ = 0;         // answered; the number of rooms: 'unknown'
+  double answer_since_ = 0;
+  Eigen::RowVectorXd room_shares_;  // q
+  Eigen::RowVectorXd likelihoods_;  // L
+  FilteredAnswer answer_;
+};
+
+}  // namespace place_recognition

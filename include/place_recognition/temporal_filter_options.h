@@ -1,0 +1,47 @@
+#pragma once
+
+namespace place_recognition {
+
+/// See TemporalFilter; feature_options.h on visit() and check(). Where odometry is given, metres
+/// and radians take the place of seconds.
+struct TemporalFilterOptions {
+  double dwell_time = 8;
+  double dwell_distance = 4;
+  double unknown_share = 0.1;
+  double jump_share = 0.01;
+  double decorrelation_time = 0.2;
+  double decorrelation_distance = 0.1;
+  double decorrelation_angle = 0.15;
+  double outlier_share = 0.1;
+  double minimum_confidence = 0.3;
+  double hysteresis = 0.1;
+  double minimum_dwell = 0.5;
+  double maximum_gap = 10;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("dwell_time", self.dwell_time, "s, mean stay in a room, > 0");
+    visitor("dwell_distance", self.dwell_distance, "m, mean way within a room, > 0");
+    visitor("unknown_share", self.unknown_share,
+            "share of the time spent in rooms that the model does not know, 0..0.5");
+    visitor("jump_share", self.jump_share,
+            "share of the changes that go to any room, adjoining or not (carried robots), 0..1");
+    visitor("decorrelation_time", self.decorrelation_time,
+            "s, frames closer than this share their evidence, > 0");
+    visitor("decorrelation_distance", self.decorrelation_distance, "m, likewise, > 0");
+    visitor("decorrelation_angle", self.decorrelation_angle, "rad, likewise, > 0");
+    visitor("outlier_share", self.outlier_share,
+            "share of frames that tell nothing, whatever their probabilities say, 0.0001..1");
+    visitor("minimum_confidence", self.minimum_confidence,
+            "the answer is 'unknown' if no room is as probable as this, 0..1");
+    visitor("hysteresis", self.hysteresis,
+            "how much more probable than the old answer a new one must be, 0..1");
+    visitor("minimum_dwell", self.minimum_dwell, "s, an answer stays for at least as long");
+    visitor("maximum_gap", self.maximum_gap,
+            "s, after a longer time without frames everything is forgotten, > 0");
+  }
+  /// Throws Error naming the first field out of range.
+  void check() const;
+};
+
+}  // namespace place_recognition

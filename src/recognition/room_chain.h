@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "place_recognition/adjacency.h"
+
+namespace place_recognition {
+
+/// How a robot moves between rooms: a Markov chain in continuous time over the rooms and, last, the
+/// state 'unknown'. Every state is left at the same rate. From a room the chain goes to 'unknown'
+/// as often as makes `unknown_share` its share of the time, else to an adjoining room or, in
+/// `jump_share` of the cases, to any other; from 'unknown' to any room.
+///
+/// Not thread-safe.
+class RoomChain {
+ public:
+  RoomChain(const Adjacency& adjacency, double unknown_share, double jump_share);
+
+  /// Probabilities while nothing has been seen: `unknown_share`, the rest to all rooms alike.
+  const Eigen::RowVectorXd& prior() const { return prior_; }
+
+  /// Moves `belief` (rooms, then 'unknown'; sum 1) on by `changes`, the mean number of changes of
+  /// room in the time passed: belief exp(changes (J - I)) for the matrix J of one change's
+  /// probabilities. By uniformization (Jensen 1953) that is the mean of belief J^n over the Poisson
+  /// distribution of n, a sum of positive terms. Two steps are as good as one of their sum.
+  void advance(double changes, Eigen::RowVectorXd& belief);
+
+ private:
+  Eigen::RowVectorXd prior_;
+  Eigen::MatrixXd jump_;  // J, each row sums to 1
+  Eigen::RowVectorXd term_, next_;
+};
+
+}  // namespace place_recognition

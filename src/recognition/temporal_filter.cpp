@@ -1,0 +1,114 @@
+#include "place_recognition/temporal_filter.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "recognition/room_chain.h"
+#include "recognition/scores.h"
+
+namespace place_recognition {
+namespace {
+
+/// The share of each place among the training images, equal ones if the model does not tell.
+/// Counting one image more for each keeps a place without any from counting infinitely.
+Eigen::RowVectorXd trainingShares(const Model& model) {
+  const std::vector<std::uint64_t>& images = model.provenance.place_images;
+  Eigen::RowVectorXd shares = Eigen::RowVectorXd::Ones(static_cast<int>(model.places.size()));
+  if (images.size() == model.places.size()) {
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      shares[static_cast<int>(k)] += static_cast<double>(images[k]);
+    }
+  }
+  return shares / shares.sum();
+}
+
+}  // namespace
+
+TemporalFilter::TemporalFilter(const Model& model, const Adjacency& adjacency,
+                               const TemporalFilterOptions& options)
+    : options_(options), room_shares_(trainingShares(model)) {
+  assert(adjacency.places() == model.places.size());
+  options_.check();
+  chain_ = std::make_unique<RoomChain>(adjacency, options_.unknown_share, options_.jump_share);
+  setUnknownThreshold(model.unknown_threshold);
+  likelihoods_ = answer_.probabilities = chain_->prior();
+}
+
+TemporalFilter::~TemporalFilter() = default;
+TemporalFilter::TemporalFilter(TemporalFilter&&) noexcept = default;
+TemporalFilter& TemporalFilter::operator=(TemporalFilter&&) noexcept = default;
+
+void TemporalFilter::setUnknownThreshold(double threshold) {
+  unknown_threshold_ = std::clamp(threshold, 0.01, 0.99);
+}
+
+const FilteredAnswer& TemporalFilter::update(double stamp, const Recognition& recognition,
+                                             const std::optional<Motion>& motion) {
+  assert(std::isfinite(stamp));
+  const double elapsed = stamp - last_stamp_;
+  const bool first = !started_ || elapsed < 0 || elapsed > options_.maximum_gap;
+  if (first) {
+    start();
+  } else {
+    move(elapsed, motion);
+  }
+  last_stamp_ = stamp;
+  weigh(recognition);
+  decide(first);
+  return answer_;
+}
+
+void TemporalFilter::start() {
+  started_ = true;
+  new_share_ = 1;
+  answer_.probabilities = chain_->prior();
+}
+
+void TemporalFilter::move(double elapsed, const std::optional<Motion>& motion) {
+  double changes = elapsed / options_.dwell_time;
+  double new_share = elapsed / options_.decorrelation_time;
+  if (motion) {
+    assert(motion->distance >= 0 && motion->angle >= 0);
+    changes = motion->distance / options_.dwell_distance;
+    new_share = motion->distance / options_.decorrelation_distance +
+                motion->angle / options_.decorrelation_angle;
+  }
+  chain_->advance(changes, answer_.probabilities);
+  new_share_ = std::min(1.0, new_share_ + new_share);
+}
+
+void TemporalFilter::weigh(const Recognition& recognition) {
+  if (recognition.place < 0) return;  // no feature, nothing seen: what is new waits for the next
+  const Eigen::Index rooms = recognition.probabilities.size();
+  assert(rooms + 1 == likelihoods_.size());
+  likelihoods_.head(rooms) = recognition.evidence / unknown_threshold_ *
+                             recognition.probabilities.cwiseQuotient(room_shares_);
+  likelihoods_[rooms] = (1 - recognition.evidence) / (1 - unknown_threshold_);
+
+  const double outliers = options_.outlier_share;
+  answer_.probabilities.array() *=
+      ((1 - outliers) * likelihoods_.array() + outliers).pow(new_share_);
+  answer_.probabilities /= answer_.probabilities.sum();
+  new_share_ = 0;
+}
+
+void TemporalFilter::decide(bool first) {
+  const Eigen::RowVectorXd& belief = answer_.probabilities;
+  const int unknown = static_cast<int>(belief.size()) - 1;
+  int best = largest(belief);
+  const bool in_doubt = belief[best] < options_.minimum_confidence;
+  if (in_doubt) best = unknown;
+
+  const bool clearly = in_doubt || belief[best] - belief[state_] >= options_.hysteresis;
+  const bool long_enough = last_stamp_ - answer_since_ >= options_.minimum_dwell;
+  answer_.changed = first || (best != state_ && clearly && long_enough);
+  if (answer_.changed) {
+    state_ = best;
+    answer_since_ = last_stamp_;
+  }
+  answer_.place = state_ == unknown ? -1 : state_;
+  answer_.confidence = belief[state_];
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,38 @@
+#include "place_recognition/temporal_filter_options.h"
+
+#include <cmath>
+#include <string>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+void requirePositive(double value, const char* field) {
+  if (std::isfinite(value) && value > 0) return;
+  throw Error("Option '" + std::string(field) + "' is out of range; give a number above 0.");
+}
+
+void requireWithin(double value, const char* field, double low, double high, const char* range) {
+  if (value >= low && value <= high) return;
+  throw Error("Option '" + std::string(field) + "' is out of range; give " + range + ".");
+}
+
+}  // namespace
+
+void TemporalFilterOptions::check() const {
+  requirePositive(dwell_time, "dwell_time");
+  requirePositive(dwell_distance, "dwell_distance");
+  requireWithin(unknown_share, "unknown_share", 0, 0.5, "a share, 0 to 0.5");
+  requireWithin(jump_share, "jump_share", 0, 1, "a share, 0 to 1");
+  requirePositive(decorrelation_time, "decorrelation_time");
+  requirePositive(decorrelation_distance, "decorrelation_distance");
+  requirePositive(decorrelation_angle, "decorrelation_angle");
+  requireWithin(outlier_share, "outlier_share", 1e-4, 1, "a share, 0.0001 to 1");
+  requireWithin(minimum_confidence, "minimum_confidence", 0, 1, "a probability, 0 to 1");
+  requireWithin(hysteresis, "hysteresis", 0, 1, "a difference of probabilities, 0 to 1");
+  requireWithin(minimum_dwell, "minimum_dwell", 0, 3600, "seconds, 0 to 3600");
+  requirePositive(maximum_gap, "maximum_gap");
+}
+
+}  // namespace place_recognition
