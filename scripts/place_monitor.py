@@ -25,7 +25,9 @@ class Monitor:
         self.lock = threading.Lock()
         self.truth = ""
         self.shown = None  # the answer and truth of the last line
+        self.start = time.time()
         self.first = self.last = None  # wall time of the first and last answer
+        self.first_stamp = None  # s
         self.seconds = []
         self.right = self.labelled = 0
         rospy.Subscriber(label_topic, String, self.on_label, queue_size=10)
@@ -54,12 +56,16 @@ class Monitor:
         if self.truth:
             mark = "right" if answer == self.truth else "wrong" if message.known else "  -  "
             verdict = f"   {mark}   truth: {self.truth}"
-        print(f"{message.header.stamp.to_sec():14.2f} s   {answer:<16}"
+        stamp = message.header.stamp.to_sec()
+        self.first_stamp = self.first_stamp or stamp
+        print(f"{stamp - self.first_stamp:8.2f} s   {answer:<16}"
               f" {100 * message.confidence:3.0f} %{verdict}", flush=True)
 
-    def idle(self):
+    def is_idle(self, seconds):
+        """Whether nothing was answered for so long; for the first answer ten times that."""
         with self.lock:
-            return time.time() - self.last if self.last else 0.0
+            now = time.time()
+            return now - self.last > seconds if self.last else now - self.start > 10 * seconds
 
     def summary(self):
         if len(self.seconds) < 2:
@@ -79,13 +85,14 @@ def main():
     parser.add_argument("--recognizer", default="/place_recognizer", help="name of the node")
     parser.add_argument("--label-topic", default="/place_label", help="topic of the true labels")
     parser.add_argument("--idle-exit", type=float, default=0, metavar="S",
-                        help="end after so many seconds without an answer; 0: never")
+                        help="end after so many seconds without an answer, ten times that at the "
+                             "start; 0: never")
     options = parser.parse_args(rospy.myargv(sys.argv)[1:])
     rospy.init_node("place_monitor", anonymous=True)
     monitor = Monitor(options.recognizer, options.label_topic)
     while not rospy.is_shutdown():
         time.sleep(0.1)
-        if options.idle_exit and monitor.idle() > options.idle_exit:
+        if options.idle_exit and monitor.is_idle(options.idle_exit):
             break
     print(monitor.summary(), flush=True)
 
