@@ -7,7 +7,7 @@ namespace place_recognition {
 struct LocalFeatureOptions {
   static constexpr const char* kType = "harris-laplace-sift";
 
-  double sigma = 1.6;
+  double sigma = 2;
   int steps = 4;
   int octaves = 5;
   double alpha = 0.05;

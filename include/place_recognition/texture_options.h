@@ -36,7 +36,7 @@ struct LbpOptions {
 struct Mr8Options {
   static constexpr const char* kType = "mr8";
 
-  int bins = 8;
+  int bins = 4;
   double range = 1;
   bool weber = true;
 

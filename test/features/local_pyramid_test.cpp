@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "features/gaussian_pyramid.h"
+#include "features/local_pictures.h"
+
+namespace place_recognition {
+namespace {
+
+TEST(GaussianPyramid, NumbersScalesThroughTheOctaves) {
+  GaussianPyramid pyramid(1.2, 4, 2, 3);
+  pyramid.build(texture(100, 90, 1));
+  EXPECT_EQ(pyramid.octaves(), 3);
+  EXPECT_EQ(pyramid.scales(), 3 * 4 + 2);
+  EXPECT_DOUBLE_EQ(pyramid.sigma(0), 1.2);
+  EXPECT_DOUBLE_EQ(pyramid.sigma(4), 2.4);
+  EXPECT_DOUBLE_EQ(pyramid.sigma(6), 2.4 * std::sqrt(2.0));
+  for (int n = 0; n < pyramid.scales(); ++n) {
+    EXPECT_EQ(pyramid.nearestScale(pyramid.sigma(n) * 1.08), n);
+    EXPECT_EQ(pyramid.octaveOf(n), n < 6 ? 0 : n < 10 ? 1 : 2);
+  }
+  EXPECT_EQ(pyramid.nearestScale(0.1), 0);
+  EXPECT_EQ(pyramid.nearestScale(1000), pyramid.scales() - 1);
+}
+
+TEST(GaussianPyramid, OfADotIsAGaussian) {
+  // The dot is taken as a Gaussian of the camera's blur, which it is not: so each level has the
+  // variance sigma^2 less that blur. A wide pyramid leaves nothing at the edges.
+  constexpr int kSize = 257, kMiddle = 128;
+  cv::Mat1f dot(kSize, kSize, 0.0f);
+  dot(kMiddle, kMiddle) = 10000;
+  GaussianPyramid pyramid(1.2, 4, 2, 3);
+  pyramid.build(dot);
+  for (int n = 0; n < pyramid.scales(); ++n) {
+    const int octave = pyramid.octaveOf(n);
+    const cv::Mat1f& level = pyramid.level(octave, n);
+    const double variance = pyramid.sigma(n) * pyramid.sigma(n) - 0.25;
+    const double peak = 10000 / (2 * CV_PI * variance);
+    double worst = 0;
+    for (int y = 0; y < level.rows; ++y) {
+      for (int x = 0; x < level.cols; ++x) {
+        const double dx = (x << octave) - kMiddle, dy = (y << octave) - kMiddle;
+        const double expected = peak * std::exp(-(dx * dx + dy * dy) / (2 * variance));
+        worst = std::max(worst, std::abs(level(y, x) - expected));
+      }
+    }
+    EXPECT_LT(worst, 0.01 * peak) << "scale " << n;
+  }
+}
+
+TEST(GaussianPyramid, KeepsConstantsAndStopsAtSmallSides) {
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(2, 7), cv::Size(23, 50), cv::Size(24, 24)}) {
+    GaussianPyramid pyramid(1.2, 4, 2, 5);
+    pyramid.build(cv::Mat1f(size, 77.0f));
+    EXPECT_EQ(pyramid.octaves(), size == cv::Size(24, 24) ? 2 : 1) << size;
+    EXPECT_LT(cv::norm(pyramid.level(0, 5) - 77.0f, cv::NORM_INF), 1e-3) << size;
+  }
+}
+
+}  // namespace
+}  // namespace place_recognition
