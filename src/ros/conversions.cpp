@@ -151,8 +151,8 @@ cv::Mat toImage(const sensor_msgs::CompressedImage& message) {
   return decoded.image;
 }
 
-PlaceRecognition toMessage(const Recognition& recognition, const Model& model,
-                           const std_msgs::Header& header, double seconds) {
+PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model& model,
+                                    const std_msgs::Header& header, double seconds) {
   PlaceRecognition message;
   message.header = header;
   message.model_name = model.name;
@@ -173,7 +173,7 @@ PlaceRecognition toMessage(const Recognition& recognition, const Model& model,
   return message;
 }
 
-ModelInfo toMessage(const Model& model) {
+ModelInfo toModelInfo(const Model& model) {
   ModelInfo message;
   message.name = model.name;
   message.version = model.version;

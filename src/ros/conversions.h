@@ -29,10 +29,10 @@ cv::Mat toImage(sensor_msgs::Image&& message) = delete;
 cv::Mat toImage(const sensor_msgs::CompressedImage& message);
 
 /// The message of an answer to the image with `header`; `seconds` were spent on it.
-PlaceRecognition toMessage(const Recognition& recognition, const Model& model,
-                           const std_msgs::Header& header, double seconds);
+PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model& model,
+                                    const std_msgs::Header& header, double seconds);
 
-ModelInfo toMessage(const Model& model);
+ModelInfo toModelInfo(const Model& model);
 
 /// The message of a CV_8UC3 or CV_8UC1 picture: bgr8 or mono8.
 sensor_msgs::Image toImageMessage(const cv::Mat& image, const std_msgs::Header& header);

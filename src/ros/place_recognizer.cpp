@@ -231,7 +231,7 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   }
   const Model& model = recognizer_->model();
   const std_msgs::Header& header = arrived.message.header();
-  recognition_publisher_.publish(toMessage(recognition, model, header, seconds));
+  recognition_publisher_.publish(toPlaceRecognition(recognition, model, header, seconds));
   publishPlace(recognition.known ? model.places[static_cast<std::size_t>(recognition.place)]
                                  : names::kUnknown);
   if (debug_image_publisher_.getNumSubscribers() > 0) {
@@ -250,7 +250,7 @@ void PlaceRecognizer::publishPlace(const std::string& place) {
 
 void PlaceRecognizer::publishModelInfo() {
   if (const std::shared_ptr<const Model> model = model_slot_.model()) {
-    model_info_publisher_.publish(toMessage(*model));
+    model_info_publisher_.publish(toModelInfo(*model));
     ROS_INFO("Recognizing with %s.", modelText(*model).c_str());
   }
 }

@@ -362,7 +362,7 @@ TEST(RecognitionMessages, CarryHeaderModelAndScores) {
   header.seq = 9;
   header.stamp = ros::Time(5, 6);
   header.frame_id = "camera";
-  const PlaceRecognition message = toMessage(recognition, namedPlaces(), header, 0.02);
+  const PlaceRecognition message = toPlaceRecognition(recognition, namedPlaces(), header, 0.02);
   EXPECT_EQ(message.header.stamp, header.stamp);
   EXPECT_EQ(message.header.frame_id, "camera");
   EXPECT_EQ(message.model_name, "home");
@@ -383,14 +383,15 @@ TEST(RecognitionMessages, NoPlaceIsAnEmptyNameAndAReason) {
   recognition.probabilities = Eigen::RowVector2d(0.5, 0.5);
   recognition.margins = Eigen::RowVector2d(0, 0);
   recognition.reason = "too few interest points";
-  const PlaceRecognition message = toMessage(recognition, namedPlaces(), std_msgs::Header(), 0);
+  const PlaceRecognition message =
+      toPlaceRecognition(recognition, namedPlaces(), std_msgs::Header(), 0);
   EXPECT_EQ(message.place, "");
   EXPECT_FALSE(message.known);
   EXPECT_EQ(message.reason, "too few interest points");
 }
 
 TEST(RecognitionMessages, ModelInfoListsPlacesAndFeatures) {
-  const ModelInfo message = toMessage(namedPlaces());
+  const ModelInfo message = toModelInfo(namedPlaces());
   EXPECT_EQ(message.name, "home");
   EXPECT_EQ(message.places, (std::vector<std::string>{"corridor", "kitchen"}));
   EXPECT_EQ(message.features, (std::vector<std::string>{"crfh: crfh, chi-squared kernel"}));
