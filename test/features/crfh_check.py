@@ -5,7 +5,8 @@ crfh_check.py CRFH_DUMP DATA_FOLDER
 
 The histogram must have the same bins and values, but for pixels whose responses lie within float
 rounding of a bin edge: each of these may be in the bin at either side, and fewer than 0.1 % of the
-pixels may be in another bin than here. Exits with 77 (skipped) where the pictures are absent.
+pixels may be in another bin than here. Exits with 77 (skipped) where pictures or packages are
+absent.
 """
 import collections
 import glob
@@ -14,9 +15,13 @@ import os
 import subprocess
 import sys
 
-import cv2
-import numpy as np
-from scipy.ndimage import correlate1d
+try:
+    import cv2
+    import numpy as np
+    from scipy.ndimage import correlate1d
+except ImportError as missing:
+    print("%s: skipped; install python3-numpy, python3-scipy and python3-opencv" % missing)
+    sys.exit(77)
 
 CASES = {
     "thesis": {},
