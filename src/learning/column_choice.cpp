@@ -12,14 +12,21 @@ double roundingError(Eigen::Index rows) {
   return static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
 }
 
-/// The first column of the largest squared norm; after normalisation all are equal but for
-/// rounding.
-Eigen::Index firstLargest(const Eigen::Ref<const Eigen::VectorXd>& squared_norms) {
-  const double equal = (1 - roundingError(squared_norms.size())) * squared_norms.maxCoeff();
-  Eigen::Index first = 0;
-  while (squared_norms[first] < equal) ++first;
-  return first;
+/// The first candidate of the largest norm (eq. 6.18); after normalisation all are equal but for
+/// rounding. Settles as few as it can: what is left of a column can only have become less.
+Eigen::Index findPivot(ColumnElimination& elimination) {
+  const auto norms = elimination.squaredNorms().head(elimination.candidates());
+  while (true) {
+    const double equal = (1 - roundingError(elimination.rows())) * norms.maxCoeff();
+    Eigen::Index first = 0;
+    while (norms[first] < equal) ++first;
+    if (elimination.isSettled(first)) return first;
+    elimination.settle(first);
+  }
 }
+
+/// Columns of Q that fit the second-level cache together.
+constexpr Eigen::Index kStepsAtOnce = 64;
 
 void reportChoice(const Progress& progress, Eigen::Index chosen, Eigen::Index max_count) {
   report(progress, "Reducing", static_cast<double>(chosen) / static_cast<double>(max_count));
@@ -33,13 +40,14 @@ Eigen::VectorXd chooseByPivot(ColumnElimination& elimination, const ChoiceLimits
   std::vector<double> pivots;
   for (Eigen::Index count = 0; count < limits.max_count; ++count) {
     reportChoice(progress, count, limits.max_count);
-    const auto norms = elimination.squaredNorms().head(elimination.candidates());
-    const Eigen::Index best = firstLargest(norms);
-    const double pivot = std::sqrt(norms[best]);
+    if (count % kStepsAtOnce == 0) elimination.settleAll();
+    const Eigen::Index best = findPivot(elimination);
+    const double pivot = std::sqrt(elimination.squaredNorms()[best]);
     if (!(pivot > 0) || (count > 0 && !(pivot > least * pivots.front()))) break;
     pivots.push_back(pivot);
     elimination.choose(best);
   }
+  elimination.settleAll();
   Eigen::VectorXd relative = Eigen::Map<Eigen::VectorXd>(pivots.data(), pivots.size());
   if (relative.size() > 0) relative /= relative[0];
   return relative;
@@ -65,6 +73,7 @@ void chooseByFit(ColumnElimination& elimination, const ChoiceLimits& limits,
     Eigen::Index best = 0;
     if (!(gains.maxCoeff(&best) > 0)) break;
     elimination.choose(best);
+    elimination.settleAll();
     const auto row = elimination.r().row(count);
     products.noalias() -= row.head(m).transpose() * row.tail(targets);
   }

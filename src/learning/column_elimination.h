@@ -3,40 +3,62 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/huge_pages.h"
+
 namespace place_recognition {
 
 /// QR factorisation of the columns of a matrix in an order that the caller chooses step by step
-/// (eq. 6.9: K P = Q R), by modified Gram-Schmidt: after each step every column is what is left of
-/// it beyond the span of the chosen ones, so its norm is known afresh, and R is as accurate as by
-/// Householder's transformations (Bjorck 1967). Q itself is not kept.
+/// (eq. 6.9: K P = Q R), by modified Gram-Schmidt: each step takes out of the other columns their
+/// part along the chosen one, so that their norms are known afresh; R is as accurate as by
+/// Householder's transformations (Bjorck 1967). What a step does to a column may wait until that
+/// column is settled, for its norm can only fall; many steps at once need less of the memory.
 ///
-/// Columns from `candidates` on are right-hand sides F: never chosen, carried along, so that the
-/// last columns of R become Q'F.
+/// Behind the candidates stand targets, right-hand sides F: never chosen, carried along, so that
+/// the last columns of R become Q'F.
 class ColumnElimination {
  public:
-  ColumnElimination(Eigen::MatrixXd columns, Eigen::Index candidates);
+  /// Of columns of zeros, to be set before anything else.
+  ColumnElimination(Eigen::Index rows, Eigen::Index candidates, Eigen::Index targets);
 
-  /// Makes candidate `column`, not yet chosen and with something left of it, the next one of Q.
+  /// Column `column` = values / scale.
+  void set(Eigen::Index column, const Eigen::Ref<const Eigen::VectorXd>& values, double scale);
+
+  /// Makes candidate `column`, settled and with something left of it, the next one of Q.
   void choose(Eigen::Index column);
 
-  /// Squared norms of what is left of each column; 0 for those chosen.
+  /// Brings a column, or all of them, up to the last step.
+  void settle(Eigen::Index column);
+  void settleAll();
+  /// Also if nothing is left of it, or it is chosen.
+  bool isSettled(Eigen::Index column) const;
+
+  /// Squared norms of what is left of each column; of one that is not settled, what was left when
+  /// it was. 0 for those chosen.
   const Eigen::VectorXd& squaredNorms() const { return squared_norms_; }
-  /// (candidate, target): the products of what is left of them.
-  Eigen::MatrixXd targetProducts() const;
+  /// (candidate, target): the products of what is left of them. All must be settled.
+  Eigen::MatrixXd targetProducts();
+
+  Eigen::Index rows() const { return rows_; }
+  Eigen::Index candidates() const { return candidates_; }
+  Eigen::Index rank() const { return static_cast<Eigen::Index>(chosen_.size()); }
   /// Candidates in the order of their choice.
   const std::vector<Eigen::Index>& chosen() const { return chosen_; }
-  Eigen::Index candidates() const { return candidates_; }
-  Eigen::Index rows() const { return columns_.rows(); }
-  /// R, a row for each chosen column, columns in the order of the matrix.
-  auto r() const { return r_.topRows(static_cast<Eigen::Index>(chosen_.size())); }
+  /// R, a row for each chosen column, columns in the order of the matrix. All must be settled.
+  auto r() const { return r_.topRows(rank()); }
 
  private:
-  Eigen::MatrixXd columns_;
+  using Columns = Eigen::Map<Eigen::MatrixXd>;
+  Columns columns() { return {storage_.data(), padded_rows_, squared_norms_.size()}; }
+
+  Eigen::Index rows_;
+  Eigen::Index padded_rows_;  ///< with zeros, so that every column starts on a cache line
   Eigen::Index candidates_;
+  /// What is left of each column; where it is chosen, the unit vector of Q.
+  std::vector<double, HugePages<double>> storage_;
   Eigen::VectorXd squared_norms_;
-  std::vector<Eigen::Index> left_;  ///< columns not chosen
   std::vector<Eigen::Index> chosen_;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> r_;
+  std::vector<Eigen::Index> steps_;  ///< how many steps each column has seen
+  Eigen::MatrixXd r_;
 };
 
 /// The X that solves R11 X = B, where R11 are the columns `chosen`, as many as the rows of B, of R.

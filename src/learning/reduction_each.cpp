@@ -1,0 +1,110 @@
+#include <set>
+
+#include "learning/reduction_task.h"
+
+namespace place_recognition {
+namespace {
+
+/// One machine's support vectors, factorised as far as its reduction may need them.
+struct MachineFactors {
+  std::vector<int> vectors;
+  std::vector<Eigen::Index> chosen;  ///< places in `vectors`, in the order of the pivots
+  Eigen::VectorXd pivots;            ///< relative to the first
+  Eigen::MatrixXd r;
+
+  int chosenVector(Eigen::Index k) const {
+    return vectors[static_cast<std::size_t>(chosen[static_cast<std::size_t>(k)])];
+  }
+};
+
+MachineFactors factorise(const ReductionTask& task, Eigen::Index machine) {
+  MachineFactors factors;
+  for (Eigen::Index i = 0; i < task.machines.weights.rows(); ++i) {
+    if (task.machines.weights(i, machine) != 0) factors.vectors.push_back(static_cast<int>(i));
+  }
+  const auto m = static_cast<Eigen::Index>(factors.vectors.size());
+  ColumnElimination elimination(task.kernel_values.rows(), m, 0);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const int vector = factors.vectors[static_cast<std::size_t>(i)];
+    elimination.set(i, task.kernel_values.col(vector), task.scales[vector]);
+  }
+  const Progress progress = [&](const std::string& stage, double fraction) {
+    const auto machines = static_cast<double>(task.machines.weights.cols());
+    return !task.progress ||
+           task.progress(stage, (static_cast<double>(machine) + fraction) / machines);
+  };
+  factors.pivots = chooseByPivot(elimination, task.limitsFor(elimination), progress);
+  factors.chosen = elimination.chosen();
+  factors.r = elimination.r();
+  return factors;
+}
+
+/// For each machine how many of its chosen vectors are kept so that, with one tau for all machines,
+/// at most `max_vectors` different ones remain.
+std::vector<Eigen::Index> ranksFor(const std::vector<MachineFactors>& machines, int max_vectors) {
+  struct Candidate {
+    double pivot;
+    std::size_t machine;
+    int vector;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t m = 0; m < machines.size(); ++m) {
+    for (Eigen::Index k = 0; k < machines[m].pivots.size(); ++k) {
+      candidates.push_back({machines[m].pivots[k], m, machines[m].chosenVector(k)});
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.pivot > b.pivot; });
+  std::vector<Eigen::Index> ranks(machines.size(), 0);
+  std::set<int> kept;
+  for (const Candidate& candidate : candidates) {
+    kept.insert(candidate.vector);
+    if (static_cast<int>(kept.size()) > max_vectors) break;
+    ++ranks[candidate.machine];
+  }
+  return ranks;
+}
+
+/// Eq. 6.21 for the first `rank` chosen vectors; the others' weights are 0.
+Eigen::VectorXd updatedWeights(const MachineFactors& factors, Eigen::Index rank,
+                               const Eigen::VectorXd& weights, const Eigen::RowVectorXd& scales) {
+  const std::vector<Eigen::Index> independent(factors.chosen.begin(),
+                                              factors.chosen.begin() + rank);
+  Eigen::VectorXd dependent(factors.r.cols());  // alpha_2 of the scaled columns
+  for (Eigen::Index i = 0; i < dependent.size(); ++i) {
+    const int vector = factors.vectors[static_cast<std::size_t>(i)];
+    dependent[i] = weights[vector] * scales[vector];
+  }
+  for (const Eigen::Index i : independent) dependent[i] = 0;
+  const Eigen::VectorXd update =  // R11^-1 R12 alpha_2
+      solveTriangular(factors.r, independent, factors.r.topRows(rank) * dependent);
+
+  Eigen::VectorXd updated = Eigen::VectorXd::Zero(weights.size());
+  for (Eigen::Index k = 0; k < rank; ++k) {
+    const int vector = factors.chosenVector(k);
+    updated[vector] = weights[vector] + update[k] / scales[vector];
+  }
+  return updated;
+}
+
+}  // namespace
+
+Eigen::MatrixXd reduceEach(const ReductionTask& task) {
+  const Eigen::MatrixXd& weights = task.machines.weights;
+  std::vector<MachineFactors> machines;
+  std::vector<Eigen::Index> ranks;
+  for (Eigen::Index m = 0; m < weights.cols(); ++m) {
+    machines.push_back(factorise(task, m));
+    ranks.push_back(machines.back().pivots.size());
+  }
+  if (task.options.support_vectors > 0) ranks = ranksFor(machines, task.options.support_vectors);
+
+  Eigen::MatrixXd reduced(weights.rows(), weights.cols());
+  for (Eigen::Index m = 0; m < weights.cols(); ++m) {
+    const auto i = static_cast<std::size_t>(m);
+    reduced.col(m) = updatedWeights(machines[i], ranks[i], weights.col(m), task.scales);
+  }
+  return reduced;
+}
+
+}  // namespace place_recognition
