@@ -62,6 +62,9 @@ Size jpegSize(const std::uint8_t* bytes, std::size_t size) {
     const bool frame =
         marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
     if (frame) return {bigEndian(bytes + i + 7, 2), bigEndian(bytes + i + 5, 2)};
+    // Markers without a length do not stand before it; taking one for a segment would lead to
+    // another frame header than the decoder's.
+    if (marker < 0xc0 || (marker >= 0xd0 && marker <= 0xd9)) return {};
     i += 2 + bigEndian(bytes + i + 2, 2);
   }
   return {};

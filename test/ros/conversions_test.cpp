@@ -308,6 +308,14 @@ TEST(CompressedConversions, BombsAreRefusedByTheirHeader) {
   EXPECT_THROW(toImage(jpeg), Error);
 }
 
+TEST(CompressedConversions, MarkersWithoutLengthDoNotHideTheSize) {
+  sensor_msgs::CompressedImage message = compressed(gradient(CV_8UC3), ".jpg");
+  // Read as a segment, TEM would jump over what the decoder reads next.
+  const std::vector<std::uint8_t> tem = {0xff, 0x01};
+  message.data.insert(message.data.begin() + 2, tem.begin(), tem.end());
+  EXPECT_THROW(toImage(message), Error);
+}
+
 TEST(CompressedConversions, CutOrChangedPicturesDoNotCrash) {
   std::mt19937 random(3);
   for (const std::string extension : {".png", ".jpg"}) {
