@@ -1,5 +1,6 @@
 #include "recognition/combination.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace place_recognition {
@@ -51,19 +52,32 @@ HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& wei
 
 std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
+  struct Trial {
+    std::vector<double> weights;
+    double norm, rate, error;
+  };
+  std::vector<Trial> trials;
   const int steps = stepsFor(cues.size());
-  std::vector<double> best;
-  double best_rate = -1, best_norm = 0;
   std::vector<int> parts;
   forEachComposition(cues.size(), steps, parts, [&] {
-    std::vector<double> weights;
-    for (const int part : parts) weights.push_back(static_cast<double>(part) / steps);
-    const double rate = averageRate(combine(cues, weights), samples, places);
-    const double norm = squaredNorm(parts);
-    if (rate < best_rate || (rate == best_rate && norm >= best_norm)) return;
-    best = weights, best_rate = rate, best_norm = norm;
+    Trial trial{{}, squaredNorm(parts), 0, 0};
+    for (const int part : parts) trial.weights.push_back(static_cast<double>(part) / steps);
+    const HeldOut combined = combine(cues, trial.weights);
+    trial.rate = averageRate(combined, samples, places);
+    trial.error = averageRateError(combined, samples, places);
+    trials.push_back(std::move(trial));
   });
-  return best;
+
+  const Trial best = *std::max_element(
+      trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.rate < b.rate; });
+  const Trial* chosen = nullptr;
+  for (const Trial& trial : trials) {
+    if (trial.rate < best.rate - best.error) continue;
+    const bool better = !chosen || trial.norm < chosen->norm ||
+                        (trial.norm == chosen->norm && trial.rate > chosen->rate);
+    if (better) chosen = &trial;
+  }
+  return chosen->weights;
 }
 
 }  // namespace place_recognition
