@@ -10,7 +10,7 @@ namespace place_recognition {
 namespace {
 
 /// Stopping tolerance on the optimality conditions; margins are determined to about as much.
-constexpr double kTolerance = 1e-3;
+constexpr double kTolerance = 1e-4;
 /// Of libsvm's own cache, which holds rows of a machine's problem.
 constexpr double kCacheMegabytes = 200;
 

@@ -100,7 +100,7 @@ Eigen::VectorXd libsvmDecisionValues(const Eigen::MatrixXd& gram, const std::vec
   svm_parameter parameter = {};
   parameter.kernel_type = PRECOMPUTED;
   parameter.cache_size = 10;
-  parameter.eps = 1e-3;
+  parameter.eps = 1e-4;
   parameter.C = c;
   parameter.shrinking = 1;
   const std::unique_ptr<svm_model, ModelDeleter> model(svm_train(&problem, &parameter));
