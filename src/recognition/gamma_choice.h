@@ -15,8 +15,8 @@ struct GammaGrid {
 
 /// Powers of two around the neutral gamma. For exp(-gamma m), that is one over twice the typical
 /// measure m between two samples, which fits the grid to any feature. For the local kernel, whose
-/// measures depend on gamma and cost much, few values around the thesis' own (Table 8.2); `measures` may
-/// be empty then.
+/// measures depend on gamma and cost much, few values around the thesis' own (Table 8.2);
+/// `measures` may be empty then.
 GammaGrid gammaGrid(const Kernel& kernel, const Eigen::MatrixXd& measures);
 
 /// How a gamma fared on held-out samples.

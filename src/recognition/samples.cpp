@@ -102,25 +102,24 @@ class Collector {
 
   void requirePlaces() {
     for (const Record& record : records_) places_.insert(record.place);
-    if (places_.size() >= 2) return;
+    if (places_.size() < 2) throw Error(whyTooFewPlaces());
+  }
+
+  std::string whyTooFewPlaces() const {
     std::string runs;
     for (const std::string& input : inputs_) runs += (runs.empty() ? "" : ", ") + input;
-    if (frames_ == 0)
-      throw Error("There are no pictures in " + runs + "; give a run that has some.");
+    if (frames_ == 0) return "There are no pictures in " + runs + "; give a run that has some.";
     if (places_.size() == 1) {
-      throw Error("All pictures in " + runs + " show one place, '" + *places_.begin() +
-                  "'; a model needs two places or more to tell apart.");
+      return "All pictures in " + runs + " show one place, '" + *places_.begin() +
+             "'; a model needs two places or more to tell apart.";
     }
-    Skipped all;
     for (const Skipped& skipped : skipped_) {
-      if (skipped.problems > 0) all.add(skipped.first_problem, "");
-      all.unlabelled += skipped.unlabelled;
+      if (skipped.problems == 0) continue;
+      return "None of the pictures in " + runs + " can be used (" + skipped.first_problem +
+             "); give a run that has some.";
     }
-    if (all.unlabelled == frames_) {
-      throw Error("None of the " + std::to_string(frames_) + " pictures in " + runs +
-                  " has a label; say which place each of them shows.");
-    }
-    throw Error("None of the pictures in " + runs + " can be used (" + all.first_problem + ").");
+    return "None of the " + std::to_string(frames_) + " pictures in " + runs +
+           " has a label; say which place each of them shows.";
   }
 
   void fill(Samples& samples, std::size_t cues) {
