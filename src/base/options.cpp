@@ -127,7 +127,7 @@ YAML::Node readYamlFile(const std::string& path) {
   }
 }
 
-void assignOption(YAML::Node root, const std::string& assignment) {
+void assignOption(const YAML::Node& root, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw Error("'" + assignment + "' sets no option; write key=value, as in svm.c=10.");

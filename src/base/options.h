@@ -192,6 +192,6 @@ YAML::Node readYamlFile(const std::string& path);
 /// Applies `assignment`, "key.key=value", to a tree of options before it is read. An element of a
 /// list is addressed by its number from 0 or, where the elements have one, by its `name`.
 /// Throws Error if the text has no such form.
-void assignOption(YAML::Node root, const std::string& assignment);
+void assignOption(const YAML::Node& root, const std::string& assignment);
 
 }  // namespace place_recognition
