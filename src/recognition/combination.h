@@ -13,11 +13,11 @@ namespace place_recognition {
 /// Held-out margins of the cues combined; valid where any cue of positive weight is.
 HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& weights);
 
-/// The weights, in steps of a tenth (coarser for many cues) and with the sum 1, for the mean rate of
-/// the rooms on held-out samples: of those within one standard error of the best, the ones closest
-/// to equal weights, because a few hundred frames cannot tell them apart and equal weights need no
-/// learning. On real rooms (ie_rooms, config/colour_cues.yaml) this rule names 82.4 and 88.3 % right,
-/// the weights of the best held-out rate 82.4 and 84.8 %.
+/// The weights, in steps of a tenth (coarser for many cues) and with the sum 1, for the mean rate
+/// of the rooms on held-out samples: of those within one standard error of the best, the ones
+/// closest to equal weights, because a few hundred frames cannot tell them apart and equal weights
+/// need no learning. On real rooms (ie_rooms, config/colour_cues.yaml) this rule names 82.4
+/// and 88.3 % right, the weights of the best held-out rate 82.4 and 84.8 %.
 std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
                                      const std::vector<SampleOrigin>& samples, std::size_t places);
 
