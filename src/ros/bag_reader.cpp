@@ -19,6 +19,7 @@
 #include "place_recognition/error.h"
 #include "ros/bag_guard.h"
 #include "ros/bag_records.h"
+#include "ros/bag_run.h"
 #include "ros/conversions.h"
 
 namespace place_recognition {
@@ -115,9 +116,22 @@ void sendTopics(const rosbag::Bag& bag, const Topics& topics, bool with_sizes) {
   }
 }
 
+std::string join(const Topics& topics, bool images_only) {
+  std::string text;
+  for (const auto& [name, topic] : topics) {
+    if (images_only && !topic.hasImages()) continue;
+    text += (text.empty() ? "" : ", ") + name + " (" + topic.type + ")";
+  }
+  return text.empty() ? "none" : text;
+}
+
 void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string& label_topic) {
   const auto found = topics.find(label_topic);
-  if (found == topics.end()) return;
+  if (found == topics.end()) {
+    if (label_topic.empty() || label_topic == BagRunOptions().label_topic) return;
+    throw Error("it has no topic " + label_topic + " for labels; its topics are " +
+                join(topics, false));
+  }
   if (found->second.type != kLabelType) {
     throw Error("the label topic " + label_topic + " is of " + found->second.type + ", not of " +
                 kLabelType);
@@ -131,15 +145,6 @@ void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string&
     if (message) record.text = message->data;
     send(record);
   }
-}
-
-std::string join(const Topics& topics, bool images_only) {
-  std::string text;
-  for (const auto& [name, topic] : topics) {
-    if (images_only && !topic.hasImages()) continue;
-    text += (text.empty() ? "" : ", ") + name + " (" + topic.type + ")";
-  }
-  return text.empty() ? "none" : text;
 }
 
 /// The topic that is meant by `wanted`, also by its name without "/compressed"; the only one if it

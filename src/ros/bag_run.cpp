@@ -9,14 +9,13 @@
 #include "place_recognition/error.h"
 #include "ros/bag_records.h"
 #include "ros/child_process.h"
+#include "ros/conversions.h"
 #include "ros/labels.h"
 
 namespace place_recognition {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint32_t kMaxSide = 8192;
 
 /// The file of labels for the bag at `path`; empty: none.
 std::string findLabelsFile(const std::string& path, const BagRunOptions& options) {
@@ -53,8 +52,8 @@ class BagRecords {
 
   /// The pixels that follow `record`.
   cv::Mat pixels(const BagRecord& record) {
-    const bool sound = record.rows > 0 && record.rows <= kMaxSide && record.cols > 0 &&
-                       record.cols <= kMaxSide &&
+    const bool sound = record.rows > 0 && record.rows <= kMaxImageSide && record.cols > 0 &&
+                       record.cols <= kMaxImageSide &&
                        (record.type == CV_8UC1 || record.type == CV_8UC3);
     if (!sound) throwCrash(std::nullopt);
     cv::Mat image(static_cast<int>(record.rows), static_cast<int>(record.cols), record.type);

@@ -6,6 +6,7 @@
 #include <sensor_msgs/Image.h>
 #include <std_msgs/Header.h>
 
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 
 #include "place_recognition/model.h"
@@ -14,7 +15,7 @@
 namespace place_recognition {
 
 /// Larger pictures are refused before any memory is taken for them.
-constexpr int kMaxImageSide = 8192;
+constexpr std::uint32_t kMaxImageSide = 8192;
 
 /// The picture of a message as CV_8UC3 BGR or CV_8UC1. Of bgr8 and mono8 it shares the message's
 /// memory, so the message must outlive it. Understands rgb, bgr, rgba, bgra, mono and bayer of 8 or

@@ -122,9 +122,10 @@ void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
   config_ = config;
 }
 
-bool PlaceRecognizer::onLoadModel(LoadModel::Request& request, LoadModel::Response& response) {
+template <typename Load, typename Response>
+void PlaceRecognizer::changeModel(const Load& load, Response& response) {
   try {
-    model_slot_.load(request.name);
+    load();
     publishModelInfo();
     response.success = true;
     response.message = "Recognizing with " + modelText(*model_slot_.model()) + ".";
@@ -133,21 +134,16 @@ bool PlaceRecognizer::onLoadModel(LoadModel::Request& request, LoadModel::Respon
     response.message = e.what();
     ROS_WARN("The model stays as it is: %s", e.what());
   }
+}
+
+bool PlaceRecognizer::onLoadModel(LoadModel::Request& request, LoadModel::Response& response) {
+  changeModel([&] { model_slot_.load(request.name); }, response);
   return true;
 }
 
 bool PlaceRecognizer::onReloadModel(std_srvs::Trigger::Request&,
                                     std_srvs::Trigger::Response& response) {
-  try {
-    model_slot_.reload();
-    publishModelInfo();
-    response.success = true;
-    response.message = "Recognizing with " + modelText(*model_slot_.model()) + ".";
-  } catch (const Error& e) {
-    response.success = false;
-    response.message = e.what();
-    ROS_WARN("The model stays as it is: %s", e.what());
-  }
+  changeModel([&] { model_slot_.reload(); }, response);
   return true;
 }
 

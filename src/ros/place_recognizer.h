@@ -47,6 +47,10 @@ class PlaceRecognizer {
   bool onSetEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
+  /// Calls `load` and tells in `response` how that went.
+  template <typename Load, typename Response>
+  void changeModel(const Load& load, Response& response);
+
   void work();
   void answer(const ArrivedImage& arrived);
   void followClock(double stamp);

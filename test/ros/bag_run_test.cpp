@@ -190,6 +190,13 @@ TEST_F(Bags, WithTwoCamerasAskForOne) {
   EXPECT_NE(errorOf(path_, options).find("no images on /middle"), std::string::npos);
 }
 
+TEST_F(Bags, ALabelTopicThatWasAskedForMustBeThere) {
+  writeRun(path_);
+  BagRunOptions options;
+  options.label_topic = "/rooms";
+  EXPECT_NE(errorOf(path_, options).find("no topic /rooms for labels"), std::string::npos);
+}
+
 TEST_F(Bags, ALabelTopicOfAnotherTypeIsRefused) {
   writeRun(path_);
   BagRunOptions options;
