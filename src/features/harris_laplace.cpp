@@ -1,11 +1,11 @@
 #include "features/harris_laplace.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
 #include "base/simd.h"
+#include "features/subpixel_laplacian.h"
 
 namespace place_recognition {
 
@@ -67,20 +67,6 @@ void markPeaks(const float* above, const float* here, const float* below, int wi
 double peakOffset(double before, double middle, double after) {
   const double curvature = before - 2 * middle + after;
   return curvature < 0 ? std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5) : 0;
-}
-
-/// L_xx + L_yy at a pixel, of fourth order: with the plain differences of the nearest neighbours
-/// the Laplacian of a small blob is 6 % too small at the first scale of an octave and 2 % at the
-/// last, so that its extremum over scale shifts.
-double pixelLaplacian(const cv::Mat1f& image, int x, int y) {
-  const double near = image(y - 1, x) + image(y + 1, x) + image(y, x - 1) + image(y, x + 1);
-  const double far = image(y - 2, x) + image(y + 2, x) + image(y, x - 2) + image(y, x + 2);
-  return (16 * near - far - 60 * image(y, x)) / 12;
-}
-
-/// The parabola through three values one apart, at `offset` from the middle one.
-double interpolate(const std::array<double, 3>& v, double offset) {
-  return v[1] + 0.5 * offset * (v[2] - v[0] + offset * (v[2] - 2 * v[1] + v[0]));
 }
 
 bool isSame(const InterestPoint& a, const InterestPoint& b) {
@@ -182,23 +168,13 @@ void HarrisLaplace::selectScales(const cv::Point2d& corner, int octave, int step
   }
 }
 
-/// t |L_xx + L_yy| at a place of the image, between pixels too: a corner and the same corner in a
-/// turned image must see the same.
+/// t |L_xx + L_yy| at a place of the image.
 double HarrisLaplace::laplacian(const cv::Point2d& place, int scale) const {
   const int octave = pyramid_.octaveOf(scale);
   const cv::Mat1f& image = pyramid_.level(octave, scale);
-  const cv::Point2d p = place * std::exp2(-octave);
-  const int x = std::clamp(static_cast<int>(std::lround(p.x)), 3, image.cols - 4);
-  const int y = std::clamp(static_cast<int>(std::lround(p.y)), 3, image.rows - 4);
-  std::array<double, 3> rows;
-  for (int i = 0; i < 3; ++i) {
-    const int row = y - 1 + i;
-    rows[i] = interpolate({pixelLaplacian(image, x - 1, row), pixelLaplacian(image, x, row),
-                           pixelLaplacian(image, x + 1, row)},
-                          p.x - x);
-  }
   const double sigma = pyramid_.sigma(scale - octave * options_.steps);
-  return sigma * sigma * std::abs(interpolate(rows, p.y - y));
+  return sigma * sigma *
+         std::abs(SubpixelLaplacian(place * std::exp2(-octave), image.size())(image));
 }
 
 void HarrisLaplace::keepStrongest(std::size_t limit) {

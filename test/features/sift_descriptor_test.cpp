@@ -191,7 +191,7 @@ std::size_t nearest(const Descriptor& descriptor, const std::vector<Descriptor>&
 }
 
 TEST(SiftDescriptor, FindsTheNearestNeighboursThatOpenCvFinds) {
-  const std::vector<cv::Mat1b> pictures = realPictures(40);
+  const std::vector<cv::Mat1b> pictures = realPictures(70);
   if (pictures.empty()) GTEST_SKIP() << "No pictures: set PLACE_RECOGNITION_TEST_DATA.";
   int total = 0, agree = 0;
   double distance = 0;

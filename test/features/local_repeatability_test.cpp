@@ -1,0 +1,211 @@
+// Repeatability of the interest points under rotation, scale, blur and brightness on real
+// pictures, beside that of VLFeat's Harris-Laplace with as many points.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <opencv2/imgproc.hpp>
+
+#include "features/harris_laplace.h"
+#include "features/local_pictures.h"
+
+#ifdef PLACE_RECOGNITION_HAS_VLFEAT
+extern "C" {
+#include <vl/covdet.h>
+}
+#endif
+
+namespace place_recognition {
+namespace {
+
+constexpr std::size_t kMostPoints = 400;
+constexpr double kRadius = 3;          ///< of a point's region, in scales
+constexpr double kLeastOverlap = 0.6;  ///< intersection over union of corresponding regions
+constexpr double kMargin = 12;         ///< pixels at the edge without correspondences
+
+using Points = std::vector<InterestPoint>;
+using Detector = std::function<Points(const cv::Mat1b&)>;
+
+Points detectOurs(const cv::Mat1b& image) {
+  return HarrisLaplace({2, 4, 5, 0.05, 100, 5}).detect(cv::Mat1f(image), kMostPoints);
+}
+
+#ifdef PLACE_RECOGNITION_HAS_VLFEAT
+Points detectVlfeat(const cv::Mat1b& image) {
+  const cv::Mat1f pixels = cv::Mat1f(image) / 255;
+  VlCovDet* detector = vl_covdet_new(VL_COVDET_METHOD_HARRIS_LAPLACE);
+  vl_covdet_set_first_octave(detector, 0);
+  vl_covdet_set_peak_threshold(detector, 1e-9);  // as many points as it has
+  vl_covdet_put_image(detector, pixels.ptr<float>(), pixels.cols, pixels.rows);
+  vl_covdet_detect(detector);
+  const auto* features = static_cast<const VlCovDetFeature*>(vl_covdet_get_features(detector));
+  Points points;
+  for (std::size_t i = 0; i < vl_covdet_get_num_features(detector); ++i) {
+    const VlFrameOrientedEllipse& f = features[i].frame;
+    const float sigma = std::sqrt(std::abs(f.a11 * f.a22 - f.a12 * f.a21));
+    points.push_back({f.x, f.y, sigma, features[i].peakScore});
+  }
+  vl_covdet_delete(detector);
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.cornerness > b.cornerness; });
+  points.resize(std::min(points.size(), kMostPoints));
+  return points;
+}
+#endif
+
+/// A changed picture, and where its pixels were: changed = map * original.
+struct Change {
+  std::string name;
+  cv::Mat1b picture;
+  cv::Matx33d map = cv::Matx33d::eye();
+};
+
+Change rotated(const cv::Mat1b& picture, int degrees) {
+  const double c = std::cos(degrees * CV_PI / 180), s = std::sin(degrees * CV_PI / 180);
+  const cv::Size size(cvRound(picture.cols * std::abs(c) + picture.rows * std::abs(s)),
+                      cvRound(picture.cols * std::abs(s) + picture.rows * std::abs(c)));
+  const double x = (picture.cols - 1) / 2.0, y = (picture.rows - 1) / 2.0;
+  const cv::Matx33d map(c, s, (size.width - 1) / 2.0 - c * x - s * y,  //
+                        -s, c, (size.height - 1) / 2.0 + s * x - c * y, 0, 0, 1);
+  cv::Mat1b turned;
+  cv::warpAffine(picture, turned, map.get_minor<2, 3>(0, 0), size, cv::INTER_CUBIC,
+                 cv::BORDER_REPLICATE);
+  return {"rotation " + std::to_string(degrees), turned, map};
+}
+
+Change shrunk(const cv::Mat1b& picture, double factor) {
+  cv::Mat1b small;
+  cv::resize(picture, small,
+             cv::Size(cvRound(picture.cols / factor), cvRound(picture.rows / factor)), 0, 0,
+             cv::INTER_AREA);
+  const double fx = static_cast<double>(small.cols) / picture.cols;
+  const double fy = static_cast<double>(small.rows) / picture.rows;
+  return {"scale " + std::to_string(factor).substr(0, 3),
+          small,
+          {fx, 0, (fx - 1) / 2, 0, fy, (fy - 1) / 2, 0, 0, 1}};
+}
+
+std::vector<Change> changesOf(const cv::Mat1b& picture) {
+  std::vector<Change> changes;
+  for (const int degrees : {10, 30, 45, 60, 90}) changes.push_back(rotated(picture, degrees));
+  for (const double factor : {1.2, 1.4, 1.6, 2.0}) changes.push_back(shrunk(picture, factor));
+  for (const int sigma : {1, 2, 3}) {
+    cv::Mat1b blurred;
+    cv::GaussianBlur(picture, blurred, cv::Size(), sigma);
+    changes.push_back({"blur " + std::to_string(sigma), blurred});
+  }
+  for (const double gain : {0.5, 0.7, 1.4}) {
+    cv::Mat1b brighter;
+    picture.convertTo(brighter, -1, gain, gain > 1 ? 10 : 0);
+    changes.push_back({"brightness " + std::to_string(gain).substr(0, 3), brighter});
+  }
+  return changes;
+}
+
+/// Intersection over union of two discs.
+double overlap(double distance, double a, double b) {
+  if (distance >= a + b) return 0;
+  double common = CV_PI * std::min(a, b) * std::min(a, b);
+  if (distance > std::abs(a - b)) {
+    const double x = (distance * distance + a * a - b * b) / (2 * distance);
+    const double y = distance - x;
+    common = a * a * std::acos(x / a) - x * std::sqrt(std::max(0.0, a * a - x * x)) +
+             b * b * std::acos(y / b) - y * std::sqrt(std::max(0.0, b * b - y * y));
+  }
+  return common / (CV_PI * (a * a + b * b) - common);
+}
+
+bool isInside(const cv::Vec3d& p, const cv::Size& size) {
+  return p[0] >= kMargin && p[1] >= kMargin && p[0] < size.width - kMargin &&
+         p[1] < size.height - kMargin;
+}
+
+/// The points of one picture that the other shows too, at their places there.
+Points moved(const Points& points, const cv::Matx33d& map, cv::Size from, cv::Size to) {
+  const double scale = std::sqrt(std::abs(cv::determinant(map)));
+  Points result;
+  for (const InterestPoint& p : points) {
+    const cv::Vec3d here(p.x, p.y, 1);
+    const cv::Vec3d there = map * here;
+    if (!isInside(here, from) || !isInside(there, to)) continue;
+    result.push_back({static_cast<float>(there[0]), static_cast<float>(there[1]),
+                      static_cast<float>(p.sigma * scale), p.cornerness});
+  }
+  return result;
+}
+
+/// Share of points with a partner (one to one, best overlap first), of the fewer points.
+double repeatability(const Points& before, const Points& after, const Change& change,
+                     cv::Size size) {
+  const Points a = moved(before, change.map, size, change.picture.size());
+  const Points visible = moved(after, change.map.inv(), change.picture.size(), size);
+  const Points b = moved(visible, change.map, size, change.picture.size());
+  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const double o = overlap(std::hypot(a[i].x - b[j].x, a[i].y - b[j].y), kRadius * a[i].sigma,
+                               kRadius * b[j].sigma);
+      if (o > kLeastOverlap) pairs.emplace_back(-o, i, j);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<bool> a_taken(a.size()), b_taken(b.size());
+  double found = 0;
+  for (const auto& [o, i, j] : pairs) {
+    if (a_taken[i] || b_taken[j]) continue;
+    a_taken[i] = b_taken[j] = true;
+    ++found;
+  }
+  return found / std::max<std::size_t>(1, std::min(a.size(), b.size()));
+}
+
+/// What all detectors find, each cut to as many points as the one with the fewest has.
+std::vector<Points> detectEqually(const std::vector<Detector>& detectors, const cv::Mat1b& image) {
+  std::vector<Points> points;
+  std::size_t fewest = kMostPoints;
+  for (const Detector& detect : detectors) {
+    points.push_back(detect(image));
+    fewest = std::min(fewest, points.back().size());
+  }
+  for (Points& of_detector : points) of_detector.resize(fewest);
+  return points;
+}
+
+TEST(Repeatability, OnRealPictures) {
+  const std::vector<cv::Mat1b> pictures = realPictures(120);
+  if (pictures.empty()) GTEST_SKIP() << "No pictures: set PLACE_RECOGNITION_TEST_DATA.";
+  std::vector<Detector> detectors = {detectOurs};
+#ifdef PLACE_RECOGNITION_HAS_VLFEAT
+  detectors.push_back(detectVlfeat);
+#else
+  std::printf("Without VLFeat (libvlfeat-dev) there is nothing to compare with.\n");
+#endif
+  std::vector<std::vector<double>> table;  // by change and detector
+  for (const cv::Mat1b& picture : pictures) {
+    const std::vector<Points> before = detectEqually(detectors, picture);
+    const std::vector<Change> changes = changesOf(picture);
+    table.resize(changes.size(), std::vector<double>(detectors.size()));
+    for (std::size_t c = 0; c < changes.size(); ++c) {
+      const std::vector<Points> after = detectEqually(detectors, changes[c].picture);
+      for (std::size_t k = 0; k < detectors.size(); ++k) {
+        table[c][k] += repeatability(before[k], after[k], changes[c], picture.size());
+      }
+    }
+  }
+  std::vector<double> mean(detectors.size());
+  for (std::size_t c = 0; c < table.size(); ++c) {
+    std::printf("%-16s", changesOf(pictures[0])[c].name.c_str());
+    for (std::size_t k = 0; k < mean.size(); ++k) {
+      std::printf("  %.3f", table[c][k] / pictures.size());
+      mean[k] += table[c][k] / pictures.size() / table.size();
+    }
+    std::printf("\n");
+  }
+  for (const double m : mean) std::printf("mean %.3f\n", m);
+  EXPECT_GT(mean[0], 0.8);
+  for (std::size_t k = 1; k < mean.size(); ++k) EXPECT_GE(mean[0], mean[k]) << "VLFeat's is better";
+}
+
+}  // namespace
+}  // namespace place_recognition
