@@ -10,7 +10,7 @@
 namespace place_recognition::tool {
 
 /// JSON whose keys keep the order in which they were set.
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 /// Where a verb's answers go: text for a person, figures for a program, progress for both.
 struct OutputOptions {

@@ -71,7 +71,7 @@ bool ProgressDisplay::show(const std::string& stage, double fraction) {
 
 void ProgressDisplay::print(double fraction) const {
   if (style_ == Style::kJson) {
-    std::cout << nlohmann::ordered_json{{"stage", stage_}, {"fraction", fraction}} << std::endl;
+    std::cout << nlohmann::json{{"stage", stage_}, {"fraction", fraction}} << std::endl;
   } else if (style_ == Style::kLines) {
     std::cerr << stage_ << ": " << percent(fraction) << " %" << timeLeft(fraction) << std::endl;
   } else {
