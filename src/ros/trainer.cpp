@@ -13,6 +13,11 @@ constexpr double kServiceTimeout = 2;
 
 constexpr const char* kBusy = "Another training is running; wait for it or cancel it.";
 
+std::vector<std::string> bagRoots(const ros::NodeHandle& private_node) {
+  const auto roots = private_node.param("bag_roots", std::vector<std::string>());
+  return roots.empty() ? defaultBagRoots() : roots;
+}
+
 // The request and the response of ~retrain have the fields of the goal and the result of ~train.
 
 TrainGoal toGoal(const Retrain::Request& request) {
@@ -55,7 +60,7 @@ void logFeedback(const TrainFeedback& feedback) {
 
 Trainer::Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : node_(node),
-      bag_roots_(private_node.param("bag_roots", std::vector<std::string>())),
+      bag_roots_(bagRoots(private_node)),
       action_server_(
           private_node, names::kTrain, [this](GoalHandle handle) { onGoal(handle); },
           [this](GoalHandle handle) { onCancel(handle); }, false) {
