@@ -14,7 +14,8 @@ constexpr std::uint32_t kRow = 0xFFFFFFFF;
 /// than a posting, in time and in memory, but also stands for the vectors that lack the bin.
 constexpr std::size_t kRowShare = 3;
 /// The memory is asked for what stands so many bins ahead; visiting it is what takes the time.
-constexpr std::size_t kBinsAhead = 3;
+constexpr std::size_t kLookupsAhead = 8;
+constexpr std::size_t kPostingsAhead = 3;
 
 struct ProductTerm {
   PLACE_RECOGNITION_INLINE double operator()(double x, double y) const { return x * y; }
@@ -44,7 +45,7 @@ PLACE_RECOGNITION_INLINE void addTerms(const std::vector<VectorIndex::Postings>&
   constexpr std::size_t kChunk = 64;
   double terms[kChunk];
   for (std::size_t b = 0; b < bins.size(); ++b) {
-    if (b + kBinsAhead < bins.size()) prefetch(bins[b + kBinsAhead]);
+    if (b + kPostingsAhead < bins.size()) prefetch(bins[b + kPostingsAhead]);
     const VectorIndex::Postings& bin = bins[b];
     if (!bin.vectors) {
       for (std::size_t i = 0; i < bin.count; ++i) sums[i] += term(bin.x, bin.values[i]);
@@ -85,12 +86,16 @@ VectorIndex::VectorIndex(Measure measure, const std::vector<Feature>& vectors) :
   for (const Feature& vector : vectors) {
     const SparseVector& sparse = asSparse(vector, scratch);
     totals_.push_back(total(sparse));
-    for (const std::uint64_t bin : sparse.indices) ++table_.insert(bin).count;
+    for (std::size_t i = 0; i < sparse.size(); ++i) {
+      table_.prefetch(sparse.indices[std::min(i + kLookupsAhead, sparse.size() - 1)]);
+      ++table_.insert(sparse.indices[i]).count;
+    }
   }
   layOut();
   for (std::size_t v = 0; v < vectors.size(); ++v) {
     const SparseVector& sparse = asSparse(vectors[v], scratch);
     for (std::size_t i = 0; i < sparse.size(); ++i) {
+      table_.prefetch(sparse.indices[std::min(i + kLookupsAhead, sparse.size() - 1)]);
       BinTable::Slot& slot = table_.find(sparse.indices[i]);
       if (slot.count == kRow) {
         rows_[slot.begin * vectors.size() + v] = sparse.values[i];
@@ -155,11 +160,10 @@ double VectorIndex::total(const SparseVector& x) const {
 }
 
 std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x) const {
-  constexpr std::size_t kLookupsAhead = 8;
   std::vector<Postings> bins;
   bins.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (i + kLookupsAhead < x.size()) table_.prefetch(x.indices[i + kLookupsAhead]);
+    table_.prefetch(x.indices[std::min(i + kLookupsAhead, x.size() - 1)]);
     const BinTable::Slot& slot = table_.find(x.indices[i]);
     if (slot.count == kRow) {
       bins.push_back({&rows_[slot.begin * totals_.size()], nullptr, totals_.size(), x.values[i]});
