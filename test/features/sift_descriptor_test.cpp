@@ -154,8 +154,7 @@ Described describeBoth(const cv::Mat1b& picture) {
     const cv::Mat1f& level = pyramid.level(octave, scale);
     const float pixel = std::exp2(static_cast<float>(octave));
     // OpenCV rounds keypoints to pixels of their octave; so that both describe the same place,
-    // these are such pixels. (Without rounding, 9 % more points of a picture turned by 25 degrees
-    // and shrunk by 0.8 find their partner.)
+    // these are such pixels.
     const float x = std::round(point.x / pixel), y = std::round(point.y / pixel);
     const float sigma = point.sigma / pixel;
     for (const float angle : sift.orientations(level, x, y, sigma)) {
