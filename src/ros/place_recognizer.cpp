@@ -187,14 +187,13 @@ void PlaceRecognizer::answer(const ArrivedImage& arrived) {
     diagnostics_.leftOut();
     return;
   }
-  Recognizer* recognizer = currentRecognizer();
-  if (recognizer == nullptr) {
+  if (!followModel()) {
     ROS_WARN_THROTTLE(kWarningPeriod, "There is no model to recognize with.");
     return;
   }
   const auto start = Diagnostics::Clock::now();
   const cv::Mat image = arrived.message.image();
-  const Recognition& recognition = recognizer->recognize(image);
+  const Recognition& recognition = recognizer_->recognize(image);
   const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
   publish(arrived, image, recognition, spent.count());
 }
@@ -208,15 +207,24 @@ void PlaceRecognizer::followClock(double stamp) {
   last_stamp_ = std::max(last_stamp_, stamp);
 }
 
-Recognizer* PlaceRecognizer::currentRecognizer() {
+bool PlaceRecognizer::followModel() {
   const std::shared_ptr<const Model> model = model_slot_.model();
-  if (!model) return nullptr;
-  if (!recognizer_ || &recognizer_->model() != model.get()) {
-    recognizer_ = std::make_unique<Recognizer>(model);
+  if (!model) return false;
+  const bool replaced = !recognizer_ || &recognizer_->model() != model.get();
+  if (replaced) recognizer_ = std::make_unique<Recognizer>(model);
+  if (replaced || smoothing_ != config_.smoothing) {
+    smoothing_ = config_.smoothing;
+    TemporalFilterOptions options;
+    options.decorrelation_time = smoothing_;
+    filter_ = smoothing_ > 0 ? std::make_unique<TemporalFilter>(
+                                   *model, Adjacency(model->places.size()), options)
+                             : nullptr;
   }
-  const double threshold = config_.unknown_threshold;
-  recognizer_->setUnknownThreshold(threshold < 0 ? model->unknown_threshold : threshold);
-  return recognizer_.get();
+  const double wanted = config_.unknown_threshold;
+  const double threshold = wanted < 0 ? model->unknown_threshold : wanted;
+  recognizer_->setUnknownThreshold(threshold);
+  if (filter_) filter_->setUnknownThreshold(threshold);
+  return true;
 }
 
 void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
@@ -228,12 +236,17 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   const Model& model = recognizer_->model();
   const std_msgs::Header& header = arrived.message.header();
   recognition_publisher_.publish(toPlaceRecognition(recognition, model, header, seconds));
-  publishPlace(recognition.known ? model.places[static_cast<std::size_t>(recognition.place)]
-                                 : names::kUnknown);
+  publishPlace(filtered(recognition));
   if (debug_image_publisher_.getNumSubscribers() > 0) {
     debug_image_publisher_.publish(toImageMessage(drawAnswer(image, recognition, model), header));
   }
   diagnostics_.answered(header.stamp, arrived.arrival);
+}
+
+std::string PlaceRecognizer::filtered(const Recognition& recognition) {
+  const int frame_place = recognition.known ? recognition.place : -1;
+  const int place = filter_ ? filter_->update(last_stamp_, recognition).place : frame_place;
+  return place < 0 ? names::kUnknown : recognizer_->model().places[static_cast<std::size_t>(place)];
 }
 
 void PlaceRecognizer::publishPlace(const std::string& place) {
@@ -254,6 +267,7 @@ void PlaceRecognizer::publishModelInfo() {
 void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   rate_limit_.reset();
+  if (filter_) filter_->reset();
   last_stamp_ = 0;
   publishPlace(names::kUnknown);
 }

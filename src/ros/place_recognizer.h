@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "place_recognition/recognizer.h"
+#include "place_recognition/temporal_filter.h"
 #include "ros/diagnostics.h"
 #include "ros/image_input.h"
 #include "ros/model_slot.h"
@@ -54,9 +55,11 @@ class PlaceRecognizer {
   void work();
   void answer(const ArrivedImage& arrived);
   void followClock(double stamp);
-  Recognizer* currentRecognizer();
+  bool followModel();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
                double seconds);
+  /// The place over time, after one more frame.
+  std::string filtered(const Recognition& recognition);
   void publishPlace(const std::string& place);
   void publishModelInfo();
   void reset();
@@ -75,7 +78,9 @@ class PlaceRecognizer {
 
   std::mutex state_mutex_;  // of what an answer depends on and leaves behind
   PlaceRecognizerConfig config_;
-  std::unique_ptr<Recognizer> recognizer_;
+  std::unique_ptr<Recognizer> recognizer_;  // of the model in use, as is the filter
+  std::unique_ptr<TemporalFilter> filter_;  // none: ~place is the answer to the single frame
+  double smoothing_ = 0;                    // s, of the filter
   RateLimit rate_limit_;
   double last_stamp_ = 0;   // s
   std::string last_place_;  // as published last
