@@ -74,7 +74,7 @@ class BagRecords {
   }
 
   [[noreturn]] void throwCrash(const std::optional<BagRecord>& crash) {
-    reader_.kill();
+    if (!crash) reader_.kill();  // it may still run; else it is about to end with its own signal
     const std::string how = describeExit(reader_.wait());
     throw Error("Cannot read " + path_ +
                 ": it is damaged, the library that reads bags ended with " + how +
