@@ -82,6 +82,10 @@ class Collector {
       throw Error("The label of " + frame.name +
                   " is not 1 to 128 bytes of printable UTF-8 text; "
                   "rename the place.");
+    } else if (frame.place == "unknown") {
+      throw Error("The label of " + frame.name +
+                  " is 'unknown', which is the answer for places that are not known; rename the "
+                  "place, or leave its pictures unlabelled.");
     } else if (frame.image.empty()) {
       skipped_.back().add(frame.name, frame.problem);
     } else {

@@ -99,7 +99,7 @@ TEST(Training, SaysWhyItRefuses) {
   for (Frame& frame : damaged) frame.image = cv::Mat(), frame.problem = "it is damaged";
   EXPECT_NE(refusal(damaged).find("it is damaged"), std::string::npos) << refusal(damaged);
 
-  for (const char* place : {"a\nb", "\xff", "\xc0\x80", "\xed\xa0\x80"}) {
+  for (const char* place : {"a\nb", "\xff", "\xc0\x80", "\xed\xa0\x80", "unknown"}) {
     std::vector<Frame> frames = drawFrames(2, 3);
     frames[4].place = place;
     EXPECT_NE(refusal(frames).find("frame4"), std::string::npos) << refusal(frames);
