@@ -65,6 +65,22 @@ Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& 
   return measures;
 }
 
+Eigen::MatrixXd measureColumns(const Kernel& kernel, const std::vector<Feature>& features,
+                               std::size_t columns, unsigned threads) {
+  Eigen::MatrixXd measures(features.size(), columns);
+  for (std::size_t begin = 0; begin < columns; begin += kBlock) {
+    const std::size_t count = std::min(kBlock, columns - begin);
+    const SupportSet block(kernel,
+                           std::vector<Feature>(&features[begin], &features[begin] + count));
+    parallelFor(features.size(), threads, [&](std::size_t i, unsigned) {
+      Eigen::VectorXd row(block.size());
+      block.measures(features[i], row);
+      measures.row(i).segment(begin, count) = row;
+    });
+  }
+  return measures;
+}
+
 Eigen::MatrixXd gramMatrix(const Kernel& kernel, const Eigen::MatrixXd& measures) {
   return measures.unaryExpr([&](double measure) { return kernel.value(measure); });
 }

@@ -14,6 +14,10 @@ namespace place_recognition {
 Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& features,
                               unsigned threads, const Progress& progress);
 
+/// Only the first `columns` columns of such a matrix.
+Eigen::MatrixXd measureColumns(const Kernel& kernel, const std::vector<Feature>& features,
+                               std::size_t columns, unsigned threads);
+
 /// The Gram matrix (eq. 5.33): kernel.value() of every element.
 Eigen::MatrixXd gramMatrix(const Kernel& kernel, const Eigen::MatrixXd& measures);
 

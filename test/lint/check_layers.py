@@ -12,13 +12,15 @@ MAY_INCLUDE = {
     "features": {"base"},
     "learning": {"base"},
     "recognition": {"base", "features", "learning"},
+    "tuning": {"base", "learning", "recognition"},
     "evaluation": {"base", "learning", "recognition"},
     "simulation": {"base"},
     "ros": {"base", "recognition"},
-    "tool": {"base", "features", "learning", "recognition", "evaluation", "simulation", "ros"},
+    "tool": {"base", "features", "learning", "recognition", "tuning", "evaluation", "simulation",
+             "ros"},
 }
 MAY_KNOW = {
-    "opencv2": {"features", "recognition", "evaluation", "simulation", "ros", "tool"},
+    "opencv2": {"features", "recognition", "tuning", "evaluation", "simulation", "ros", "tool"},
     "svm.h": {"learning"},
     "libsvm": {"learning"},
     "google": {"recognition"},

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "place_recognition/progress.h"
+#include "place_recognition/training.h"
+#include "place_recognition/training_options.h"
+
+namespace place_recognition {
+
+/// Where tune() looks; read from YAML (config/tuning/).
+struct SearchSpace {
+  std::vector<std::vector<std::string>> descriptors = {
+      {"Lxx", "Lxy", "Lyy"}, {"Lx", "Ly"},
+      {"grad(L)", "lap(L)"}, {"L"},
+      {"R", "G", "B"},       {"L", "C1", "C2"},
+      {"C1", "C2"},          {"Rx", "Ry", "Gx", "Gy", "Bx", "By"}};
+  std::vector<std::vector<double>> scales = {{1}, {4}, {1, 4}, {2, 8}};
+  std::vector<int> bins = {10, 16, 28};
+  int max_dimensions = 6;
+  std::vector<double> gamma_factors = {0.25, 1, 4};
+  std::vector<double> c = {10, 100, 1000};
+  int max_cues = 3;
+  bool change_light = true;
+  int first_pictures = 200;
+  int max_pictures = 1000;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("descriptors", self.descriptors,
+            "sets of CRFH descriptors; of each, the best scales and bins become one possible cue");
+    visitor("scales", self.scales, "sets of scales t = sigma^2, pixels^2");
+    visitor("bins", self.bins, "quantisation levels of each dimension");
+    visitor("max_dimensions", self.max_dimensions,
+            "a histogram has at most this many dimensions, descriptors times scales");
+    visitor("gamma_factors", self.gamma_factors,
+            "gamma, as multiples of one over twice the typical distance");
+    visitor("c", self.c, "price of a training error");
+    visitor("max_cues", self.max_cues, "that are combined at most, 1..8");
+    visitor("change_light", self.change_light,
+            "whether held-out pictures are judged darker, brighter, warmer and colder, too");
+    visitor("first_pictures", self.first_pictures,
+            "the first round looks at about this many, each later one at twice as many");
+    visitor("max_pictures", self.max_pictures, "the last round looks at about this many");
+  }
+  /// Throws Error naming the first field out of range.
+  void check() const;
+};
+
+/// How one configuration fared on held-out pictures.
+struct TuningTrial {
+  std::string stage;             ///< in plain words, as "round 1", "gamma", "second cue"
+  std::vector<CueOptions> cues;  ///< with the gamma tried
+  double c = 0;                  ///< price of a training error
+  std::uint64_t pictures = 0;    ///< looked at
+  double log_loss = 0;  ///< nats a picture, rooms weighted alike, all lights; the criterion
+  double rate = 0;      ///< mean of the rooms' rates in the light of the recording
+  double changed_light_rate = 0;  ///< the same in changed light; 0 if that was not asked for
+};
+
+/// What tune() found.
+struct Tuning {
+  TrainingOptions options;          ///< what `train` is to be given
+  TuningTrial best;                 ///< how they fared
+  std::vector<TuningTrial> trials;  ///< everything that was tried, in order
+  bool complete = true;             ///< false: stopped early, and the best so far
+  std::uint64_t pictures = 0;       ///< labelled ones in the runs
+  double seconds = 0;
+};
+
+/// Finds features, gamma and C for `runs` by cross-validation within them; `base` gives everything
+/// else, and its own cues are candidates beside those of `space`.
+///
+/// Folds are whole runs if two or more of them hold every place, else contiguous blocks of time;
+/// if `hold_out` is not empty, one split: trained on `runs`, tested on `hold_out`. Tested pictures
+/// are judged in the light of the recording and in changed light, because a recording cannot tell
+/// which features survive the night. The criterion is the log loss of the calibrated probabilities:
+/// it uses how sure the answers are, where a rate of a few hundred frames only knows right and
+/// wrong. What is simpler wins if it is within one standard error (of the paired difference).
+///
+/// 1. For each set of descriptors, scales and bins by successive halving: round by round fewer
+///    candidates and more pictures. 2. Gamma for each survivor. 3. Cues are added one at a time,
+///    with equal weights, while that helps. 4. C. Measures between pictures are computed once a
+///    candidate and serve every gamma, C and combination.
+///
+/// Throws Error if the runs cannot be learned from; Cancelled if `progress` asks for a stop before
+/// anything was found, else what was found by then is returned. Independent of `threads`.
+Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& hold_out,
+            const TrainingOptions& base, const SearchSpace& space, unsigned threads = 0,
+            const Progress& progress = {});
+
+}  // namespace place_recognition

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "tuning/candidates.h"
+#include "tuning/search.h"
+
+namespace place_recognition {
+
+/// How the pictures of the runs are thinned out from round to round.
+struct Thinning {
+  std::size_t first;  ///< every so many-th picture of a place in the first round
+  std::size_t last;   ///< and in the last
+};
+
+/// Counts the labelled pictures of the runs and decides.
+Thinning planThinning(const TuningRuns& runs, const SearchSpace& space, const Progress& progress,
+                      std::uint64_t& pictures);
+
+/// The best cue of each family by successive halving, at the neutral gamma: the first round leaves
+/// a quarter of each family, the second, on twice as many pictures, one. Where all pictures are
+/// few, one round does.
+std::vector<CueOptions> bestOfEach(std::vector<Family> families, const Thinning& thinning,
+                                   Search& search);
+
+}  // namespace place_recognition

@@ -1,0 +1,43 @@
+#include "tuning/light.h"
+
+#include <cassert>
+#include <opencv2/core.hpp>
+
+namespace place_recognition {
+namespace {
+
+/// Look-up table of the products of 0..255 with each gain, one channel a gain.
+cv::Mat productTable(const std::vector<double>& gains) {
+  cv::Mat table(1, 256, CV_8UC(static_cast<int>(gains.size())));
+  for (int value = 0; value < 256; ++value) {
+    for (std::size_t c = 0; c < gains.size(); ++c) {
+      table.ptr(0, value)[c] = cv::saturate_cast<uchar>(gains[c] * value);
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Light> lightsToJudge(bool change) {
+  const Light as_recorded;
+  if (!change) return {as_recorded};
+  const Light darker{0.75, 0.75, 0.75};
+  const Light brighter{1.3, 1.3, 1.3};
+  const Light warmer{1.1, 1, 0.9};
+  const Light colder{0.9, 1, 1.1};
+  return {as_recorded, darker, brighter, warmer, colder};
+}
+
+cv::Mat inLight(const cv::Mat& image, const Light& light) {
+  assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
+  if (light.red == 1 && light.green == 1 && light.blue == 1) return image;
+  const std::vector<double> gains =
+      image.channels() == 3 ? std::vector<double>{light.blue, light.green, light.red}
+                            : std::vector<double>{(light.red + light.green + light.blue) / 3};
+  cv::Mat changed;
+  cv::LUT(image, productTable(gains), changed);
+  return changed;
+}
+
+}  // namespace place_recognition

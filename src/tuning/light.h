@@ -1,0 +1,24 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+namespace place_recognition {
+
+/// A change of light, as a gain of each channel: the camera's exposure and white balance do not
+/// follow the sun and the lamps.
+struct Light {
+  double red = 1;
+  double green = 1;
+  double blue = 1;
+};
+
+/// As recorded first; if `change`, then darker, brighter, warmer and colder by about as much as
+/// automatic exposure and white balance leave over.
+std::vector<Light> lightsToJudge(bool change);
+
+/// `image` (CV_8UC3 BGR or CV_8UC1 grey) in that light, saturated at white; the image itself if the
+/// light does not change it.
+cv::Mat inLight(const cv::Mat& image, const Light& light);
+
+}  // namespace place_recognition

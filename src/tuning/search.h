@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "place_recognition/tuning.h"
+#include "tuning/lit_samples.h"
+#include "tuning/score.h"
+
+namespace place_recognition {
+
+/// What all stages of a search share: what is given, and what came of it so far.
+struct Search {
+  TuningRuns runs;
+  const TrainingOptions& base;
+  const SearchSpace& space;
+  unsigned threads;
+  const Progress& progress;
+
+  std::string stage = {};
+  std::vector<TuningTrial> trials = {};
+  std::optional<TuningTrial> best = {};  ///< if the search ended now
+
+  /// Notes a trial of the current stage.
+  const TuningTrial& note(const std::vector<CueOptions>& cues, double c, const LitSamples& samples,
+                          const Score& score);
+
+  /// `base` with the cues of a family, for extracting their features.
+  TrainingOptions withCues(const std::vector<CueOptions>& cues) const;
+};
+
+/// The first of `scores`, which stand in the order of preference, whose log loss is within one
+/// standard error of the least.
+std::size_t preferred(const std::vector<Score>& scores, const LitSamples& samples);
+
+}  // namespace place_recognition
