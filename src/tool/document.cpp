@@ -3,6 +3,7 @@
 
 #include "base/options.h"
 #include "place_recognition/training_options.h"
+#include "place_recognition/tuning.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -24,6 +25,9 @@ overwrites one key, as in `--set svm.c=10`; a cue is addressed by its name, as i
 default one, which is a single cue named `crfh`. The model keeps the options that it was trained
 with; `place_tool info` shows them.
 )";
+
+constexpr const char* kSearchSpace =
+    "Where `place_tool tune --space FILE` looks; a YAML file of these keys, each with its default.";
 
 /// YAML on one line.
 template <typename T>
@@ -125,6 +129,7 @@ void addDocument(CLI::App& tool) {
   verb->callback([] {
     Reference reference;
     reference.add("Top level", "", "What `train` can be told.", TrainingOptions());
+    reference.add("Search space", "", kSearchSpace, SearchSpace());
     std::cout << kIntroduction;
     reference.print(std::cout);
   });

@@ -20,6 +20,7 @@ struct TuneOptions {
   std::vector<std::string> validate;
   std::string out;
   std::string space;
+  bool same_light = false;
   unsigned threads = 0;
   InputOptions input;
   ConfigurationOptions configuration;
@@ -125,7 +126,8 @@ void printSummary(const Tuning& tuning, const std::string& path, std::ostream& o
 }
 
 void tune(const TuneOptions& options) {
-  const SearchSpace space = readSpace(options.space);
+  SearchSpace space = readSpace(options.space);
+  if (options.same_light) space.change_light = false;
   const TrainingOptions base = readBase(options.configuration);
   requireWritable(options.out);
   const std::vector<RunOpener> runs = options.input.openers(options.inputs);
@@ -159,6 +161,9 @@ void addTune(CLI::App& tool) {
   verb->add_option("--space", options->space,
                    "YAML file that says what to try; see doc/configuration.md")
       ->type_name("FILE");
+  verb->add_flag("--same-light", options->same_light,
+                 "The rooms will only be seen in the light of these runs: do not judge the\n"
+                 "held-out pictures in changed light, too");
   options->configuration.addTo(*verb);
   options->input.addTo(*verb);
   verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");

@@ -10,6 +10,10 @@
 namespace place_recognition {
 namespace {
 
+/// Standard errors that a further cue must gain: it costs time in every frame, and what the same
+/// pictures say for it is partly their own noise.
+constexpr double kGainOfACue = 2;
+
 /// `values` by their ratio to `centre`, the nearest first.
 std::vector<double> nearestFirst(std::vector<double> values, double centre) {
   std::stable_sort(values.begin(), values.end(), [centre](double a, double b) {
@@ -99,7 +103,7 @@ std::vector<CueChoice> chooseCues(std::vector<CueChoice> choices, const LitSampl
         std::min_element(scores.begin(), scores.end(),
                          [](const Score& a, const Score& b) { return a.log_loss < b.log_loss; });
     const double gain = current.log_loss - least->log_loss;
-    if (gain <= differenceError(current, *least, samples)) break;
+    if (gain <= kGainOfACue * differenceError(current, *least, samples)) break;
     const auto index = least - scores.begin();
     current = *least;
     search.best = trials[static_cast<std::size_t>(index)];

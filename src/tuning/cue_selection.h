@@ -20,7 +20,7 @@ std::vector<CueChoice> chooseGammas(const std::vector<CueComparison>& comparison
                                     const LitSamples& samples, Search& search);
 
 /// Cues to be combined: the best one, and then each time the one that lowers the log loss of all
-/// with equal weights most, as long as it does so by more than one standard error.
+/// with equal weights most, as long as it does so by more than two standard errors.
 std::vector<CueChoice> chooseCues(std::vector<CueChoice> choices, const LitSamples& samples,
                                   Search& search);
 
