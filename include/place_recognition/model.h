@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "place_recognition/adjacency.h"
 #include "place_recognition/calibration.h"
 #include "place_recognition/classifier.h"
 #include "place_recognition/training_options.h"
@@ -29,13 +30,14 @@ struct Validation {
 struct Model {
   std::string name;                     ///< set by whoever loads or saves it; not in the file
   std::string version;                  ///< 8 hex digits of the file's checksum; set likewise
-  TrainingOptions options;              ///< gamma as found, everything else as given
+  TrainingOptions options;              ///< gamma, reduction as found; else as given
   std::vector<std::string> places;      ///< names, in ascending order; at least two
   std::vector<Classifier> classifiers;  ///< one a cue of `options`
   std::vector<double> cue_weights;      ///< one a cue, of the sum of margins
   Calibration calibration;              ///< of the summed margins
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;
+  Adjacency adjacency{0};  ///< of `places`; learnt from the runs that are drives
   Provenance provenance;
 
   /// Over all cues.

@@ -107,6 +107,33 @@ void readCalibration(const proto::Model& message, Model& model) {
           "the validation is not in 0..1");
 }
 
+void writeAdjacency(const Adjacency& adjacency, proto::Model& message) {
+  const int places = static_cast<int>(adjacency.places());
+  for (int a = 0; a < places; ++a) {
+    for (int b = a + 1; b < places; ++b) {
+      if (!adjacency.joined(a, b)) continue;
+      message.add_adjacency(static_cast<std::uint32_t>(a));
+      message.add_adjacency(static_cast<std::uint32_t>(b));
+    }
+  }
+}
+
+/// Files of before there was such a map have none.
+void readAdjacency(const proto::Model& message, Model& model) {
+  const std::uint64_t places = model.places.size();
+  model.adjacency = Adjacency(places);
+  require(message.adjacency_size() % 2 == 0, "the map of adjoining rooms has half a pair");
+  std::uint64_t before = 0;  // no pair has a second place 0
+  for (int i = 0; i < message.adjacency_size(); i += 2) {
+    const std::uint64_t a = message.adjacency(i);
+    const std::uint64_t b = message.adjacency(i + 1);
+    require(a < b && b < places, "the map of adjoining rooms names a place that there is not");
+    require(a * places + b > before, "the map of adjoining rooms is not in order");
+    before = a * places + b;
+    model.adjacency.join(static_cast<int>(a), static_cast<int>(b));
+  }
+}
+
 void readProvenance(const proto::Provenance& message, Model& model) {
   require(static_cast<std::size_t>(message.place_images_size()) == model.places.size(),
           "the numbers of images are not those of its places");
@@ -133,6 +160,7 @@ proto::Model toMessage(const Model& model) {
   message.set_unknown_threshold(model.unknown_threshold);
   message.set_validation_average_rate(model.validation.average_rate);
   message.set_validation_calibration_error(model.validation.calibration_error);
+  writeAdjacency(model.adjacency, message);
 
   proto::Provenance& provenance = *message.mutable_provenance();
   for (const std::string& input : model.provenance.inputs) provenance.add_inputs(input);
@@ -153,11 +181,12 @@ Model fromMessage(const proto::Model& message, const std::string& where) {
     readNames(message, model);
     readClassifiers(message, model);
     readCalibration(message, model);
+    readAdjacency(message, model);
     readProvenance(message.provenance(), model);
     return model;
   } catch (const Error& e) {
     throw Error("The model " + where + " cannot be used (" + e.what() +
-                "); restore a backup or train the model again.");
+                "); restore a backup (place_tool restore) or train the model again.");
   }
 }
 

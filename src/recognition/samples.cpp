@@ -20,6 +20,12 @@ struct Record {
   ExtractedFeatures extracted;
 };
 
+/// What the label of a frame says, used or not.
+struct Seen {
+  double stamp = 0;
+  std::string place;  // empty: unlabelled
+};
+
 /// Why frames of one run were left out.
 struct Skipped {
   std::uint64_t unlabelled = 0;
@@ -51,6 +57,7 @@ class Collector {
   void read(Run& run, const Progress& progress) {
     inputs_.push_back(run.name());
     skipped_.emplace_back();
+    seen_.emplace_back();
     const std::string stage = "Reading " + run.name();
     report(progress, stage, 0);
     for (Frame frame; run.next(frame);) {
@@ -66,6 +73,7 @@ class Collector {
     dropFeatureless();
     requirePlaces();
     fill(samples, cues);
+    learnRooms(samples);
     for (std::size_t r = 0; r < inputs_.size(); ++r) {
       samples.skipped += skipped_[r].total();
       if (skipped_[r].total() > 0) samples.warnings.push_back(warningOf(inputs_[r], skipped_[r]));
@@ -76,6 +84,7 @@ class Collector {
  private:
   void add(Frame frame) {
     ++frames_;
+    seen_.back().push_back({frame.stamp, frame.place});
     if (frame.place.empty()) {
       ++skipped_.back().unlabelled;
     } else if (!isPlaceName(frame.place)) {
@@ -140,9 +149,25 @@ class Collector {
     }
   }
 
+  void learnRooms(Samples& samples) const {
+    samples.adjacency = Adjacency(samples.places.size());
+    for (const std::vector<Seen>& run : seen_) {
+      std::vector<PlaceAt> places;
+      for (const Seen& seen : run) {
+        const auto place =
+            std::lower_bound(samples.places.begin(), samples.places.end(), seen.place);
+        const bool known = place != samples.places.end() && *place == seen.place;
+        places.push_back(
+            {seen.stamp, known ? static_cast<int>(place - samples.places.begin()) : -1});
+      }
+      learnAdjacency(places, samples.adjacency);
+    }
+  }
+
   std::vector<std::string> inputs_;
-  std::vector<Skipped> skipped_;  // one a run
-  std::deque<Record> records_;    // stay where they are while threads fill them
+  std::vector<std::vector<Seen>> seen_;  // one a run
+  std::vector<Skipped> skipped_;         // one a run
+  std::deque<Record> records_;           // stay where they are while threads fill them
   std::set<std::string> places_;
   std::uint64_t frames_ = 0;
   ExtractionPool pool_;  // the last member: its threads end first

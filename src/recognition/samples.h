@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "learning/folds.h"
+#include "place_recognition/adjacency.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/training.h"
 
@@ -15,6 +16,7 @@ struct Samples {
   std::vector<SampleOrigin> origins;           ///< one a sample; place: index into `places`
   std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
   std::vector<std::string> inputs;             ///< names of the runs
+  Adjacency adjacency{0};                      ///< of `places`, from the runs that are drives
   std::uint64_t skipped = 0;  ///< frames without label, without picture or without any feature
   std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
 };

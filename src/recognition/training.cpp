@@ -71,6 +71,7 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;
   model.places = samples.places;
+  model.adjacency = samples.adjacency;
   model.provenance = provenanceOf(samples);
 
   training.images = samples.origins.size();

@@ -63,6 +63,18 @@ TEST(ModelFile, KeepsEverythingElse) {
   EXPECT_EQ(read.provenance.place_images, (std::vector<std::uint64_t>{12, 12, 12}));
 }
 
+TEST(ModelFile, KeepsWhichRoomsAdjoin) {
+  Model model = smallModel();
+  model.adjacency.join(2, 0);
+  model.adjacency.join(2, 1);
+  const Model read = parseModel(serializeModel(model), "test");
+  ASSERT_EQ(read.adjacency.places(), 3u);
+  EXPECT_TRUE(read.adjacency.joined(0, 2));
+  EXPECT_TRUE(read.adjacency.joined(1, 2));
+  EXPECT_FALSE(read.adjacency.joined(0, 1));
+  EXPECT_TRUE(parseModel(smallModelBytes(), "test").adjacency.empty());
+}
+
 TEST(ModelFile, RefusesEveryChangedByteAndEveryCut) {
   const std::string& bytes = smallModelBytes();
   std::mt19937 generator(4);
@@ -161,6 +173,13 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{"SlopeNegative", [](auto& m) { m.set_calibration_slope(-1); }},
         Tampering{"ThresholdNan", [](auto& m) { m.set_unknown_threshold(kNan); }},
         Tampering{"ValidationOutOfRange", [](auto& m) { m.set_validation_average_rate(1.5); }},
+        Tampering{"HalfAPairOfRooms", [](auto& m) { m.add_adjacency(0); }},
+        Tampering{"PairOfOneRoom", [](auto& m) { m.add_adjacency(1), m.add_adjacency(1); }},
+        Tampering{"PairWithNoRoom", [](auto& m) { m.add_adjacency(0), m.add_adjacency(3); }},
+        Tampering{"PairTwice",
+                  [](auto& m) {
+                    for (const unsigned place : {0u, 1u, 0u, 1u}) m.add_adjacency(place);
+                  }},
         Tampering{"CountsMissing", [](auto& m) { m.mutable_provenance()->clear_place_images(); }}),
     [](const auto& info) { return info.param.name; });
 

@@ -163,6 +163,35 @@ TEST(Training, SurvivesARareRoom) {
   expectFinite(training, drawRoom(2, 7));
 }
 
+/// The frames of three rooms, one after the other, and back to the first if `returns`.
+std::vector<Frame> driveOf(bool returns) {
+  std::vector<Frame> frames = drawFrames(3, 20);
+  if (returns) {
+    for (const Frame& frame : drawFrames(1, 20, 20)) {
+      frames.push_back(frame);
+      frames.back().stamp += 60;
+    }
+  }
+  return frames;
+}
+
+TEST(Training, LearnsFromADriveWhichRoomsAdjoin) {
+  const Adjacency learnt = train({opener(driveOf(true))}, quickOptions()).model.adjacency;
+  ASSERT_EQ(learnt.places(), 3u);
+  EXPECT_TRUE(learnt.joined(0, 1) && learnt.joined(1, 2) && learnt.joined(2, 0));
+
+  // Unlabelled frames while a door is passed are part of the drive.
+  std::vector<Frame> frames = driveOf(true);
+  frames[19].place = frames[20].place = "";
+  for (std::size_t i = 40; i < frames.size(); ++i) frames[i].stamp += 10;  // after room1
+  const Adjacency gaps = train({opener(frames)}, quickOptions()).model.adjacency;
+  EXPECT_TRUE(gaps.joined(0, 1));
+  EXPECT_FALSE(gaps.joined(1, 2));  // too long unseen
+
+  const Adjacency sorted = train({opener(driveOf(false))}, quickOptions()).model.adjacency;
+  EXPECT_TRUE(sorted.empty());
+}
+
 TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   const auto complaint = [](const TrainingOptions& options) {
     try {
