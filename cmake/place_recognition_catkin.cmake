@@ -10,13 +10,14 @@ endforeach()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
-  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure image_transport
-  message_generation nodelet pluginlib rosbag_storage roscpp sensor_msgs std_msgs std_srvs)
+  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs
+  image_transport message_generation nav_msgs nodelet pluginlib rosbag_storage roscpp sensor_msgs
+  std_msgs std_srvs tf2_ros visualization_msgs)
 
 include(place_recognition_rosrun)
 
 add_message_files(FILES ModelInfo.msg PlaceRecognition.msg PlaceScore.msg)
-add_service_files(FILES LoadModel.srv Retrain.srv)
+add_service_files(FILES LoadModel.srv Retrain.srv SayPlace.srv)
 add_action_files(FILES Train.action)
 generate_messages(DEPENDENCIES actionlib_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/PlaceRecognizer.cfg)
@@ -28,8 +29,8 @@ catkin_package(
   LIBRARIES place_recognition_base place_recognition_features place_recognition_learning
     place_recognition_recognition
   CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure
-    image_transport message_runtime nodelet pluginlib rosbag_storage roscpp sensor_msgs
-    std_msgs std_srvs
+    geometry_msgs image_transport message_runtime nav_msgs nodelet pluginlib rosbag_storage roscpp
+    sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs
   DEPENDS EIGEN3 OpenCV)
 
 # What the targets of src/ros share; the library below it neither includes nor links ROS.

@@ -3,7 +3,7 @@ install(DIRECTORY include/${PROJECT_NAME}/
   DESTINATION include/${PROJECT_NAME} FILES_MATCHING PATTERN "*.h")
 
 if(PLACE_RECOGNITION_ROS)
-  install(TARGETS bag_reader place_recognizer place_tool trainer
+  install(TARGETS auto_labeler bag_reader place_labeler place_recognizer place_tool trainer
     RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   catkin_install_python(PROGRAMS scripts/place_monitor.py
     DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -15,15 +15,18 @@ cv::Mat ImageMessage::image() const {
 }
 
 ImageInput::ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                       Callback callback)
-    : node_(node), private_node_(private_node), callback_(std::move(callback)), transport_(node) {}
+                       Callback callback, std::uint32_t queue)
+    : node_(node),
+      private_node_(private_node),
+      callback_(std::move(callback)),
+      queue_(queue),
+      transport_(node) {}
 
 void ImageInput::subscribe() {
   if (private_node_.param<std::string>("image_transport", "raw") == "compressed") {
     // As image_transport does: a remapping of `image` holds for what is appended to it.
     const std::string topic = node_.resolveName(names::kImage) + names::kCompressedSuffix;
-    compressed_subscriber_ =
-        node_.subscribe(topic, names::kImageQueue, &ImageInput::onCompressed, this);
+    compressed_subscriber_ = node_.subscribe(topic, queue_, &ImageInput::onCompressed, this);
   } else {
     subscribeThroughPlugin();
   }
@@ -33,12 +36,11 @@ void ImageInput::subscribeThroughPlugin() {
   const image_transport::TransportHints hints("raw", ros::TransportHints(), private_node_);
   try {
     plugin_subscriber_ =
-        transport_.subscribe(names::kImage, names::kImageQueue, &ImageInput::onImage, this, hints);
+        transport_.subscribe(names::kImage, queue_, &ImageInput::onImage, this, hints);
   } catch (const std::exception& e) {
     ROS_ERROR("There is no image transport '%s' (%s); taking raw images. Correct ~image_transport.",
               hints.getTransport().c_str(), e.what());
-    plugin_subscriber_ =
-        transport_.subscribe(names::kImage, names::kImageQueue, &ImageInput::onImage, this);
+    plugin_subscriber_ = transport_.subscribe(names::kImage, queue_, &ImageInput::onImage, this);
   }
 }
 

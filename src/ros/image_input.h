@@ -24,6 +24,12 @@ class ImageMessage {
   /// The picture, which may share the message's memory. Throws Error if it cannot be used.
   cv::Mat image() const;
 
+  /// Calls `use` with the message itself, a sensor_msgs::Image or CompressedImage.
+  template <typename Use>
+  void visit(const Use& use) const {
+    std::visit([&use](const auto& message) { use(*message); }, message_);
+  }
+
  private:
   std::variant<sensor_msgs::ImageConstPtr, sensor_msgs::CompressedImageConstPtr> message_;
 };
@@ -35,7 +41,9 @@ class ImageInput {
  public:
   using Callback = std::function<void(const ImageMessage&)>;
 
-  ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node, Callback callback);
+  /// While the callback is busy, the newest `queue` images wait.
+  ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node, Callback callback,
+             std::uint32_t queue);
 
   /// Both may be called at any time, by one thread at a time.
   void subscribe();
@@ -51,6 +59,7 @@ class ImageInput {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   Callback callback_;
+  const std::uint32_t queue_;
   image_transport::ImageTransport transport_;
   image_transport::Subscriber plugin_subscriber_;
   ros::Subscriber compressed_subscriber_;

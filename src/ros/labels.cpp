@@ -9,6 +9,7 @@
 #include "base/options.h"
 #include "place_recognition/error.h"
 #include "recognition/names.h"
+#include "ros/node_names.h"
 
 namespace place_recognition {
 namespace {
@@ -116,6 +117,15 @@ void checkLabel(const std::string& label, const std::string& where) {
       where + ": the label " + inQuotes(label) +
       " is no place name (1 to 128 bytes of UTF-8 without line breaks and the like); a file "
       "RUN.labels.yaml beside RUN.bag can set it right.");
+}
+
+void checkNewLabel(const std::string& label, const std::string& where) {
+  checkLabel(label, where);
+  if (label == names::kUnknown) {
+    throw Error(where +
+                ": 'unknown' is the answer for places that are not known; choose another "
+                "name, or an empty one for no place.");
+  }
 }
 
 Labels Labels::wholeBag(const std::string& place) {

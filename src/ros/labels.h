@@ -11,6 +11,9 @@ namespace place_recognition {
 /// Throws Error unless `label` is a place name (see isPlaceName()); `where` tells where it stands.
 void checkLabel(const std::string& label, const std::string& where);
 
+/// The same for a label that is being given, which may not be 'unknown' either.
+void checkNewLabel(const std::string& label, const std::string& where);
+
 /// Which place a recording shows at which time. Times are bag times, when messages were recorded
 /// (as rosbag play and rqt_bag show them), s.
 class Labels {

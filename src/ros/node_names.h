@@ -13,6 +13,8 @@ constexpr const char* kRecognition = "recognition";
 constexpr const char* kPlace = "place";
 constexpr const char* kModelInfo = "model_info";
 constexpr const char* kDebugImage = "debug_image";
+constexpr const char* kMarker = "marker";
+constexpr const char* kOdometry = "odom";
 constexpr const char* kLoadModel = "load_model";
 constexpr const char* kReloadModel = "reload_model";
 constexpr const char* kSetEnabled = "set_enabled";
@@ -22,11 +24,21 @@ constexpr const char* kReset = "reset";
 constexpr const char* kTrain = "train";
 constexpr const char* kRetrain = "retrain";
 
+// place_labeler and auto_labeler
+constexpr const char* kPlaceLabel = "place_label";
+constexpr const char* kSay = "say";
+constexpr const char* kJoy = "joy";
+constexpr const char* kPose = "pose";
+
 /// What stands for a place that is not known.
 constexpr const char* kUnknown = "unknown";
 
 /// The newest image counts; older ones are of no use.
 constexpr std::uint32_t kImageQueue = 1;
+/// As much odometry as comes while a node is busy for a moment.
+constexpr std::uint32_t kOdometryQueue = 100;
+/// A recording loses no image while the disk is busy for a moment.
+constexpr std::uint32_t kRecordingQueue = 100;
 /// A subscriber that is slow for a moment loses no answer.
 constexpr std::uint32_t kAnswerQueue = 10;
 

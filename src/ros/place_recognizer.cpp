@@ -10,6 +10,7 @@
 #include "ros/conversions.h"
 #include "ros/debug_image.h"
 #include "ros/node_names.h"
+#include "ros/place_marker.h"
 
 namespace place_recognition {
 namespace {
@@ -31,8 +32,11 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
     : node_(node),
       private_node_(private_node),
       diagnostics_(node, private_node, name, model_slot_),
-      input_(node, private_node, [this](const ImageMessage& message) { onImage(message); }),
-      lazy_(private_node.param("lazy", true)) {
+      input_(
+          node, private_node, [this](const ImageMessage& message) { onImage(message); },
+          names::kImageQueue),
+      lazy_(private_node.param("lazy", true)),
+      place_over_time_(node, private_node) {
   const int threads = private_node_.param("threads", 0);
   if (threads > 0) cv::setNumThreads(threads);
   advertise();
@@ -69,6 +73,8 @@ void PlaceRecognizer::advertise() {
   place_publisher_ = private_node_.advertise<std_msgs::String>(names::kPlace, names::kAnswerQueue,
                                                                changed, changed, nullptr, true);
   model_info_publisher_ = private_node_.advertise<ModelInfo>(names::kModelInfo, 1, true);
+  marker_publisher_ = private_node_.advertise<visualization_msgs::Marker>(
+      names::kMarker, names::kAnswerQueue, changed, changed);
   debug_image_publisher_ = image_transport::ImageTransport(private_node_)
                                .advertise(names::kDebugImage, 1, debug_changed, debug_changed);
   services_ = {
@@ -93,9 +99,10 @@ void PlaceRecognizer::loadFirstModel() {
 }
 
 bool PlaceRecognizer::isWanted() const {
-  return enabled_ && (!lazy_ || recognition_publisher_.getNumSubscribers() > 0 ||
-                      place_publisher_.getNumSubscribers() > 0 ||
-                      debug_image_publisher_.getNumSubscribers() > 0);
+  return enabled_ &&
+         (!lazy_ || recognition_publisher_.getNumSubscribers() > 0 ||
+          place_publisher_.getNumSubscribers() > 0 || marker_publisher_.getNumSubscribers() > 0 ||
+          debug_image_publisher_.getNumSubscribers() > 0);
 }
 
 void PlaceRecognizer::updateSubscription() {
@@ -210,20 +217,15 @@ void PlaceRecognizer::followClock(double stamp) {
 bool PlaceRecognizer::followModel() {
   const std::shared_ptr<const Model> model = model_slot_.model();
   if (!model) return false;
-  const bool replaced = !recognizer_ || &recognizer_->model() != model.get();
-  if (replaced) recognizer_ = std::make_unique<Recognizer>(model);
-  if (replaced || smoothing_ != config_.smoothing) {
-    smoothing_ = config_.smoothing;
-    TemporalFilterOptions options;
-    options.decorrelation_time = smoothing_;
-    filter_ = smoothing_ > 0 ? std::make_unique<TemporalFilter>(
-                                   *model, Adjacency(model->places.size()), options)
-                             : nullptr;
+  if (!recognizer_ || &recognizer_->model() != model.get()) {
+    recognizer_ = std::make_unique<Recognizer>(model);
+    place_over_time_.setModel(model, config_.smoothing);
   }
   const double wanted = config_.unknown_threshold;
   const double threshold = wanted < 0 ? model->unknown_threshold : wanted;
   recognizer_->setUnknownThreshold(threshold);
-  if (filter_) filter_->setUnknownThreshold(threshold);
+  place_over_time_.setSmoothing(config_.smoothing);
+  place_over_time_.setUnknownThreshold(threshold);
   return true;
 }
 
@@ -236,17 +238,15 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   const Model& model = recognizer_->model();
   const std_msgs::Header& header = arrived.message.header();
   recognition_publisher_.publish(toPlaceRecognition(recognition, model, header, seconds));
-  publishPlace(filtered(recognition));
+  const std::string& place = place_over_time_.update(last_stamp_, recognition);
+  publishPlace(place);
+  if (marker_publisher_.getNumSubscribers() > 0) {
+    marker_publisher_.publish(placeMarker(place, header));
+  }
   if (debug_image_publisher_.getNumSubscribers() > 0) {
     debug_image_publisher_.publish(toImageMessage(drawAnswer(image, recognition, model), header));
   }
   diagnostics_.answered(header.stamp, arrived.arrival);
-}
-
-std::string PlaceRecognizer::filtered(const Recognition& recognition) {
-  const int frame_place = recognition.known ? recognition.place : -1;
-  const int place = filter_ ? filter_->update(last_stamp_, recognition).place : frame_place;
-  return place < 0 ? names::kUnknown : recognizer_->model().places[static_cast<std::size_t>(place)];
 }
 
 void PlaceRecognizer::publishPlace(const std::string& place) {
@@ -267,7 +267,7 @@ void PlaceRecognizer::publishModelInfo() {
 void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   rate_limit_.reset();
-  if (filter_) filter_->reset();
+  place_over_time_.reset();
   last_stamp_ = 0;
   publishPlace(names::kUnknown);
 }

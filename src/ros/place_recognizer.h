@@ -15,11 +15,11 @@
 #include <thread>
 
 #include "place_recognition/recognizer.h"
-#include "place_recognition/temporal_filter.h"
 #include "ros/diagnostics.h"
 #include "ros/image_input.h"
 #include "ros/model_slot.h"
 #include "ros/newest_image.h"
+#include "ros/place_over_time.h"
 #include "ros/rate_limit.h"
 
 namespace place_recognition {
@@ -58,8 +58,6 @@ class PlaceRecognizer {
   bool followModel();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
                double seconds);
-  /// The place over time, after one more frame.
-  std::string filtered(const Recognition& recognition);
   void publishPlace(const std::string& place);
   void publishModelInfo();
   void reset();
@@ -78,9 +76,8 @@ class PlaceRecognizer {
 
   std::mutex state_mutex_;  // of what an answer depends on and leaves behind
   PlaceRecognizerConfig config_;
-  std::unique_ptr<Recognizer> recognizer_;  // of the model in use, as is the filter
-  std::unique_ptr<TemporalFilter> filter_;  // none: ~place is the answer to the single frame
-  double smoothing_ = 0;                    // s, of the filter
+  std::unique_ptr<Recognizer> recognizer_;  // of the model in use
+  PlaceOverTime place_over_time_;           // likewise
   RateLimit rate_limit_;
   double last_stamp_ = 0;   // s
   std::string last_place_;  // as published last
@@ -88,6 +85,7 @@ class PlaceRecognizer {
   ros::Publisher recognition_publisher_;
   ros::Publisher place_publisher_;
   ros::Publisher model_info_publisher_;
+  ros::Publisher marker_publisher_;
   image_transport::Publisher debug_image_publisher_;
   std::vector<ros::ServiceServer> services_;
   boost::recursive_mutex reconfigure_mutex_;

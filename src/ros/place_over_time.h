@@ -1,0 +1,47 @@
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <string>
+
+#include "place_recognition/temporal_filter.h"
+#include "ros/driven_way.h"
+
+namespace place_recognition {
+
+/// What the answers to single frames amount to over time: a TemporalFilter with what the node knows
+/// beside them, which rooms adjoin (the file that the parameter `~adjacency` names, else what the
+/// model has learnt) and how far the robot has driven (the topic `odom`, if `~use_odometry`). Not
+/// thread-safe, but for odometry, which may come at any time.
+class PlaceOverTime {
+ public:
+  PlaceOverTime(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+
+  /// From now on frames are answered by `model`. A map that does not fit it is reported and left
+  /// out. `smoothing`, s: see the parameter; 0: the answer is that to the single frame.
+  void setModel(std::shared_ptr<const Model> model, double smoothing);
+  void setSmoothing(double smoothing);
+  void setUnknownThreshold(double threshold);
+
+  /// The place after the frame of `stamp`, s, or names::kUnknown; valid until the next call.
+  const std::string& update(double stamp, const Recognition& recognition);
+
+  void reset();
+
+ private:
+  void onOdometry(const nav_msgs::OdometryConstPtr& odometry);
+  Adjacency adjacencyOf(const Model& model) const;
+  void makeFilter();
+
+  const std::string adjacency_path_;  // empty: none
+  std::shared_ptr<const Model> model_;
+  Adjacency adjacency_{0};
+  double smoothing_ = 0;
+  std::unique_ptr<TemporalFilter> filter_;  // none: not smoothed
+  DrivenWay way_;
+  ros::Subscriber odometry_subscriber_;
+};
+
+}  // namespace place_recognition

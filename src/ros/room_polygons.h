@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// A room on the map. The polygon is closed, of either direction.
+struct RoomPolygon {
+  std::string name;
+  std::vector<Eigen::Vector2d> corners;  ///< m, in the map frame
+};
+
+/// The rooms of a building. Several polygons may have the same name.
+class RoomPolygons {
+ public:
+  explicit RoomPolygons(std::vector<RoomPolygon> rooms) : rooms_(std::move(rooms)) {}
+
+  /// The room that `point` lies in. Empty: in none, in several of different names, or nearer than
+  /// `margin`, m, to the border of its polygon, where doorways are.
+  std::string at(const Eigen::Vector2d& point, double margin) const;
+
+  std::size_t size() const { return rooms_.size(); }
+
+ private:
+  std::vector<RoomPolygon> rooms_;
+};
+
+/// Reads a file of the form that the package semantic_pose uses:
+///
+///     places:
+///       - name: kitchen
+///         position: [[0, 0], [4.2, 0], [4.2, 3.1], [0, 3.1]]   # corners, m, in the map frame
+///
+/// Throws Error, naming the place at fault.
+RoomPolygons readRoomPolygons(const std::string& path);
+
+}  // namespace place_recognition

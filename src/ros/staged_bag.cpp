@@ -1,0 +1,55 @@
+#include "ros/staged_bag.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+
+StagedBag::StagedBag(const std::string& path, const std::string& suffix)
+    : path_(path), staged_path_(path + suffix) {
+  try {
+    bag_.open(staged_path_, rosbag::bagmode::Write);
+  } catch (const rosbag::BagException& e) {
+    throwCannotWrite(e.what());
+  }
+}
+
+StagedBag::~StagedBag() {
+  try {
+    bag_.close();
+  } catch (const rosbag::BagException&) {
+    // Its name tells that it is not complete.
+  }
+}
+
+void StagedBag::complete() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    bag_.close();
+    // Closing does not tell whether the last bytes reached the disk; the index is among them.
+    rosbag::Bag(staged_path_, rosbag::bagmode::Read);
+  } catch (const rosbag::BagException& e) {
+    throwCannotWrite(e.what());
+  }
+  if (std::rename(staged_path_.c_str(), path_.c_str()) != 0) throwCannotWrite(std::strerror(errno));
+}
+
+void StagedBag::discard() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    bag_.close();
+  } catch (const rosbag::BagException&) {
+    // What could not be written is removed anyway.
+  }
+  std::remove(staged_path_.c_str());
+}
+
+void StagedBag::throwCannotWrite(const std::string& reason) const {
+  throw Error("Cannot write " + path_ + ": " + reason +
+              "; make room, or choose a folder that can be written.");
+}
+
+}  // namespace place_recognition
