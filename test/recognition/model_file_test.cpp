@@ -64,7 +64,7 @@ TEST(ModelFile, KeepsEverythingElse) {
 }
 
 TEST(ModelFile, KeepsWhichRoomsAdjoin) {
-  Model model = smallModel();
+  Model model = parseModel(smallModelBytes(), "test");
   model.adjacency.join(2, 0);
   model.adjacency.join(2, 1);
   const Model read = parseModel(serializeModel(model), "test");
