@@ -5,6 +5,13 @@
 
 namespace place_recognition {
 
+/// What speaks for a frame showing any of the trained places at all, see Calibration::evidence().
+struct EvidenceWeights {
+  double margins = 1;      ///< of log sum_k exp(slope f_k), a smooth largest margin
+  double familiarity = 0;  ///< of the largest kernel value against a support vector
+  double offset = 0;
+};
+
 /// Margins to probabilities: p_k = exp(slope f_k) / sum_j exp(slope f_j). One slope for all places,
 /// so that the most probable place is always the one of the largest margin (eq. 5.41).
 ///
@@ -12,19 +19,30 @@ namespace place_recognition {
 /// real rooms it was worse held out, by mean rate, by likelihood and by calibration error.
 struct Calibration {
   double slope = 1;  ///< > 0
+  EvidenceWeights weights = {};
 
   /// Of each place; sum to 1. Finite for every finite input.
   Eigen::RowVectorXd probabilities(const Eigen::RowVectorXd& margins) const;
 
-  /// How much speaks for any of the places at all, 0..1: the probability that they would share if
-  /// 'none of them' were one more place, of margin 0, where each machine changes its answer.
-  /// Probabilities cannot tell: they sum to one also where every machine says no.
-  double evidence(const Eigen::RowVectorXd& margins) const;
+  /// How much speaks for any of the places at all, 0..1: the logistic function of the weighted sum
+  /// of margins and familiarity. Probabilities cannot tell: they sum to one also where every
+  /// machine says no. Margins alone cannot either: far from all support vectors they are just the
+  /// biases.
+  double evidence(const Eigen::RowVectorXd& margins, double familiarity = 0) const;
+
+  /// log sum_k exp(slope f_k).
+  double logSum(const Eigen::RowVectorXd& margins) const;
 };
 
 /// The slope of greatest likelihood on margins (frames x places) of frames held out from training,
 /// and their places. As in Platt's method the wanted probabilities are a little less than certain,
 /// (n + 1) / (n + places) for n frames, which keeps the slope finite. Without frames: slope 1.
 Calibration fitCalibration(const Eigen::MatrixXd& margins, const std::vector<int>& labels);
+
+/// Weights such that margins and familiarity count alike, each in units of its own spread over
+/// frames of known places held out from training, and that evidence is 1/2 where all but a `share`
+/// of these frames lie above, 0.95 at their median. No frames of unknown places are needed.
+EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::VectorXd& familiarity,
+                            double share);
 
 }  // namespace place_recognition

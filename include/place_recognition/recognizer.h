@@ -54,6 +54,7 @@ class Recognizer {
   std::vector<Feature> features_;  // one a cue
   Eigen::VectorXd kernel_values_;
   Eigen::RowVectorXd cue_margins_;
+  double familiarity_ = 0;  // the largest kernel value, mean of the cues
   Recognition recognition_;
 };
 

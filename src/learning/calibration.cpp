@@ -39,16 +39,35 @@ double wantedSum(const Eigen::MatrixXd& margins, const std::vector<int>& labels)
   return (frames * true_margins + margins.sum()) / (frames + static_cast<double>(margins.cols()));
 }
 
+/// The element that a `share` of the values lie below.
+double quantile(Eigen::VectorXd values, double share) {
+  std::sort(values.data(), values.data() + values.size());
+  const auto below = static_cast<Eigen::Index>(share * static_cast<double>(values.size()));
+  return values[std::min(below, values.size() - 1)];
+}
+
+/// One over the standard deviation; 0 where all values are equal.
+double unitsOf(const Eigen::VectorXd& values) {
+  const double deviation = std::sqrt((values.array() - values.mean()).square().mean());
+  return deviation > 1e-9 * (1 + values.cwiseAbs().maxCoeff()) ? 1 / deviation : 0;
+}
+
 }  // namespace
 
 Eigen::RowVectorXd Calibration::probabilities(const Eigen::RowVectorXd& margins) const {
   return softmax(exponents(slope, margins));
 }
 
-double Calibration::evidence(const Eigen::RowVectorXd& margins) const {
-  Eigen::RowVectorXd with_none(margins.size() + 1);
-  with_none << margins, 0;
-  return softmax(exponents(slope, with_none)).head(margins.size()).sum();
+double Calibration::logSum(const Eigen::RowVectorXd& margins) const {
+  const Eigen::RowVectorXd z = exponents(slope, margins);
+  const double largest = z.maxCoeff();
+  return largest + std::log((z.array() - largest).exp().sum());
+}
+
+double Calibration::evidence(const Eigen::RowVectorXd& margins, double familiarity) const {
+  const double sum =
+      weights.margins * logSum(margins) + weights.familiarity * familiarity + weights.offset;
+  return 1 / (1 + std::exp(-sum));
 }
 
 Calibration fitCalibration(const Eigen::MatrixXd& margins, const std::vector<int>& labels) {
@@ -72,7 +91,27 @@ Calibration fitCalibration(const Eigen::MatrixXd& margins, const std::vector<int
     const double middle = (low + high) / 2;
     (slopeGradient(middle, scaled, wanted) < 0 ? low : high) = middle;
   }
-  return {high / scale};
+  Calibration calibration;
+  calibration.slope = high / scale;
+  return calibration;
+}
+
+EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::VectorXd& familiarity,
+                            double share) {
+  assert(log_sums.size() == familiarity.size());
+  if (log_sums.size() == 0) return {};
+  EvidenceWeights weights;
+  weights.margins = unitsOf(log_sums);
+  weights.familiarity = unitsOf(familiarity);
+  const Eigen::VectorXd sums = weights.margins * log_sums + weights.familiarity * familiarity;
+  const double limit = quantile(sums, share);
+  const double spread = quantile(sums, 0.5) - limit;
+  constexpr double kMedian = 3;  // 1 / (1 + exp(-3)) = 0.95
+  const double gain = spread > 0 ? kMedian / spread : 1;
+  weights.margins *= gain;
+  weights.familiarity *= gain;
+  weights.offset = -gain * limit;
+  return weights;
 }
 
 }  // namespace place_recognition

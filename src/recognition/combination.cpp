@@ -37,15 +37,22 @@ HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& wei
   HeldOut combined;
   combined.margins.setZero(cues[0].margins.rows(), cues[0].margins.cols());
   combined.valid.assign(cues[0].valid.size(), false);
+  combined.familiarity.setZero(cues[0].margins.rows());
   for (std::size_t i = 0; i < combined.valid.size(); ++i) {
     double present = 0;
     for (std::size_t c = 0; c < cues.size(); ++c) {
       if (!cues[c].valid[i]) continue;
       combined.margins.row(i) += weights[c] * cues[c].margins.row(i);
+      if (cues[c].familiarity.size() > 0) {
+        combined.familiarity[i] += weights[c] * cues[c].familiarity[i];
+      }
       present += weights[c];
     }
     combined.valid[i] = present > 0;
-    if (present > 0) combined.margins.row(i) /= present;
+    if (present > 0) {
+      combined.margins.row(i) /= present;
+      combined.familiarity[i] /= present;
+    }
   }
   return combined;
 }

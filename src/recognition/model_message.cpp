@@ -99,6 +99,10 @@ void readCalibration(const proto::Model& message, Model& model) {
   model.calibration.slope = message.calibration_slope();
   require(std::isfinite(model.calibration.slope) && model.calibration.slope > 0,
           "the slope of the calibration is not a positive number");
+  require(message.evidence_weights_size() == 3, "it does not have three weights of evidence");
+  requireFinite(message.evidence_weights(), "a weight of evidence is not finite");
+  model.calibration.weights = {message.evidence_weights(0), message.evidence_weights(1),
+                               message.evidence_weights(2)};
   model.unknown_threshold = message.unknown_threshold();
   model.validation.average_rate = message.validation_average_rate();
   model.validation.calibration_error = message.validation_calibration_error();
@@ -157,6 +161,9 @@ proto::Model toMessage(const Model& model) {
     message.add_cue_weights(model.cue_weights[c]);
   }
   message.set_calibration_slope(model.calibration.slope);
+  const EvidenceWeights& weights = model.calibration.weights;
+  append(Eigen::RowVector3d(weights.margins, weights.familiarity, weights.offset),
+         message.mutable_evidence_weights());
   message.set_unknown_threshold(model.unknown_threshold);
   message.set_validation_average_rate(model.validation.average_rate);
   message.set_validation_calibration_error(model.validation.calibration_error);

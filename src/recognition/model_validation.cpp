@@ -8,14 +8,25 @@ namespace place_recognition {
 namespace {
 
 Calibration fit(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
-                const std::vector<int>& chosen) {
-  Eigen::MatrixXd margins(static_cast<Eigen::Index>(chosen.size()), held_out.margins.cols());
+                const std::vector<int>& chosen, double false_alarm_rate) {
+  const auto count = static_cast<Eigen::Index>(chosen.size());
+  Eigen::MatrixXd margins(count, held_out.margins.cols());
   std::vector<int> labels;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    margins.row(i) = held_out.margins.row(chosen[i]);
-    labels.push_back(samples[chosen[i]].place);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int sample = chosen[static_cast<std::size_t>(i)];
+    margins.row(i) = held_out.margins.row(sample);
+    labels.push_back(samples[sample].place);
   }
-  return fitCalibration(margins, labels);
+  Calibration calibration = fitCalibration(margins, labels);
+
+  Eigen::VectorXd log_sums(count);
+  Eigen::VectorXd familiarity(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    log_sums[i] = calibration.logSum(margins.row(i));
+    familiarity[i] = held_out.familiarity[chosen[static_cast<std::size_t>(i)]];
+  }
+  calibration.weights = fitEvidence(log_sums, familiarity, false_alarm_rate);
+  return calibration;
 }
 
 /// Answers to held-out samples.
@@ -24,12 +35,13 @@ struct Answers {
   std::vector<double> confidences, evidence;
   std::vector<bool> correct;
 
-  void add(int place, const Calibration& calibration, const Eigen::RowVectorXd& margins) {
+  void add(int place, const Calibration& calibration, const Eigen::RowVectorXd& margins,
+           double familiarity) {
     const Eigen::RowVectorXd probabilities = calibration.probabilities(margins);
     truth.push_back(place);
     places.push_back(largest(probabilities));
     confidences.push_back(probabilities[places.back()]);
-    evidence.push_back(calibration.evidence(margins));
+    evidence.push_back(calibration.evidence(margins, familiarity));
     correct.push_back(places.back() == place);
   }
 };
@@ -64,15 +76,16 @@ Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& s
 
   Answers answers;
   for (int f = 0; f < fold_count; ++f) {
-    const Calibration others = fit(held_out, samples, validSamples(held_out, fold_of, f, false));
+    const Calibration others =
+        fit(held_out, samples, validSamples(held_out, fold_of, f, false), false_alarm_rate);
     for (const int i : validSamples(held_out, fold_of, f, true)) {
-      answers.add(samples[i].place, others, held_out.margins.row(i));
+      answers.add(samples[i].place, others, held_out.margins.row(i), held_out.familiarity[i]);
     }
   }
   const std::size_t places = static_cast<std::size_t>(held_out.margins.cols());
   Calibrated calibrated;
   calibrated.calibration =
-      fit(held_out, samples, validSamples(held_out, fold_of, fold_count, false));
+      fit(held_out, samples, validSamples(held_out, fold_of, fold_count, false), false_alarm_rate);
   calibrated.unknown_threshold = quantile(answers.evidence, false_alarm_rate);
   calibrated.validation.average_rate = averageRate(answers.truth, answers.places, places);
   calibrated.validation.calibration_error = calibrationError(answers.confidences, answers.correct);

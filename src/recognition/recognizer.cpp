@@ -31,27 +31,32 @@ const Recognition& Recognizer::recognize(const cv::Mat& image) {
   return recognition_;
 }
 
-/// Weighted mean of the margins of the cues that the image has; false if it has none that counts.
-/// Dividing by the weights present keeps the sum in the units that the calibration was fitted in.
+/// Weighted mean of the margins, and of the familiarity, of the cues that the image has; false if
+/// it has none that counts. Dividing by the weights present keeps the sum in the units that the
+/// calibration was fitted in.
 bool Recognizer::sumMargins() {
   recognition_.margins.setZero();
+  familiarity_ = 0;
   double present = 0;
   for (std::size_t c = 0; c < features_.size(); ++c) {
     const double weight = model_->cue_weights[c];
     if (weight == 0 || isMissing(features_[c])) continue;
     model_->classifiers[c].margins(features_[c], kernel_values_, cue_margins_);
     recognition_.margins += weight * cue_margins_;
+    if (kernel_values_.size() > 0) familiarity_ += weight * kernel_values_.maxCoeff();
     present += weight;
   }
-  if (present > 0) recognition_.margins /= present;
-  return present > 0;
+  if (present == 0) return false;
+  recognition_.margins /= present;
+  familiarity_ /= present;
+  return true;
 }
 
 void Recognizer::decide() {
   recognition_.probabilities = model_->calibration.probabilities(recognition_.margins);
   recognition_.place = largest(recognition_.probabilities);
   recognition_.confidence = recognition_.probabilities[recognition_.place];
-  recognition_.evidence = model_->calibration.evidence(recognition_.margins);
+  recognition_.evidence = model_->calibration.evidence(recognition_.margins, familiarity_);
   recognition_.known = recognition_.evidence >= unknown_threshold_;
   recognition_.reason.clear();
 }

@@ -96,5 +96,41 @@ TEST(Calibration, MoreFramesAreMoreCertain) {
   EXPECT_GT(fitCalibration(many, labels).slope, fitCalibration(few, {0, 1}).slope);
 }
 
+TEST(Evidence, IsOneHalfWhereTheWantedShareLiesBelowAndNearlyOneAtTheMedian) {
+  std::mt19937 generator(4);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd log_sums(2000);
+  Eigen::VectorXd familiarity(2000);
+  for (Eigen::Index i = 0; i < log_sums.size(); ++i) {
+    log_sums[i] = 1 + 3 * normal(generator);
+    familiarity[i] = 0.6 + 0.01 * normal(generator);
+  }
+  Calibration calibration;
+  calibration.weights = fitEvidence(log_sums, familiarity, 0.1);
+  int below_half = 0;
+  int below_median = 0;
+  for (Eigen::Index i = 0; i < log_sums.size(); ++i) {
+    const Eigen::RowVectorXd margin = Eigen::RowVectorXd::Constant(1, log_sums[i]);
+    const double evidence = calibration.evidence(margin, familiarity[i]);
+    below_half += evidence < 0.5 ? 1 : 0;
+    below_median += evidence < 1 / (1 + std::exp(-3.0)) ? 1 : 0;
+  }
+  EXPECT_NEAR(below_half, 200, 1);
+  EXPECT_NEAR(below_median, 1000, 1);
+  // Each counts in units of its own spread.
+  EXPECT_NEAR(calibration.weights.margins * 3, calibration.weights.familiarity * 0.01, 0.2);
+}
+
+TEST(Evidence, WhatIsAlwaysEqualDoesNotCount) {
+  const Eigen::VectorXd log_sums = Eigen::VectorXd::LinSpaced(9, -1, 1);
+  const Eigen::VectorXd familiarity = Eigen::VectorXd::Constant(9, 0.5);
+  const EvidenceWeights weights = fitEvidence(log_sums, familiarity, 0.05);
+  EXPECT_GT(weights.margins, 0);
+  EXPECT_EQ(weights.familiarity, 0);
+  const EvidenceWeights blank = fitEvidence(familiarity, familiarity, 0.05);
+  EXPECT_EQ(blank.margins, 0);
+  EXPECT_TRUE(std::isfinite(blank.offset));
+}
+
 }  // namespace
 }  // namespace place_recognition

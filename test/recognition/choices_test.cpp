@@ -46,7 +46,7 @@ TEST(GammaChoice, GridFollowsTheFeatures) {
 }
 
 HeldOut heldOut(const Eigen::MatrixXd& margins, const std::vector<bool>& valid) {
-  return {margins, valid};
+  return {margins, valid, Eigen::VectorXd::Zero(margins.rows())};
 }
 
 TEST(Combination, IsTheWeightedMeanOfTheCuesThatAreThere) {
