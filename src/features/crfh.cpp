@@ -1,32 +1,14 @@
 #include "features/crfh.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "features/crfh_descriptor.h"
+#include "features/crfh_quantizer.h"
 
 namespace place_recognition {
 namespace {
 
 constexpr std::uint64_t kWordSize = std::uint64_t{1} << 32;
-
-/// Digit floor((v - low) * bins / (high - low)) of the normalised response v.
-Quantizer makeQuantizer(const CrfhDescriptor& descriptor, double t, double derivative_range,
-                        int bins, std::uint64_t weight) {
-  const auto [unit, middle] = channelScale(descriptor.channel);
-  const bool quadratic = descriptor.op == Operator::kDeterminant;
-  const double normalization =
-      scaleNormalization(descriptor.op, t) * (quadratic ? unit * unit : unit);
-  const double shift = descriptor.op == Operator::kValue ? unit * middle : 0;
-
-  const ResponseRange range = responseRange(descriptor, derivative_range);
-  const double bins_per_unit = bins / (range.high - range.low);
-  const double offset = (shift - range.low) * bins_per_unit;
-  const double whole = std::floor(offset);
-  return {static_cast<float>(normalization * bins_per_unit), static_cast<float>(offset - whole),
-          static_cast<float>(-whole), static_cast<float>(bins - 1 - whole),
-          static_cast<std::uint32_t>(weight)};
-}
 
 }  // namespace
 
@@ -46,7 +28,7 @@ CrfhExtractor::CrfhExtractor(const CrfhOptions& options) {
       const std::size_t filter = filterOf(descriptor.channel, t, options);
       filters_[filter].responses.request(descriptor.op);
       dimensions_.push_back({filter, descriptor.op, words_.size() - 1, first_in_word,
-                             makeQuantizer(descriptor, t, options.derivative_range,
+                             crfhQuantizer(descriptor, t, options.derivative_range,
                                            static_cast<int>(bins), bins_in_word)});
       bins_in_word *= bins;
       bins_so_far *= bins;

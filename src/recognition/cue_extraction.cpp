@@ -7,6 +7,14 @@
 
 namespace place_recognition {
 
+const cv::Mat& scaledDown(const cv::Mat& image, int max_width, cv::Mat& buffer) {
+  if (max_width == 0 || image.cols <= max_width) return image;
+  const double scale = static_cast<double>(max_width) / image.cols;
+  const int height = std::max(1, static_cast<int>(std::lround(image.rows * scale)));
+  cv::resize(image, buffer, cv::Size(max_width, height), 0, 0, cv::INTER_AREA);
+  return buffer;
+}
+
 CueExtraction::CueExtraction(const TrainingOptions& options) : max_width_(options.image.max_width) {
   for (const CueOptions& cue : options.cues) {
     extractors_.push_back(makeFeatureExtractor(cue.feature));
@@ -15,7 +23,7 @@ CueExtraction::CueExtraction(const TrainingOptions& options) : max_width_(option
 
 bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features) {
   assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
-  const cv::Mat& scaled = scaledDown(image);
+  const cv::Mat& scaled = scaledDown(image, max_width_, scaled_);
   features.resize(extractors_.size());
   reason_.clear();
   bool any = false;
@@ -25,14 +33,6 @@ bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features
     if (isMissing(features[c]) && reason_.empty()) reason_ = extractors_[c]->missingReason();
   }
   return any;
-}
-
-const cv::Mat& CueExtraction::scaledDown(const cv::Mat& image) {
-  if (max_width_ == 0 || image.cols <= max_width_) return image;
-  const double scale = static_cast<double>(max_width_) / image.cols;
-  const int height = std::max(1, static_cast<int>(std::lround(image.rows * scale)));
-  cv::resize(image, scaled_, cv::Size(max_width_, height), 0, 0, cv::INTER_AREA);
-  return scaled_;
 }
 
 }  // namespace place_recognition

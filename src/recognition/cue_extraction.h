@@ -10,6 +10,9 @@
 
 namespace place_recognition {
 
+/// `image`, or if it is wider than `max_width` > 0 pixels, a copy of that width in `buffer`.
+const cv::Mat& scaledDown(const cv::Mat& image, int max_width, cv::Mat& buffer);
+
 /// The road from an image to the feature of each cue, the same in training and in recognition: the
 /// image is scaled down to its greatest width, then each cue's extractor looks at it. Keeps its
 /// buffers from image to image: one a thread.
@@ -24,8 +27,6 @@ class CueExtraction {
   const std::string& reason() const { return reason_; }
 
  private:
-  const cv::Mat& scaledDown(const cv::Mat& image);
-
   int max_width_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;
   cv::Mat scaled_;

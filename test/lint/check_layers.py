@@ -14,13 +14,15 @@ MAY_INCLUDE = {
     "recognition": {"base", "features", "learning"},
     "tuning": {"base", "learning", "recognition"},
     "evaluation": {"base", "learning", "recognition"},
+    "experiments": {"base", "features", "learning", "recognition", "evaluation"},
     "simulation": {"base"},
     "ros": {"base", "recognition"},
-    "tool": {"base", "features", "learning", "recognition", "tuning", "evaluation", "simulation",
-             "ros"},
+    "tool": {"base", "features", "learning", "recognition", "tuning", "evaluation", "experiments",
+             "simulation", "ros"},
 }
 MAY_KNOW = {
-    "opencv2": {"features", "recognition", "tuning", "evaluation", "simulation", "ros", "tool"},
+    "opencv2": {"features", "recognition", "tuning", "evaluation", "experiments", "simulation", "ros",
+                "tool"},
     "svm.h": {"learning"},
     "libsvm": {"learning"},
     "google": {"recognition"},

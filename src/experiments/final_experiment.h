@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "experiments/experiment.h"
+#include "experiments/picture_set.h"
+#include "experiments/place_training.h"
+
+namespace place_recognition {
+
+/// Tables 8.2 and 8.6, and the splits of Table 8.1: one cell a training set.
+class FinalExperiment : public Experiment {
+ public:
+  /// Each of `sets` is trained on in turn. `threads`: 0: one a core.
+  FinalExperiment(PlaceFeatures features, std::vector<PictureSet> sets, unsigned threads);
+
+  std::vector<Json> cells() const override;
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override;
+  Findings findings(const std::vector<Json>& results) const override;
+
+ private:
+  Table splits() const;
+
+  PlaceFeatures features_;
+  std::vector<PictureSet> sets_;
+  unsigned threads_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,84 @@
+#include "experiments/place_training.h"
+
+#include "base/parallel.h"
+#include "learning/support_set.h"
+#include "recognition/cue_training.h"
+
+namespace place_recognition {
+namespace {
+
+/// Kernel values of some features (rows) and support vectors (columns).
+Eigen::MatrixXd kernelValues(const std::vector<Feature>& features, const std::vector<int>& rows,
+                             const SupportSet& support_set, unsigned threads) {
+  Eigen::MatrixXd transposed(static_cast<Eigen::Index>(support_set.size()),
+                             static_cast<Eigen::Index>(rows.size()));
+  parallelFor(rows.size(), threads, [&](std::size_t i, unsigned) {
+    support_set.kernelValues(features[static_cast<std::size_t>(rows[i])],
+                             transposed.col(static_cast<Eigen::Index>(i)));
+  });
+  return transposed.transpose();
+}
+
+}  // namespace
+
+const char* name(PlaceFeatures features) {
+  return features == PlaceFeatures::kLocal ? "local" : "global";
+}
+
+TrainingOptions trainingOptions(PlaceFeatures features) {
+  TrainingOptions options;
+  options.image.max_width = 512;
+  options.svm.c = 100;
+  options.reduction.method = "none";
+  CueOptions cue;
+  cue.name = name(features);
+  if (features == PlaceFeatures::kLocal) {
+    cue.feature = LocalFeatureOptions();
+    cue.kernel.type = "local-match";
+  }
+  options.cues = {cue};
+  return options;
+}
+
+PlaceSamples::PlaceSamples(const std::vector<PictureSet>& sets, PlaceFeatures features,
+                           unsigned threads, const Progress& progress)
+    : options_(trainingOptions(features)), threads_(threads) {
+  std::vector<RunOpener> runs;
+  for (const PictureSet& set : sets) runs.push_back([&set] { return openPictureSet(set); });
+  samples_ = collectSamples(runs, options_, threads, progress);
+  set_samples_.place_count = static_cast<int>(samples_.places.size());
+  set_samples_.set_count = static_cast<int>(sets.size());
+  for (const SampleOrigin& origin : samples_.origins) {
+    set_samples_.places.push_back(origin.place);
+    set_samples_.sets.push_back(origin.run);
+  }
+}
+
+PlaceTraining PlaceSamples::train(int set, const Progress& progress) const {
+  const Fold split = set_samples_.split(set);
+  const std::vector<Feature>& features = samples_.features[0];
+  std::vector<SampleOrigin> origins;
+  std::vector<Feature> training_features;
+  for (const int i : split.train) {
+    origins.push_back(samples_.origins[static_cast<std::size_t>(i)]);
+    training_features.push_back(features[static_cast<std::size_t>(i)]);
+  }
+  const std::vector<Fold> folds =
+      timeBlockFolds(origins, options_.validation.folds, options_.validation.gap);
+  const TrainingTask task{origins, samples_.places.size(), folds, options_.svm, threads_, progress};
+  CueOptions cue = options_.cues[0];
+  TrainedCue trained = trainCue(std::move(training_features), cue, {options_.reduction}, task);
+
+  cue.kernel.gamma = trained.gamma;
+  const SupportSet support_set(Kernel(cue.kernel), std::move(trained.vectors));
+  report(progress, "Testing", 0);
+  PlaceTraining training;
+  training.gamma = trained.gamma;
+  training.machines = std::move(trained.machines[0]);
+  training.training_values = kernelValues(features, split.train, support_set, threads_);
+  training.test_values = kernelValues(features, split.test, support_set, threads_);
+  training.test = split.test;
+  return training;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "experiments/picture_set.h"
+#include "experiments/test_sets.h"
+#include "learning/machines.h"
+#include "place_recognition/progress.h"
+#include "place_recognition/training_options.h"
+#include "recognition/samples.h"
+
+namespace place_recognition {
+
+/// The features of chapter 8: local, SIFT at Harris-Laplace points and the local kernel (8.2), or
+/// global, second derivatives at scales 1 and 4 with 28 bins and the chi-squared kernel (8.3).
+enum class PlaceFeatures { kLocal, kGlobal };
+const char* name(PlaceFeatures features);
+
+/// Cue, size of pictures (512 pixels wide) and C = 100, which is what the thesis' cross-validation
+/// found for every training set; gamma is open.
+TrainingOptions trainingOptions(PlaceFeatures features);
+
+/// A classifier trained on one set, before any reduction, and what it is tested on.
+struct PlaceTraining {
+  double gamma = 0;  ///< found by cross-validation on blocks of the training set
+  Machines machines;
+  Eigen::MatrixXd training_values;  ///< kernel values: training pictures x support vectors
+  Eigen::MatrixXd test_values;      ///< test pictures x support vectors
+  std::vector<int> test;            ///< samples tested
+
+  double rate(const Machines& tested, const SetSamples& samples) const {
+    return meanRate(testCounts(samples, test, answersOf(tested, test_values)));
+  }
+};
+
+/// The pictures of all sets as features. Pictures without any are left out, as those of fewer than
+/// five interest points are in the thesis.
+class PlaceSamples {
+ public:
+  PlaceSamples(const std::vector<PictureSet>& sets, PlaceFeatures features, unsigned threads,
+               const Progress& progress);
+
+  PlaceTraining train(int set, const Progress& progress) const;
+
+  const SetSamples& samples() const { return set_samples_; }
+  const std::vector<std::string>& places() const { return samples_.places; }
+
+ private:
+  TrainingOptions options_;
+  unsigned threads_;
+  Samples samples_;
+  SetSamples set_samples_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,169 @@
+#include "experiments/reduction_experiment.h"
+
+#include <memory>
+#include <optional>
+
+#include "base/options.h"
+#include "base/parallel.h"
+#include "evaluation/plots.h"
+#include "evaluation/text_table.h"
+#include "experiments/reduction_curve.h"
+#include "experiments/thesis_places.h"
+
+namespace place_recognition {
+namespace {
+
+/// A way to reduce: the thesis' own twice, for its tables take the better of both.
+struct Way {
+  const char* method;
+  bool normalise;
+};
+constexpr Way kWays[] = {{"qr", true}, {"qr", false}, {"shared-qr", true}, {"shared-greedy", true}};
+constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
+constexpr PlaceFeatures kFeatures[] = {PlaceFeatures::kLocal, PlaceFeatures::kGlobal};
+
+/// Curves of one kind of features: [method][training set], several a method where there are.
+using Curves = std::vector<std::vector<std::vector<ReductionCurve>>>;
+
+std::string plusMinus(const Spread& spread, int decimals) {
+  return fixed(spread.mean, decimals) + " +- " + fixed(spread.deviation, decimals);
+}
+
+/// Over the training sets: the rate, how many vectors hold a share of it, and what part of all
+/// vectors that drops.
+struct Kept {
+  std::vector<double> rates, vectors, dropped;
+};
+
+Kept keptAt(const std::vector<std::vector<ReductionCurve>>& by_set, double share) {
+  Kept kept;
+  for (const std::vector<ReductionCurve>& curves : by_set) {
+    const CurvePoint& all = curves.front().front();
+    const int fewest = fewestVectors(curves, share);
+    kept.rates.push_back(100 * share * all.rate);
+    kept.vectors.push_back(fewest);
+    kept.dropped.push_back(all.vectors > 0 ? 100.0 * (all.vectors - fewest) / all.vectors : 0);
+  }
+  return kept;
+}
+
+Table reductionTable(PlaceFeatures features, const Curves& curves) {
+  const bool local = features == PlaceFeatures::kLocal;
+  const std::vector<ThesisReduction>& thesis = local ? table83() : table87();
+  Table table;
+  table.name = local ? "table_8_3" : "table_8_7";
+  table.title = std::string(local ? "Table 8.3: local" : "Table 8.7: global") +
+                " features. Rate kept against vectors dropped; mean +- standard deviation over the "
+                "training sets; qr is the thesis' method, whose own figures stand right";
+  table.rows = {{"rate kept, %", "rate, %", "qr: dropped, %", "vectors", "shared-qr: dropped, %",
+                 "vectors", "shared-greedy: dropped, %", "vectors", "| rate, %", "dropped, %",
+                 "vectors"}};
+  for (const ThesisReduction& row : thesis) {
+    const bool original = row.percent == 0;
+    std::vector<std::string> cells = {original ? "original" : std::to_string(row.percent)};
+    for (std::size_t m = 0; m < curves.size(); ++m) {
+      const Kept kept = keptAt(curves[m], original ? 1 : row.percent / 100.0);
+      if (m == 0) cells.push_back(plusMinus(spreadOf(kept.rates), 2));
+      if (original) {
+        std::vector<double> all;
+        for (const auto& by_set : curves[m]) all.push_back(by_set.front().front().vectors);
+        cells.insert(cells.end(), {"", plusMinus(spreadOf(all), 0)});
+      } else {
+        cells.push_back(plusMinus(spreadOf(kept.dropped), 2));
+        cells.push_back(plusMinus(spreadOf(kept.vectors), 0));
+      }
+    }
+    cells.push_back("| " + plusMinus({row.rate, row.rate_deviation}, 2));
+    cells.push_back(original ? "" : plusMinus({row.reduction, row.reduction_deviation}, 2));
+    cells.push_back(std::to_string(row.vectors) + " +- " + std::to_string(row.vectors_deviation));
+    table.rows.push_back(cells);
+  }
+  return table;
+}
+
+/// Rate, averaged over the training sets, against vectors left, for the first curve of each method.
+Figure reductionFigure(PlaceFeatures features, const Curves& curves) {
+  std::vector<Curve> lines;
+  for (std::size_t m = 0; m < curves.size(); ++m) {
+    std::vector<ReductionCurve> firsts;
+    for (const auto& by_set : curves[m]) firsts.push_back(by_set.front());
+    lines.push_back({kMethods[m], meanCurve(firsts)});
+  }
+  return {std::string("reduction_") + name(features), sharesPlot("vectors left", "rate", lines)};
+}
+
+}  // namespace
+
+ReductionExperiment::ReductionExperiment(std::vector<PictureSet> sets, unsigned threads)
+    : sets_(std::move(sets)), threads_(threads) {}
+
+std::vector<Json> ReductionExperiment::cells() const {
+  std::vector<Json> cells;
+  for (const PlaceFeatures features : kFeatures) {
+    for (const PictureSet& set : sets_) {
+      for (const Way& way : kWays) {
+        cells.push_back({{"reduction", writeOptions(trainingOptions(features))},
+                         {"features", name(features)},
+                         {"training_set", set.name},
+                         {"method", way.method},
+                         {"normalise", way.normalise}});
+      }
+    }
+  }
+  return cells;
+}
+
+void ReductionExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
+                                  const Progress& progress) {
+  for (const PlaceFeatures features : kFeatures) {
+    std::unique_ptr<PlaceSamples> samples;  // only if they are needed
+    for (std::size_t set = 0; set < sets_.size(); ++set) {
+      std::vector<const Json*> wanted;
+      for (const Json& cell : cells) {
+        const bool here =
+            cell.at("features") == name(features) && cell.at("training_set") == sets_[set].name;
+        if (here) wanted.push_back(&cell);
+      }
+      if (wanted.empty()) continue;
+      if (!samples) {
+        samples = std::make_unique<PlaceSamples>(sets_, features, threads_, progress);
+      }
+      const PlaceTraining training = samples->train(static_cast<int>(set), progress);
+      const RateOf rate = [&](const Machines& machines) {
+        return training.rate(machines, samples->samples());
+      };
+      std::vector<ReductionCurve> curves(wanted.size());
+      parallelFor(wanted.size(), threads_, [&](std::size_t i, unsigned thread) {
+        if (thread == 0) report(progress, "Reducing", static_cast<double>(i) / wanted.size());
+        const Json& cell = *wanted[i];
+        curves[i] = reductionCurve(training.machines, training.training_values, cell.at("method"),
+                                   cell.at("normalise"), rate);
+      });
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        finished(*wanted[i], {{"curve", toJson(curves[i])}, {"gamma", training.gamma}});
+      }
+    }
+  }
+}
+
+Findings ReductionExperiment::findings(const std::vector<Json>& results) const {
+  Findings findings;
+  std::size_t next = 0;
+  for (const PlaceFeatures features : kFeatures) {
+    Curves curves(std::size(kMethods), std::vector<std::vector<ReductionCurve>>(sets_.size()));
+    for (std::size_t set = 0; set < sets_.size(); ++set) {
+      for (const Way& way : kWays) {
+        for (std::size_t m = 0; m < std::size(kMethods); ++m) {
+          if (std::string(way.method) != kMethods[m]) continue;
+          curves[m][set].push_back(curveFromJson(results[next].at("curve")));
+        }
+        ++next;
+      }
+    }
+    findings.tables.push_back(reductionTable(features, curves));
+    findings.figures.push_back(reductionFigure(features, curves));
+  }
+  return findings;
+}
+
+}  // namespace place_recognition

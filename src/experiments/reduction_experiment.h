@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "experiments/experiment.h"
+#include "experiments/picture_set.h"
+#include "experiments/place_training.h"
+
+namespace place_recognition {
+
+/// Tables 8.3 and 8.7: support vector reduction of the classifiers of Tables 8.2 and 8.6 by the
+/// thesis' method, with normalisation on and off, and by the two methods with one basis for all
+/// machines. One cell a kind of features, training set, method and normalisation.
+class ReductionExperiment : public Experiment {
+ public:
+  /// Each of `sets` is trained on in turn. `threads`: 0: one a core.
+  ReductionExperiment(std::vector<PictureSet> sets, unsigned threads);
+
+  std::vector<Json> cells() const override;
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override;
+  Findings findings(const std::vector<Json>& results) const override;
+
+ private:
+  std::vector<PictureSet> sets_;
+  unsigned threads_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,94 @@
+#include "experiments/test_sets.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "recognition/scores.h"
+
+namespace place_recognition {
+
+Fold SetSamples::split(int set) const {
+  Fold fold;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    (sets[i] == set ? fold.train : fold.test).push_back(static_cast<int>(i));
+  }
+  return fold;
+}
+
+SetSamples samplesOf(const std::vector<PictureSet>& sets) {
+  std::map<std::string, int> places;
+  for (const PictureSet& set : sets) {
+    for (const LabelledPicture& picture : set.pictures) places[picture.place] = 0;
+  }
+  SetSamples samples;
+  samples.set_count = static_cast<int>(sets.size());
+  for (auto& [name, place] : places) place = samples.place_count++;
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    for (const LabelledPicture& picture : sets[set].pictures) {
+      samples.places.push_back(places[picture.place]);
+      samples.sets.push_back(static_cast<int>(set));
+    }
+  }
+  return samples;
+}
+
+std::vector<TestCount> testCounts(const SetSamples& samples, const std::vector<int>& test,
+                                  const std::vector<int>& answers) {
+  std::map<std::pair<int, int>, TestCount> found;
+  for (std::size_t i = 0; i < test.size(); ++i) {
+    const auto sample = static_cast<std::size_t>(test[i]);
+    TestCount& count = found[{samples.places[sample], samples.sets[sample]}];
+    count.place = samples.places[sample];
+    count.set = samples.sets[sample];
+    count.right += answers[i] == count.place ? 1 : 0;
+    ++count.total;
+  }
+  std::vector<TestCount> counts;
+  for (const auto& [key, count] : found) counts.push_back(count);
+  return counts;
+}
+
+double meanRate(const std::vector<TestCount>& counts) {
+  double sum = 0;
+  for (const TestCount& count : counts) sum += static_cast<double>(count.right) / count.total;
+  return counts.empty() ? 0 : sum / static_cast<double>(counts.size());
+}
+
+std::vector<int> answersOf(const Machines& machines, const Eigen::MatrixXd& kernel_values) {
+  const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));
+  std::vector<int> answers;
+  for (Eigen::Index i = 0; i < margins.rows(); ++i) answers.push_back(largest(margins.row(i)));
+  return answers;
+}
+
+Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>& rows,
+                          const std::vector<int>& columns) {
+  Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()),
+                       static_cast<Eigen::Index>(columns.size()));
+  for (Eigen::Index j = 0; j < part.cols(); ++j) {
+    const auto column = matrix.col(columns[static_cast<std::size_t>(j)]);
+    for (Eigen::Index i = 0; i < part.rows(); ++i) {
+      part(i, j) = column[rows[static_cast<std::size_t>(i)]];
+    }
+  }
+  return part;
+}
+
+std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& indices) {
+  std::vector<int> picked;
+  for (const int i : indices) picked.push_back(values[static_cast<std::size_t>(i)]);
+  return picked;
+}
+
+Spread spreadOf(const std::vector<double>& values) {
+  Spread spread;
+  const auto n = static_cast<double>(values.size());
+  for (const double value : values) spread.mean += value / n;
+  double squares = 0;
+  for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
+  if (n > 1) spread.deviation = std::sqrt(squares / (n - 1));
+  return spread;
+}
+
+}  // namespace place_recognition

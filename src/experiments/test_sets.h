@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "experiments/picture_set.h"
+#include "learning/folds.h"
+#include "learning/machines.h"
+
+namespace place_recognition {
+
+/// Samples of several sets, one of which is trained on at a time. Each room of each other set is
+/// one test set, and all test sets are of equal weight (thesis section 8.1).
+struct SetSamples {
+  std::vector<int> places;  ///< of each sample
+  std::vector<int> sets;    ///< of each sample
+  int place_count = 0;
+  int set_count = 0;
+
+  /// Trains on `set`, tests on all others.
+  Fold split(int set) const;
+};
+
+/// The pictures of all sets, one set after the other; places are numbered in order of their names.
+SetSamples samplesOf(const std::vector<PictureSet>& sets);
+
+/// How many pictures of one test set there are, and how many were named right.
+struct TestCount {
+  int place = 0;
+  int set = 0;
+  int right = 0;
+  int total = 0;
+};
+
+/// By test set, in order of place, then set; those without pictures are left out. `answers`: a
+/// place for each of `test`.
+std::vector<TestCount> testCounts(const SetSamples& samples, const std::vector<int>& test,
+                                  const std::vector<int>& answers);
+
+/// Mean of the test sets' rates, 0..1; 0 if there are none.
+double meanRate(const std::vector<TestCount>& counts);
+
+/// The place of the largest margin for each row of `kernel_values`.
+std::vector<int> answersOf(const Machines& machines, const Eigen::MatrixXd& kernel_values);
+
+/// The elements of `matrix` in some rows and columns.
+Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>& rows,
+                          const std::vector<int>& columns);
+
+/// Elements of `values` at `indices`.
+std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& indices);
+
+/// Mean and sample standard deviation (0 for a single value), as in 75.44 ± 4.90.
+struct Spread {
+  double mean = 0;
+  double deviation = 0;
+};
+Spread spreadOf(const std::vector<double>& values);
+
+}  // namespace place_recognition
