@@ -30,10 +30,16 @@ void SvmOptions::check() const {
 }
 
 void ReductionOptions::check() const {
-  require(method == "none" || method == "qr" || method == "shared-qr" || method == "shared-greedy",
-          "reduction.method", "none, qr, shared-qr or shared-greedy");
+  require(method == "none" || method == "qr" || method == "shared-qr" ||
+              method == "shared-greedy" || method == "auto",
+          "reduction.method", "none, qr, shared-qr, shared-greedy or auto");
   require(tau >= 0 && tau <= 1, "reduction.tau", "a number 0..1");
+  require(share >= 0 && share <= 1, "reduction.share", "a number 0..1");
   require(support_vectors >= 0, "reduction.support_vectors", "a whole number from 0");
+  require(share == 0 || support_vectors == 0, "reduction.support_vectors",
+          "either it or reduction.share");
+  require(method != "auto" || (share == 0 && support_vectors == 0), "reduction.method",
+          "one that is not auto along with reduction.share or reduction.support_vectors");
 }
 
 }  // namespace place_recognition

@@ -17,7 +17,7 @@ struct MachineFactors {
   }
 };
 
-MachineFactors factorise(const ReductionTask& task, Eigen::Index machine) {
+MachineFactors factoriseMachine(const ReductionTask& task, Eigen::Index machine) {
   MachineFactors factors;
   for (Eigen::Index i = 0; i < task.machines.weights.rows(); ++i) {
     if (task.machines.weights(i, machine) != 0) factors.vectors.push_back(static_cast<int>(i));
@@ -87,24 +87,36 @@ Eigen::VectorXd updatedWeights(const MachineFactors& factors, Eigen::Index rank,
   return updated;
 }
 
+class EachReduction : public Reduction {
+ public:
+  explicit EachReduction(const ReductionTask& task)
+      : machines_(task.machines), scales_(task.scales) {
+    for (Eigen::Index m = 0; m < machines_.weights.cols(); ++m) {
+      factors_.push_back(factoriseMachine(task, m));
+    }
+  }
+
+  Machines withVectors(int count) const override {
+    const std::vector<Eigen::Index> ranks = ranksFor(factors_, count);
+    Machines reduced = machines_;
+    for (Eigen::Index m = 0; m < reduced.weights.cols(); ++m) {
+      const auto i = static_cast<std::size_t>(m);
+      reduced.weights.col(m) =
+          updatedWeights(factors_[i], ranks[i], machines_.weights.col(m), scales_);
+    }
+    return reduced;
+  }
+
+ private:
+  Machines machines_;
+  Eigen::RowVectorXd scales_;
+  std::vector<MachineFactors> factors_;
+};
+
 }  // namespace
 
-Eigen::MatrixXd reduceEach(const ReductionTask& task) {
-  const Eigen::MatrixXd& weights = task.machines.weights;
-  std::vector<MachineFactors> machines;
-  std::vector<Eigen::Index> ranks;
-  for (Eigen::Index m = 0; m < weights.cols(); ++m) {
-    machines.push_back(factorise(task, m));
-    ranks.push_back(machines.back().pivots.size());
-  }
-  if (task.options.support_vectors > 0) ranks = ranksFor(machines, task.options.support_vectors);
-
-  Eigen::MatrixXd reduced(weights.rows(), weights.cols());
-  for (Eigen::Index m = 0; m < weights.cols(); ++m) {
-    const auto i = static_cast<std::size_t>(m);
-    reduced.col(m) = updatedWeights(machines[i], ranks[i], weights.col(m), task.scales);
-  }
-  return reduced;
+std::unique_ptr<const Reduction> factoriseEach(const ReductionTask& task) {
+  return std::make_unique<EachReduction>(task);
 }
 
 }  // namespace place_recognition

@@ -1,10 +1,11 @@
 #include "learning/reduction_task.h"
 
 namespace place_recognition {
+namespace {
 
-Eigen::MatrixXd reduceShared(const ReductionTask& task) {
+/// The columns of the support vectors, with the margins as targets.
+ColumnElimination eliminationOf(const ReductionTask& task, const std::vector<int>& vectors) {
   const Eigen::MatrixXd& weights = task.machines.weights;
-  const std::vector<int> vectors = supportVectors(task.machines);
   const auto m = static_cast<Eigen::Index>(vectors.size());
   ColumnElimination elimination(task.kernel_values.rows(), m, weights.cols());
   for (Eigen::Index i = 0; i < m; ++i) {
@@ -13,23 +14,54 @@ Eigen::MatrixXd reduceShared(const ReductionTask& task) {
   }
   const Eigen::MatrixXd margins = task.kernel_values * weights;  // without bias: F = K A
   for (Eigen::Index t = 0; t < weights.cols(); ++t) elimination.set(m + t, margins.col(t), 1);
+  return elimination;
+}
 
-  const ChoiceLimits limits = task.limitsFor(elimination);
-  if (task.options.method == "shared-qr") {
-    chooseByPivot(elimination, limits, task.progress);
-  } else {
-    chooseByFit(elimination, limits, task.progress);
+class SharedReduction : public Reduction {
+ public:
+  explicit SharedReduction(const ReductionTask& task)
+      : machines_(task.machines), scales_(task.scales) {
+    const std::vector<int> vectors = supportVectors(machines_);
+    ColumnElimination elimination = eliminationOf(task, vectors);
+    const ChoiceLimits limits = task.limitsFor(elimination);
+    if (task.options.method == "shared-qr") {
+      chooseByPivot(elimination, limits, task.progress);
+    } else {
+      chooseByFit(elimination, limits, task.progress);
+    }
+    r11_.resize(elimination.rank(), elimination.rank());
+    for (const Eigen::Index column : elimination.chosen()) {
+      r11_.col(static_cast<Eigen::Index>(basis_.size())) = elimination.r().col(column);
+      basis_.push_back(vectors[static_cast<std::size_t>(column)]);
+    }
+    targets_ = elimination.r().rightCols(machines_.weights.cols());
   }
 
-  const std::vector<Eigen::Index>& basis = elimination.chosen();
-  const Eigen::MatrixXd fitted =  // least squares: R11 X = Q'F
-      solveTriangular(elimination.r(), basis, elimination.r().rightCols(weights.cols()));
-  Eigen::MatrixXd reduced = Eigen::MatrixXd::Zero(weights.rows(), weights.cols());
-  for (std::size_t k = 0; k < basis.size(); ++k) {
-    const int vector = vectors[static_cast<std::size_t>(basis[k])];
-    reduced.row(vector) = fitted.row(static_cast<Eigen::Index>(k)) / task.scales[vector];
+  Machines withVectors(int count) const override {
+    const Eigen::Index rank = std::min<Eigen::Index>(count, r11_.cols());
+    const Eigen::MatrixXd fitted =  // least squares: R11 X = Q'F
+        r11_.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(targets_.topRows(rank));
+    Machines reduced = machines_;
+    reduced.weights.setZero();
+    for (Eigen::Index k = 0; k < rank; ++k) {
+      const int vector = basis_[static_cast<std::size_t>(k)];
+      reduced.weights.row(vector) = fitted.row(k) / scales_[vector];
+    }
+    return reduced;
   }
-  return reduced;
+
+ private:
+  Machines machines_;
+  Eigen::RowVectorXd scales_;
+  std::vector<int> basis_;   ///< in the order of the choice
+  Eigen::MatrixXd r11_;      ///< of the basis
+  Eigen::MatrixXd targets_;  ///< Q'F
+};
+
+}  // namespace
+
+std::unique_ptr<const Reduction> factoriseShared(const ReductionTask& task) {
+  return std::make_unique<SharedReduction>(task);
 }
 
 }  // namespace place_recognition

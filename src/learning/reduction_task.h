@@ -2,16 +2,15 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <memory>
 
 #include "learning/column_choice.h"
 #include "learning/column_elimination.h"
-#include "learning/machines.h"
-#include "place_recognition/learning_options.h"
-#include "place_recognition/progress.h"
+#include "learning/reduction.h"
 
 namespace place_recognition {
 
-/// What reduce() is asked, see reduction.h, and what its methods have in common.
+/// What factorise() is asked, see reduction.h, and what its methods have in common.
 struct ReductionTask {
   const Machines& machines;
   const Eigen::MatrixXd& kernel_values;
@@ -21,16 +20,17 @@ struct ReductionTask {
   Eigen::RowVectorXd scales;
 
   ChoiceLimits limitsFor(const ColumnElimination& elimination) const {
+    const bool counted = options.share > 0 || options.support_vectors > 0;
     const Eigen::Index most = std::min(elimination.candidates(), elimination.rows());
-    if (options.support_vectors == 0) return {options.tau, most};
-    return {0, std::min<Eigen::Index>(most, options.support_vectors)};
+    return {counted ? 0 : options.tau,
+            std::min<Eigen::Index>(most, vectorLimit(options, machines))};
   }
 };
 
-/// The weights of each machine reduced by itself, all with the same tau (section 6.3).
-Eigen::MatrixXd reduceEach(const ReductionTask& task);
+/// Each machine by itself, all with the same tau (section 6.3).
+std::unique_ptr<const Reduction> factoriseEach(const ReductionTask& task);
 
-/// The weights of all machines on one basis, fitted to their margins.
-Eigen::MatrixXd reduceShared(const ReductionTask& task);
+/// All machines on one basis, fitted to their margins.
+std::unique_ptr<const Reduction> factoriseShared(const ReductionTask& task);
 
 }  // namespace place_recognition

@@ -50,21 +50,25 @@ class CueTrainer {
       setGamma(gamma);
       compare();
       const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
-      const HeldOut held_out = heldOutMargins(gram, rows_, task_, unreduced);
+      const HeldOut held_out = heldOutMargins(gram, rows_, task_, {unreduced}).front();
       trials.push_back({gamma, averageRate(held_out, task_.samples, task_.places),
                         averageRateError(held_out, task_.samples, task_.places)});
     }
     return chooseGamma(trials, grid.neutral);
   }
 
-  TrainedCue train(const ReductionOptions& reduction) {
+  TrainedCue train(const std::vector<ReductionOptions>& reductions) {
     compare();
     const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
     report(task_.progress, "Validating", 0);
-    HeldOut held_out = heldOutMargins(gram, rows_, task_, reduction);
+    std::vector<HeldOut> held_out = heldOutMargins(gram, rows_, task_, reductions);
     report(task_.progress, "Training", 0);
-    Machines machines = trainReduced(gram, labels_, task_, reduction);
-    return {cue_.kernel.gamma, Classifier(cue_.kernel, std::move(machines), std::move(features_)),
+    ReducedMachines reduced = trainReduced(gram, labels_, task_, reductions);
+    std::vector<Feature> vectors;
+    for (const int i : reduced.vectors) {
+      vectors.push_back(std::move(features_[static_cast<std::size_t>(i)]));
+    }
+    return {cue_.kernel.gamma, std::move(vectors), std::move(reduced.machines),
             std::move(held_out)};
   }
 
@@ -97,7 +101,7 @@ bool gammaIsOpen(const KernelOptions& kernel) {
 }  // namespace
 
 TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
-                    const ReductionOptions& reduction, const TrainingTask& task) {
+                    const std::vector<ReductionOptions>& reductions, const TrainingTask& task) {
   double gamma = cue.kernel.gamma;
   const bool costly = !Kernel(cue.kernel).measureIsFreeOfGamma();
   if (gammaIsOpen(cue.kernel) && costly) {
@@ -108,7 +112,7 @@ TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
   CueTrainer trainer(std::move(features), cue, task);
   if (gammaIsOpen(cue.kernel) && !costly) gamma = trainer.searchGamma();
   trainer.setGamma(gamma);
-  return trainer.train(reduction);
+  return trainer.train(reductions);
 }
 
 }  // namespace place_recognition

@@ -48,30 +48,37 @@ Answers answersOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samp
   return answers;
 }
 
+/// Of each row, over some of the columns; 0 where there are none.
+Eigen::VectorXd largestValues(const Eigen::MatrixXd& kernel_values,
+                              const std::vector<int>& vectors) {
+  if (vectors.empty()) return Eigen::VectorXd::Zero(kernel_values.rows());
+  return columns(kernel_values, vectors).rowwise().maxCoeff();
+}
+
+/// Room for the margins of every sample.
+HeldOut noneHeldOut(const TrainingTask& task) {
+  return {Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(task.samples.size()),
+                                static_cast<Eigen::Index>(task.places)),
+          std::vector<bool>(task.samples.size(), false),
+          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.samples.size()))};
+}
+
 }  // namespace
 
-Machines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                      const TrainingTask& task, const ReductionOptions& reduction) {
-  Machines machines = trainMachines(gram, labels, task.places, task.svm, task.threads);
-  if (reduction.method == "none") return machines;
-
+ReducedMachines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                             const TrainingTask& task,
+                             const std::vector<ReductionOptions>& reductions) {
+  const Machines machines = trainMachines(gram, labels, task.places, task.svm, task.threads);
   const std::vector<int> vectors = supportVectors(machines);
   Machines supported = machines;
   supported.weights = rows(machines.weights, vectors);
-  supported = reduce(supported, columns(gram, vectors), reduction);
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    machines.weights.row(vectors[i]) = supported.weights.row(static_cast<Eigen::Index>(i));
-  }
-  machines.biases = supported.biases;
-  return machines;
+  return {vectors, reduceEach(supported, columns(gram, vectors), reductions, task.threads)};
 }
 
-HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& cue_rows,
-                       const TrainingTask& task, const ReductionOptions& reduction) {
-  HeldOut held_out;
-  held_out.margins.setZero(static_cast<Eigen::Index>(task.samples.size()),
-                           static_cast<Eigen::Index>(task.places));
-  held_out.valid.assign(task.samples.size(), false);
+std::vector<HeldOut> heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& cue_rows,
+                                    const TrainingTask& task,
+                                    const std::vector<ReductionOptions>& reductions) {
+  std::vector<HeldOut> held_out(reductions.size(), noneHeldOut(task));
   for (const Fold& fold : task.folds) {
     const std::vector<int> train = withCue(fold.train, cue_rows);
     const std::vector<int> test = withCue(fold.test, cue_rows);
@@ -85,14 +92,21 @@ HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& cue_
 
     const std::vector<int> train_rows = rowsOf(train, cue_rows);
     const Eigen::MatrixXd train_columns = columns(gram, train_rows);
-    const Machines machines =
-        trainReduced(rows(train_columns, train_rows), labels, task, reduction);
-    const Eigen::MatrixXd margins =
-        placeMargins(machines, machines.margins(rows(train_columns, rowsOf(test, cue_rows))));
-    for (std::size_t i = 0; i < test.size(); ++i) {
-      if (!trained[task.samples[test[i]].place]) continue;
-      held_out.margins.row(test[i]) = margins.row(static_cast<Eigen::Index>(i));
-      held_out.valid[test[i]] = true;
+    const ReducedMachines reduced =
+        trainReduced(rows(train_columns, train_rows), labels, task, reductions);
+    const Eigen::MatrixXd kernel_values =
+        columns(rows(train_columns, rowsOf(test, cue_rows)), reduced.vectors);
+    for (std::size_t r = 0; r < reductions.size(); ++r) {
+      const Machines& machines = reduced.machines[r];
+      const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));
+      const Eigen::VectorXd familiarity = largestValues(kernel_values, supportVectors(machines));
+      for (std::size_t i = 0; i < test.size(); ++i) {
+        if (!trained[task.samples[test[i]].place]) continue;
+        const auto row = static_cast<Eigen::Index>(i);
+        held_out[r].margins.row(test[i]) = margins.row(row);
+        held_out[r].familiarity[test[i]] = familiarity[row];
+        held_out[r].valid[test[i]] = true;
+      }
     }
   }
   return held_out;

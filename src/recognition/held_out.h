@@ -24,18 +24,28 @@ struct TrainingTask {
 struct HeldOut {
   Eigen::MatrixXd margins;  ///< samples x places; zero where there is none
   std::vector<bool> valid;  ///< of each sample: whether it has margins
+  Eigen::VectorXd familiarity = {};  ///< of each sample: the largest kernel value
 };
 
-/// Machines on the Gram matrix of their training vectors, reduced; weights over all those vectors.
-Machines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                      const TrainingTask& task, const ReductionOptions& reduction);
+/// Machines over the support vectors that they were trained to have, after each of some reductions.
+struct ReducedMachines {
+  std::vector<int> vectors;        ///< ascending, among those trained on
+  std::vector<Machines> machines;  ///< over `vectors`, one for each reduction
+};
 
-/// Held-out margins of every sample of a cue by cross-validation. `gram` is the Gram matrix of the
-/// cue's features; `rows`: the row of each sample in it, -1 if the sample lacks the cue. A sample
-/// is not valid if it lacks the cue, is tested in no fold, or if its own place could not be trained
-/// on in that fold.
-HeldOut heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& rows,
-                       const TrainingTask& task, const ReductionOptions& reduction);
+/// Trains on the Gram matrix of the training vectors and reduces; see reduceEach() for the order of
+/// `reductions`.
+ReducedMachines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                             const TrainingTask& task,
+                             const std::vector<ReductionOptions>& reductions);
+
+/// Held-out margins of every sample of a cue by cross-validation, for each of `reductions`. `gram`
+/// is the Gram matrix of the cue's features; `rows`: the row of each sample in it, -1 if the sample
+/// lacks the cue. A sample is not valid if it lacks the cue, is tested in no fold, or if its own
+/// place could not be trained on in that fold.
+std::vector<HeldOut> heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& rows,
+                                    const TrainingTask& task,
+                                    const std::vector<ReductionOptions>& reductions);
 
 /// Mean of the rooms' rates over the valid samples, by the largest margin.
 double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,

@@ -7,6 +7,7 @@
 #include "recognition/combination.h"
 #include "recognition/cue_training.h"
 #include "recognition/model_validation.h"
+#include "recognition/reduction_choice.h"
 #include "recognition/samples.h"
 
 namespace place_recognition {
@@ -20,6 +21,13 @@ std::vector<std::uint64_t> countImages(const Samples& samples) {
 
 Provenance provenanceOf(const Samples& samples) {
   return {samples.inputs, countImages(samples), samples.skipped, PLACE_RECOGNITION_VERSION};
+}
+
+/// Of each cue, with one of the reductions in question.
+std::vector<HeldOut> heldOutOf(const std::vector<TrainedCue>& cues, std::size_t reduction) {
+  std::vector<HeldOut> held_out;
+  for (const TrainedCue& cue : cues) held_out.push_back(cue.held_out[reduction]);
+  return held_out;
 }
 
 /// Warnings about places that cross-validation cannot judge.
@@ -51,22 +59,33 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
       timeBlockFolds(samples.origins, options.validation.folds, options.validation.gap);
   const TrainingTask task{samples.origins, places, folds, options.svm, threads, progress};
 
+  const std::vector<ReductionOptions> reductions = reductionsInQuestion(options.reduction);
+  std::vector<TrainedCue> cues;
+  for (std::size_t c = 0; c < options.cues.size(); ++c) {
+    cues.push_back(trainCue(std::move(samples.features[c]), options.cues[c], reductions, task));
+  }
+
   Training training;
   Model& model = training.model;
   model.options = options;
+  model.cue_weights = chooseCueWeights(heldOutOf(cues, 0), samples.origins, places);
   std::vector<HeldOut> held_out;
-  for (std::size_t c = 0; c < options.cues.size(); ++c) {
-    TrainedCue cue =
-        trainCue(std::move(samples.features[c]), options.cues[c], options.reduction, task);
-    model.options.cues[c].kernel.gamma = cue.gamma;
-    model.classifiers.push_back(std::move(cue.classifier));
-    held_out.push_back(std::move(cue.held_out));
+  for (std::size_t r = 0; r < reductions.size(); ++r) {
+    held_out.push_back(combine(heldOutOf(cues, r), model.cue_weights));
   }
-  model.cue_weights = chooseCueWeights(held_out, samples.origins, places);
+  const std::size_t chosen = chooseReduction(reductions, held_out, samples.origins, places);
+  model.options.reduction = reductions[chosen];
+  for (std::size_t c = 0; c < cues.size(); ++c) {
+    KernelOptions& kernel = model.options.cues[c].kernel;
+    kernel.gamma = cues[c].gamma;
+    training.unreduced_vectors.push_back(cues[c].vectors.size());
+    model.classifiers.emplace_back(kernel, std::move(cues[c].machines[chosen]),
+                                   std::move(cues[c].vectors));
+  }
 
   report(progress, "Calibrating", 0);
-  const Calibrated calibrated = calibrate(combine(held_out, model.cue_weights), samples.origins,
-                                          folds, options.unknown.false_alarm_rate);
+  const Calibrated calibrated =
+      calibrate(held_out[chosen], samples.origins, folds, options.unknown.false_alarm_rate);
   model.calibration = calibrated.calibration;
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;

@@ -115,6 +115,26 @@ TEST_P(Method, KeepsAsManyVectorsAsAsked) {
   EXPECT_LT(change, 1e-6);
 }
 
+TEST_P(Method, HoldsEveryReductionToFewerVectors) {
+  const Plane plane("gaussian", 3, "one-against-one");
+  const auto all = factorise(plane.machines, plane.gram, reduction(GetParam(), 0.5, true, 60));
+  for (const int vectors : {1, 3, 17, 40, 60}) {
+    const Machines alone =
+        reduce(plane.machines, plane.gram, reduction(GetParam(), 0.5, true, vectors));
+    EXPECT_TRUE(all->withVectors(vectors).weights == alone.weights) << vectors;
+  }
+}
+
+TEST_P(Method, KeepsTheShareOfVectorsAsked) {
+  const Plane plane("gaussian", 3, "one-against-all");
+  ReductionOptions options = reduction(GetParam(), 0.5);
+  options.share = 0.25;
+  const double quarter = 0.25 * static_cast<double>(count(plane.machines));
+  const std::size_t kept = count(reduce(plane.machines, plane.gram, options));
+  EXPECT_LE(kept, std::ceil(quarter));
+  EXPECT_GE(kept, std::ceil(quarter) - 2);
+}
+
 TEST_P(Method, ReportsProgressAndStops) {
   const Plane plane("gaussian", 2, "one-against-all");
   double last = -1;
@@ -216,6 +236,24 @@ TEST(Reduction, GreedyStopsAtTheResidualOfTau) {
   EXPECT_GT(
       gap(reduce(plane.machines, plane.gram, reduction("shared-greedy", tau, true, kept - 1))),
       tau);
+}
+
+TEST(Reduction, OfSeveralVariantsIsThatOfEach) {
+  const Plane plane("gaussian", 3, "one-against-all");
+  std::vector<ReductionOptions> variants{reduction("none", 0)};
+  for (const char* method : {"shared-greedy", "qr"}) {
+    for (const int vectors : {30, 12, 4}) {
+      variants.push_back(reduction(method, 0, true, vectors));
+    }
+  }
+  for (const unsigned threads : {1u, 3u}) {
+    const std::vector<Machines> reduced = reduceEach(plane.machines, plane.gram, variants, threads);
+    ASSERT_EQ(reduced.size(), variants.size());
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      const Machines alone = reduce(plane.machines, plane.gram, variants[i]);
+      EXPECT_TRUE(reduced[i].weights == alone.weights) << i;
+    }
+  }
 }
 
 TEST(Reduction, NoneKeepsTheMachines) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "recognition/held_out.h"
+
+namespace place_recognition {
+
+/// The reductions that `options` leave to choose from: themselves alone or, for the method auto,
+/// none at all, then each method with falling shares of the support vectors, as reduceEach() likes
+/// them.
+std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options);
+
+/// The index of the one that keeps the fewest vectors at no loss that can be told: the mean of the
+/// rooms' rates on held-out samples is within one standard error of that of the first reduction,
+/// and so it is with every larger share by the same method. The error is that of the difference
+/// between answers to the same samples, of which only those count that are answered differently; it
+/// is much smaller than that of a rate.
+/// Of equal shares, the better rate decides. `held_out`: one for each of `reductions`, of which the
+/// first keeps most; it is the answer where no sample is valid.
+std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
+                            const std::vector<HeldOut>& held_out,
+                            const std::vector<SampleOrigin>& samples, std::size_t places);
+
+}  // namespace place_recognition

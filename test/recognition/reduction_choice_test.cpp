@@ -1,0 +1,78 @@
+#include "recognition/reduction_choice.h"
+
+#include <gtest/gtest.h>
+
+namespace place_recognition {
+namespace {
+
+/// Answers to 40 samples of two places, of which the first `wrong` of each place are wrong.
+struct Answered {
+  std::vector<SampleOrigin> samples;
+  HeldOut held_out{Eigen::MatrixXd(40, 2), std::vector<bool>(40, true)};
+
+  explicit Answered(int wrong) {
+    for (int i = 0; i < 40; ++i) {
+      samples.push_back({i % 2, 0, static_cast<double>(i)});
+      const double margin = i / 2 < wrong ? -1 : 1;
+      held_out.margins.row(i) << (i % 2 == 0 ? margin : -margin), (i % 2 == 0 ? -margin : margin);
+    }
+  }
+};
+
+ReductionOptions reduction(const std::string& method, double share) {
+  ReductionOptions options;
+  options.method = method;
+  options.share = share;
+  return options;
+}
+
+/// The choice among reductions with so many wrong answers a place.
+std::size_t choice(const std::vector<ReductionOptions>& reductions, const std::vector<int>& wrong) {
+  std::vector<HeldOut> held_out;
+  for (const int count : wrong) held_out.push_back(Answered(count).held_out);
+  return chooseReduction(reductions, held_out, Answered(0).samples, 2);
+}
+
+TEST(ReductionChoice, KeepsToWhatWasAskedFor) {
+  const std::vector<ReductionOptions> one = reductionsInQuestion(reduction("qr", 0.5));
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].method, "qr");
+  EXPECT_EQ(one[0].share, 0.5);
+}
+
+TEST(ReductionChoice, AutoTriesEveryMethodFromManyVectorsToFew) {
+  const std::vector<ReductionOptions> all = reductionsInQuestion(ReductionOptions());
+  EXPECT_EQ(all[0].method, "none");
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    all[i].check();
+    EXPECT_TRUE(all[i].method != all[i - 1].method || all[i].share < all[i - 1].share) << i;
+  }
+}
+
+TEST(ReductionChoice, TakesTheFewestVectorsAtNoLossThatCanBeTold) {
+  const std::vector<ReductionOptions> reductions{reduction("none", 0), reduction("qr", 0.5),
+                                                 reduction("qr", 0.3), reduction("qr", 0.1)};
+  EXPECT_EQ(choice(reductions, {2, 2, 2, 2}), 3u);
+  EXPECT_EQ(choice(reductions, {2, 1, 2, 8}), 2u);
+  EXPECT_EQ(choice(reductions, {2, 9, 2, 2}), 0u);  // few vectors that do well by luck
+  // One more wrong in 20 of each place: a loss of 0.05, with an error of 0.034.
+  EXPECT_EQ(choice(reductions, {2, 2, 2, 3}), 2u);
+}
+
+TEST(ReductionChoice, OfEqualSharesTakesTheBetterRate) {
+  const std::vector<ReductionOptions> reductions{reduction("none", 0), reduction("qr", 0.3),
+                                                 reduction("shared-qr", 0.3)};
+  EXPECT_EQ(choice(reductions, {4, 4, 3}), 2u);
+  EXPECT_EQ(choice(reductions, {4, 3, 3}), 1u);
+  EXPECT_EQ(choice(reductions, {4, 9, 9}), 0u);
+}
+
+TEST(ReductionChoice, KeepsAllWhereNothingIsHeldOut) {
+  const HeldOut none{Eigen::MatrixXd::Zero(2, 2), {false, false}};
+  const std::vector<SampleOrigin> samples{{0, 0, 0}, {1, 0, 1}};
+  EXPECT_EQ(chooseReduction({reduction("none", 0), reduction("qr", 0.1)}, {none, none}, samples, 2),
+            0u);
+}
+
+}  // namespace
+}  // namespace place_recognition

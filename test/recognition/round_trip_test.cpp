@@ -1,0 +1,85 @@
+// A model of every kind answers bit for bit the same after it was saved and loaded.
+#include <gtest/gtest.h>
+
+#include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+struct Kind {
+  std::string name;
+  TrainingOptions options;
+};
+
+FeatureOptions localFeature() {
+  LocalFeatureOptions local;
+  local.cornerness_threshold = 1;
+  local.laplacian_threshold = 0;
+  local.min_points = 1;
+  return local;
+}
+
+TrainingOptions withKernel(const std::string& type, const FeatureOptions& feature) {
+  TrainingOptions options = quickOptions();
+  options.cues[0].feature = feature;
+  options.cues[0].kernel.type = type;
+  options.cues[0].kernel.gamma = 1;
+  options.validation.folds = 2;
+  return options;
+}
+
+std::vector<Kind> kinds() {
+  const FeatureOptions crfh = quickOptions().cues[0].feature;
+  std::vector<Kind> kinds;
+  for (const char* kernel :
+       {"linear", "polynomial", "gaussian", "sigmoid", "chi-squared", "intersection"}) {
+    kinds.push_back({kernel, withKernel(kernel, crfh)});
+  }
+  kinds.push_back({"local-match", withKernel("local-match", localFeature())});
+  kinds.push_back({"lbp", withKernel("chi-squared", LbpOptions())});
+  kinds.push_back({"mr8", withKernel("intersection", Mr8Options())});
+  kinds.push_back({"one-against-one", withKernel("chi-squared", crfh)});
+  kinds.back().options.svm.multiclass = "one-against-one";
+  kinds.push_back({"several cues", twoCueOptions()});
+  kinds.back().options.cues.push_back(withKernel("local-match", localFeature()).cues[0]);
+  kinds.back().options.cues.back().name = "local";
+  for (const char* method : {"none", "qr", "shared-qr", "shared-greedy", "auto"}) {
+    kinds.push_back({method, twoCueOptions()});
+    kinds.back().options.reduction.method = method;
+    kinds.back().options.reduction.tau = 0.1;
+  }
+  return kinds;
+}
+
+class RoundTrip : public testing::TestWithParam<Kind> {};
+
+TEST_P(RoundTrip, GivesBitIdenticalMargins) {
+  Training training = train({opener(drawFrames(3, 6))}, GetParam().options);
+  const std::string bytes = serializeModel(training.model);
+  const auto trained = std::make_shared<const Model>(std::move(training.model));
+  const auto loaded = std::make_shared<const Model>(parseModel(bytes, "test"));
+  EXPECT_EQ(serializeModel(*loaded), bytes);
+  EXPECT_GT(loaded->supportVectorCount(), 0u);
+
+  Recognizer before(trained), after(loaded);
+  for (const Frame& frame : drawFrames(3, 2, 500)) {
+    const Recognition& wanted = before.recognize(frame.image);
+    const Recognition& answer = after.recognize(frame.image);
+    ASSERT_NE(wanted.place, -1) << wanted.reason;
+    EXPECT_TRUE(answer.margins == wanted.margins) << answer.margins << "\n" << wanted.margins;
+    EXPECT_TRUE(answer.probabilities == wanted.probabilities);
+    EXPECT_EQ(answer.known, wanted.known);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, RoundTrip, testing::ValuesIn(kinds()),
+                         [](const testing::TestParamInfo<Kind>& info) {
+                           std::string name = info.param.name;
+                           for (char& c : name) c = c == '-' || c == ' ' ? '_' : c;
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace place_recognition
