@@ -38,6 +38,23 @@ double rocArea(const std::vector<double>& positive, const std::vector<double>& n
   return wins / (static_cast<double>(positive.size()) * static_cast<double>(negative.size()));
 }
 
+std::vector<RocPoint> rocCurve(std::vector<double> positive, std::vector<double> negative) {
+  std::sort(positive.begin(), positive.end());
+  std::sort(negative.begin(), negative.end());
+  std::vector<RocPoint> points{{0, 0}};
+  std::size_t p = 0, n = 0;
+  while (p < positive.size() || n < negative.size()) {
+    const bool next_is_positive =
+        n == negative.size() || (p < positive.size() && positive[p] <= negative[n]);
+    const double value = next_is_positive ? positive[p] : negative[n];
+    while (p < positive.size() && positive[p] == value) ++p;
+    while (n < negative.size() && negative[n] == value) ++n;
+    points.push_back({positive.empty() ? 0 : static_cast<double>(p) / positive.size(),
+                      negative.empty() ? 0 : static_cast<double>(n) / negative.size()});
+  }
+  return points;
+}
+
 std::vector<RiskPoint> riskCoverage(const std::vector<double>& confidences,
                                     const std::vector<bool>& correct) {
   assert(confidences.size() == correct.size());
@@ -55,6 +72,13 @@ std::vector<RiskPoint> riskCoverage(const std::vector<double>& confidences,
     points.push_back({answered / static_cast<double>(order.size()), wrong / answered});
   }
   return points;
+}
+
+double riskAt(const std::vector<RiskPoint>& points, double coverage) {
+  const auto found = std::find_if(points.begin(), points.end(), [coverage](const RiskPoint& point) {
+    return point.coverage >= coverage - 1e-9;
+  });
+  return found == points.end() ? 0 : found->risk;
 }
 
 double meanRisk(const std::vector<RiskPoint>& points) {

@@ -23,6 +23,15 @@ std::vector<ReliabilityBin> reliability(const std::vector<double>& confidences,
 /// drawn from `negative`, ties counting half. 0.5 if either is empty.
 double rocArea(const std::vector<double>& positive, const std::vector<double>& negative);
 
+/// A threshold between the values of two kinds: what share of each kind lies below it.
+struct RocPoint {
+  double positive_below = 0;
+  double negative_below = 0;
+};
+
+/// From no value below to all: one point for each distinct value.
+std::vector<RocPoint> rocCurve(std::vector<double> positive, std::vector<double> negative);
+
 /// If only the frames of highest confidence were answered: what share that is, and what share of
 /// those answers is wrong.
 struct RiskPoint {
@@ -33,6 +42,9 @@ struct RiskPoint {
 /// One point for each distinct confidence, coverage ascending to 1.
 std::vector<RiskPoint> riskCoverage(const std::vector<double>& confidences,
                                     const std::vector<bool>& correct);
+
+/// The risk where at least `coverage` (0..1) of the frames are answered; 0 without frames.
+double riskAt(const std::vector<RiskPoint>& points, double coverage);
 
 /// Mean risk over all coverages: the area under that curve, as steps.
 double meanRisk(const std::vector<RiskPoint>& points);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* kBlue = "#3b6ea5";
 constexpr const char* kRed = "#c0504d";
+constexpr const char* kGreen = "#6a994e";
 constexpr const char* kGrid = "#ddd";
 constexpr const char* kDark = "#888";
 
@@ -136,6 +137,36 @@ std::string riskPlot(const Summary& summary) {
     curve.emplace_back(plot.x(point.coverage), plot.y(point.risk));
   }
   plot.svg().polyline(curve, kRed);
+  return plot.svg().str();
+}
+
+std::string rocPlot(const UnknownSummary& unknown) {
+  SharePlot plot("known places called unknown", "unknown places found");
+  plot.svg().line(plot.x(0), plot.y(0), plot.x(1), plot.y(1), kDark);
+  std::vector<std::pair<double, double>> curve;
+  for (const RocPoint& point : unknown.roc) {
+    curve.emplace_back(plot.x(point.positive_below), plot.y(point.negative_below));
+  }
+  plot.svg().polyline(curve, kBlue);
+  plot.svg().circle(plot.x(unknown.false_alarm_rate), plot.y(unknown.detection_rate), 4, kRed,
+                    "at the model's threshold");
+  return plot.svg().str();
+}
+
+std::string sharesPlot(const std::string& x_label, const std::string& y_label,
+                       const std::vector<Curve>& curves) {
+  constexpr std::array<const char*, 4> kColours = {kBlue, kRed, kGreen, kDark};
+  SharePlot plot(x_label, y_label);
+  double y = plot.y(0) - 12;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const char* const colour = kColours[i % kColours.size()];
+    std::vector<std::pair<double, double>> line;
+    for (const auto& [px, py] : curves[i].points) line.emplace_back(plot.x(px), plot.y(py));
+    plot.svg().polyline(line, colour);
+    plot.svg().rectangle(plot.x(0.62), y - 9, 10, 10, colour);
+    plot.svg().text(plot.x(0.62) + 16, y, curves[i].name);
+    y -= 16;
+  }
   return plot.svg().str();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "evaluation/evaluation.h"
 #include "evaluation/summary.h"
@@ -20,6 +22,19 @@ std::string confidencePlot(const Evaluation& evaluation);
 
 /// Share of wrong answers if only the most confident ones were given.
 std::string riskPlot(const Summary& summary);
+
+/// Share of places never learned that a threshold finds, against the known ones it calls unknown.
+std::string rocPlot(const UnknownSummary& unknown);
+
+/// Points (share, share), 0..1, joined in their order.
+struct Curve {
+  std::string name;
+  std::vector<std::pair<double, double>> points;
+};
+
+/// Any such curves in one square, with their names.
+std::string sharesPlot(const std::string& x_label, const std::string& y_label,
+                       const std::vector<Curve>& curves);
 
 /// One run from left to right: the true place above, the answer below, 'unknown' pale.
 std::string timelinePlot(const Evaluation& evaluation, int run);

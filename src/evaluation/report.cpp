@@ -3,39 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "evaluation/html_page.h"
 #include "evaluation/plots.h"
+#include "evaluation/result_table.h"
 #include "evaluation/svg.h"
 #include "evaluation/text_table.h"
 
 namespace place_recognition {
 namespace {
-
-constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<title>Place recognition: evaluation</title>
-<style>
-body { font: 15px/1.5 sans-serif; color: #333; max-width: 920px; margin: 2em auto; padding: 0 1em }
-h1 { font-size: 1.6em; margin-bottom: 0 }
-h2 { font-size: 1.2em; margin: 2em 0 0.5em; border-bottom: 1px solid #ddd }
-table { border-collapse: collapse }
-th, td { padding: 3px 10px; text-align: right; font-weight: normal }
-th:first-child { text-align: left }
-td { font-variant-numeric: tabular-nums }
-thead th { border-bottom: 1px solid #999; color: #666 }
-.figures { display: flex; flex-wrap: wrap; gap: 1em 3em; margin: 1em 0 }
-.figures b { display: block; font-size: 1.8em; font-weight: normal; color: #3b6ea5 }
-.row { display: flex; flex-wrap: wrap; gap: 1em }
-figure { margin: 0 }
-figcaption { font-size: 0.85em; color: #666; max-width: 320px }
-.legend span { display: inline-block; margin-right: 1.2em }
-.legend i { display: inline-block; width: 0.9em; height: 0.9em; margin-right: 0.4em }
-svg { max-width: 100% }
-</style>
-</head>
-<body>
-)";
 
 std::string base64(const std::string& bytes) {
   static constexpr char kDigits[] =
@@ -99,7 +74,7 @@ std::string runTable(const Summary& summary) {
   if (summary.runs.size() < 2) return "";
   std::string html = "<h2>Rate by run</h2>\n<table>\n<thead><tr><th></th>";
   for (const RunSummary& run : summary.runs) {
-    html += "<th>" + escapeMarkup(baseName(run.name)) + "</th>";
+    html += "<th>" + escapeMarkup(run.condition) + "</th>";
   }
   html += "</tr></thead>\n";
   for (const RoomSummary& room : summary.rooms) {
@@ -172,22 +147,40 @@ std::string wrongPictures(const Evaluation& evaluation) {
   return html + "</div>\n";
 }
 
+std::string captioned(const std::string& plot, const std::string& caption) {
+  return "<figure>" + plot + "<figcaption>" + caption + "</figcaption></figure>\n";
+}
+
+std::string confidenceSection(const Evaluation& evaluation, const Summary& summary) {
+  return "<h2>Confidence</h2>\n<div class=\"row\">\n" +
+         captioned(reliabilityPlot(summary),
+                   "Reliability: on the diagonal, confidence says how often answers are right.") +
+         captioned(confidencePlot(evaluation),
+                   "Pictures by confidence, right (blue) and wrong (red).") +
+         captioned(riskPlot(summary),
+                   "Risk against coverage: wrong answers if only the most confident were given.") +
+         "</div>\n" + htmlTable(reliabilityRows(summary)) + "<p>Expected calibration error " +
+         fixed(summary.calibration_error, 3) + "; mean risk over coverage " +
+         percent(meanRisk(summary.risk_coverage)) + ".</p>\n" + htmlTable(riskRows(summary));
+}
+
+std::string unknownSection(const Summary& summary) {
+  if (!summary.unknown) return "";
+  return "<h2>Known and unknown places</h2>\n" +
+         captioned(rocPlot(*summary.unknown),
+                   "Pictures of places never learned that are answered &lsquo;unknown&rsquo;, for "
+                   "every threshold; the dot is the model&rsquo;s own. Area under the curve " +
+                       fixed(summary.unknown->roc_area, 3) + ".");
+}
+
 }  // namespace
 
 std::string htmlReport(const Evaluation& evaluation, const Summary& summary) {
-  return kHead + titleAndFigures(evaluation, summary) + warningList(evaluation) +
-         "<h2>Rate of each room</h2>\n" + ratesPlot(summary) + runTable(summary) +
-         confusionTable(summary) + "<h2>Confidence</h2>\n<div class=\"row\">\n<figure>" +
-         reliabilityPlot(summary) +
-         "<figcaption>Reliability: on the diagonal, confidence says how often answers are right."
-         "</figcaption></figure>\n<figure>" +
-         confidencePlot(evaluation) +
-         "<figcaption>Pictures by confidence, right (blue) and wrong (red).</figcaption></figure>\n"
-         "<figure>" +
-         riskPlot(summary) +
-         "<figcaption>Risk against coverage: wrong answers if only the most confident were given."
-         "</figcaption></figure>\n</div>\n" +
-         timelines(evaluation) + wrongPictures(evaluation) + "</body>\n</html>\n";
+  return htmlPage("Place recognition: evaluation",
+                  titleAndFigures(evaluation, summary) + warningList(evaluation) +
+                      "<h2>Rate of each room</h2>\n" + ratesPlot(summary) + runTable(summary) +
+                      confusionTable(summary) + confidenceSection(evaluation, summary) +
+                      unknownSection(summary) + timelines(evaluation) + wrongPictures(evaluation));
 }
 
 }  // namespace place_recognition

@@ -20,6 +20,7 @@ Json runsJson(const Summary& summary) {
   Json json = Json::array();
   for (const RunSummary& run : summary.runs) {
     json.push_back({{"name", run.name},
+                    {"condition", run.condition},
                     {"average_rate", run.average_rate},
                     {"rooms", roomsJson(run.rooms, summary.places)}});
   }
@@ -30,6 +31,14 @@ Json reliabilityJson(const std::vector<ReliabilityBin>& bins) {
   Json json = Json::array();
   for (const ReliabilityBin& bin : bins) {
     json.push_back({{"count", bin.count}, {"confidence", bin.confidence}, {"rate", bin.rate}});
+  }
+  return json;
+}
+
+Json riskJson(const std::vector<RiskPoint>& points) {
+  Json json = Json::array();
+  for (int tenths = 1; tenths <= 10; ++tenths) {
+    json.push_back({{"coverage", tenths / 10.0}, {"risk", riskAt(points, tenths / 10.0)}});
   }
   return json;
 }
@@ -55,6 +64,7 @@ nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary) 
             {"none", summary.confusion.none}}},
           {"calibration_error", summary.calibration_error},
           {"reliability", reliabilityJson(summary.reliability)},
+          {"risk_coverage", riskJson(summary.risk_coverage)},
           {"mean_risk", meanRisk(summary.risk_coverage)},
           {"unknown_share", summary.unknown_share},
           {"unknown", unknownJson(summary)},

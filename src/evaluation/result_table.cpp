@@ -8,8 +8,6 @@
 namespace place_recognition {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
-
 /// The rate of a room in one run; empty if the run does not show it.
 std::string rateIn(const RunSummary& run, int place) {
   for (const RoomSummary& room : run.rooms) {
@@ -20,9 +18,9 @@ std::string rateIn(const RunSummary& run, int place) {
 
 std::string ratesTable(const Summary& summary) {
   const bool several = summary.runs.size() > 1;
-  Rows rows{{"room", "pictures", "right", "'unknown'"}};
+  TextRows rows{{"room", "pictures", "right", "'unknown'"}};
   if (several) {
-    for (const RunSummary& run : summary.runs) rows[0].push_back(baseName(run.name));
+    for (const RunSummary& run : summary.runs) rows[0].push_back(run.condition);
   }
   for (const RoomSummary& room : summary.rooms) {
     rows.push_back({summary.places[static_cast<std::size_t>(room.place)],
@@ -42,7 +40,7 @@ std::string confusionTable(const Summary& summary) {
   const Confusion& confusion = summary.confusion;
   const bool some_none = std::any_of(confusion.none.begin(), confusion.none.end(),
                                      [](std::uint64_t count) { return count > 0; });
-  Rows rows{{"true place (row), answer (column)"}};
+  TextRows rows{{"true place (row), answer (column)"}};
   for (std::size_t k = 0; k < summary.places.size(); ++k) rows[0].push_back(columnName(k));
   if (some_none) rows[0].push_back("none");
   for (std::size_t k = 0; k < summary.places.size(); ++k) {
@@ -56,7 +54,7 @@ std::string confusionTable(const Summary& summary) {
 }
 
 std::string otherFigures(const Evaluation& evaluation, const Summary& summary) {
-  Rows rows;
+  TextRows rows;
   if (summary.runs.size() > 1) {
     rows.push_back({"mean over the rooms of all runs", percent(summary.test_set_rate)});
   }
@@ -78,8 +76,29 @@ std::string otherFigures(const Evaluation& evaluation, const Summary& summary) {
 
 }  // namespace
 
+TextRows reliabilityRows(const Summary& summary) {
+  TextRows rows{{"confidence", "pictures", "mean confidence", "right"}};
+  for (std::size_t i = 0; i < summary.reliability.size(); ++i) {
+    const ReliabilityBin& bin = summary.reliability[i];
+    if (bin.count == 0) continue;
+    rows.push_back({std::to_string(10 * i) + " to " + std::to_string(10 * (i + 1)) + " %",
+                    std::to_string(bin.count), percent(bin.confidence), percent(bin.rate)});
+  }
+  return rows;
+}
+
+TextRows riskRows(const Summary& summary) {
+  TextRows rows{{"most confident answers given"}, {"wrong among them"}};
+  for (const int share : {20, 40, 60, 80, 90, 100}) {
+    rows[0].push_back(std::to_string(share) + " %");
+    rows[1].push_back(percent(riskAt(summary.risk_coverage, share / 100.0)));
+  }
+  return rows;
+}
+
 std::string resultTable(const Evaluation& evaluation, const Summary& summary) {
   return ratesTable(summary) + "\n" + confusionTable(summary) + "\n" +
+         alignColumns(reliabilityRows(summary)) + "\n" + alignColumns(riskRows(summary)) + "\n" +
          otherFigures(evaluation, summary);
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <numeric>
 
+#include "evaluation/text_table.h"
 #include "recognition/scores.h"
 
 namespace place_recognition {
@@ -37,12 +38,20 @@ double meanRate(const std::vector<RoomSummary>& rooms) {
   return rooms.empty() ? 0 : sumOfRates(rooms) / static_cast<double>(rooms.size());
 }
 
+std::string conditionOf(const std::string& run) {
+  const std::string name = baseName(run);
+  constexpr std::size_t kEnding = 4;  // of ".bag"
+  const bool is_bag = name.size() > kEnding && name.substr(name.size() - kEnding) == ".bag";
+  return is_bag ? name.substr(0, name.size() - kEnding) : name;
+}
+
 void summarizeRuns(const Evaluation& evaluation, Summary& summary) {
   double sum = 0;
   std::size_t sets = 0;
   for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
     const auto inRun = [r](const FrameResult& frame) { return frame.run == static_cast<int>(r); };
-    RunSummary run{evaluation.runs[r], summarizeRooms(evaluation, inRun), 0};
+    const std::string& name = evaluation.runs[r];
+    RunSummary run{name, conditionOf(name), summarizeRooms(evaluation, inRun), 0};
     run.average_rate = meanRate(run.rooms);
     sum += sumOfRates(run.rooms);
     sets += run.rooms.size();
@@ -86,8 +95,9 @@ void summarizeUnknown(const Evaluation& evaluation, Summary& summary) {
   }
   if (!learned.empty()) summary.unknown_share = false_alarms / static_cast<double>(learned.size());
   if (other.empty()) return;
-  summary.unknown = UnknownSummary{rocArea(learned, other), summary.unknown_share,
-                                   detections / static_cast<double>(other.size())};
+  summary.unknown =
+      UnknownSummary{rocArea(learned, other), summary.unknown_share,
+                     detections / static_cast<double>(other.size()), rocCurve(learned, other)};
 }
 
 void summarizeLatency(const Evaluation& evaluation, Summary& summary) {

@@ -25,6 +25,7 @@ struct RoomSummary {
 /// The rooms that a run shows (one condition of illumination, say).
 struct RunSummary {
   std::string name;
+  std::string condition;           ///< the last part of the name, without `.bag`
   std::vector<RoomSummary> rooms;  ///< learned ones with pictures
   double average_rate = 0;         ///< mean of their rates
 };
@@ -40,6 +41,7 @@ struct UnknownSummary {
   double roc_area = 0;          ///< of the evidence, learned against other places
   double false_alarm_rate = 0;  ///< share of pictures of learned places answered 'unknown'
   double detection_rate = 0;    ///< share of pictures of other places answered 'unknown'
+  std::vector<RocPoint> roc;    ///< learned places (positive) and others below each threshold
 };
 
 /// The figures of an evaluation.

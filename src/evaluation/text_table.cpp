@@ -14,7 +14,7 @@ std::size_t width(const std::string& text) {
 
 }  // namespace
 
-std::string alignColumns(const std::vector<std::vector<std::string>>& rows) {
+std::string alignColumns(const TextRows& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), 0);

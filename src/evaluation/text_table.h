@@ -5,9 +5,12 @@
 
 namespace place_recognition {
 
+/// Cells of a table, row by row.
+using TextRows = std::vector<std::vector<std::string>>;
+
 /// Rows of cells as aligned columns, two spaces apart: the first to the left, the others to the
 /// right. Rows may differ in length. Widths count characters of UTF-8 text.
-std::string alignColumns(const std::vector<std::vector<std::string>>& rows);
+std::string alignColumns(const TextRows& rows);
 
 /// A number with a fixed count of decimals.
 std::string fixed(double number, int decimals);

@@ -26,6 +26,7 @@ TEST(Summary, CountsRoomsByTheMostProbablePlace) {
 TEST(Summary, KeepsRunsApart) {
   const Summary summary = summarize(madeUpEvaluation());
   ASSERT_EQ(summary.runs.size(), 2u);
+  EXPECT_EQ(summary.runs[0].condition, "day");
   EXPECT_DOUBLE_EQ(summary.runs[0].average_rate, (2.0 / 3 + 1) / 2);
   ASSERT_EQ(summary.runs[1].rooms.size(), 1u);
   EXPECT_DOUBLE_EQ(summary.runs[1].average_rate, 0.5);

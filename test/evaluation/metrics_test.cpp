@@ -29,6 +29,20 @@ TEST(Metrics, RocAreaIsTheChanceOfTheRightOrder) {
   EXPECT_EQ(rocArea({}, {1}), 0.5);
 }
 
+TEST(Metrics, RocCurveBoundsTheRocArea) {
+  const std::vector<double> positive{0.9, 0.8, 0.8, 0.5, 0.2}, negative{0.1, 0.5, 0.8, 0.3};
+  const std::vector<RocPoint> points = rocCurve(positive, negative);
+  ASSERT_EQ(points.size(), 7u);  // six distinct values
+  EXPECT_EQ(points.back().positive_below, 1);
+  EXPECT_EQ(points.back().negative_below, 1);
+  double area = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    area += (points[i].positive_below - points[i - 1].positive_below) *
+            (points[i].negative_below + points[i - 1].negative_below) / 2;
+  }
+  EXPECT_NEAR(area, rocArea(positive, negative), 1e-12);
+}
+
 TEST(Metrics, RiskGrowsAsLessConfidentAnswersAreGiven) {
   const std::vector<RiskPoint> points =
       riskCoverage({0.9, 0.5, 0.7, 0.5}, {true, false, true, true});
@@ -41,6 +55,9 @@ TEST(Metrics, RiskGrowsAsLessConfidentAnswersAreGiven) {
   EXPECT_EQ(meanRisk(points), 0.5 * 0.25);
   EXPECT_TRUE(riskCoverage({}, {}).empty());
   EXPECT_EQ(meanRisk({}), 0);
+  EXPECT_EQ(riskAt(points, 0.3), points[1].risk);
+  EXPECT_EQ(riskAt(points, 1), 0.25);
+  EXPECT_EQ(riskAt({}, 0.5), 0);
 }
 
 TEST(Metrics, PercentileIsTheNearestRank) {

@@ -26,6 +26,9 @@ TEST(ResultJson, HasTheKeysThatOtherProgramsRead) {
   EXPECT_EQ(json.at("support_vectors"), 12);
   EXPECT_EQ(json.at("model_bytes"), 2048);
   EXPECT_DOUBLE_EQ(json.at("latency_ms").at("p50").get<double>(), 4);
+  EXPECT_EQ(json.at("runs").at(1).at("condition"), "night");
+  EXPECT_EQ(json.at("risk_coverage").size(), 10u);
+  EXPECT_DOUBLE_EQ(json.at("risk_coverage").at(9).at("risk").get<double>(), 2.0 / 6);
   EXPECT_TRUE(json.at("latency_ms").contains("p95") && json.at("latency_ms").contains("p99"));
 }
 
@@ -33,10 +36,10 @@ TEST(ResultTable, ShowsRoomsRunsAndConfusion) {
   const Evaluation evaluation = madeUpEvaluation();
   const std::string table = resultTable(evaluation, summarize(evaluation));
   EXPECT_EQ(table.substr(0, table.find("\n\n") + 1),
-            "room               pictures    right  'unknown'  day.bag  night.bag\n"
-            "kitchen                   5   60.0 %     40.0 %   66.7 %     50.0 %\n"
+            "room               pictures    right  'unknown'     day  night\n"
+            "kitchen                   5   60.0 %     40.0 %  66.7 %  50.0 %\n"
             "office                    1  100.0 %      0.0 %  100.0 %\n"
-            "mean of the rooms             80.0 %              83.3 %     50.0 %\n");
+            "mean of the rooms             80.0 %             83.3 %  50.0 %\n");
   EXPECT_NE(table.find("A  kitchen                         3  1  .     1\n"), std::string::npos)
       << table;
 }
@@ -70,6 +73,14 @@ TEST(Report, IsOneWellFormedPage) {
   EXPECT_NE(html.find("data:image/jpeg;base64,anBlZw=="), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org/2000/svg"));
   EXPECT_EQ(html.find("nan"), std::string::npos);
+}
+
+TEST(Report, ShowsUnknownPlacesIfThereAre) {
+  Evaluation evaluation = madeUpEvaluation();
+  const char* const kTitle = "Known and unknown places";
+  EXPECT_NE(htmlReport(evaluation, summarize(evaluation)).find(kTitle), std::string::npos);
+  evaluation.frames.resize(6);  // without the lift
+  EXPECT_EQ(htmlReport(evaluation, summarize(evaluation)).find(kTitle), std::string::npos);
 }
 
 TEST(Report, EscapesNames) {
