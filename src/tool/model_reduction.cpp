@@ -1,9 +1,10 @@
 #include "tool/model_reduction.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/parallel.h"
-#include "learning/reduction.h"
+#include "evaluation/metrics.h"
 #include "learning/support_set.h"
 #include "place_recognition/error.h"
 #include "recognition/combination.h"
@@ -56,25 +57,40 @@ ModelReduction::ModelReduction(const Model& model, const Samples* training,
   }
 }
 
-ReducedMachines ModelReduction::reduce(const ReductionOptions& options,
-                                       const Progress& progress) const {
-  ReducedMachines reduced;
+std::vector<Machines> ModelReduction::reduce(const ReductionOptions& options,
+                                             const Progress& progress) const {
+  std::vector<Machines> reduced;
+  for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
+    reduced.push_back(place_recognition::reduce(model_.classifiers[c].machines(), kernel_values_[c],
+                                                options, progress));
+  }
+  return reduced;
+}
+
+std::vector<std::unique_ptr<const Reduction>> ModelReduction::factorise(
+    const ReductionOptions& options, const Progress& progress) const {
+  std::vector<std::unique_ptr<const Reduction>> reductions;
+  for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
+    reductions.push_back(place_recognition::factorise(model_.classifiers[c].machines(),
+                                                      kernel_values_[c], options, progress));
+  }
+  return reductions;
+}
+
+MarginChange ModelReduction::change(const std::vector<Machines>& machines) const {
+  MarginChange result;
   double sum = 0;
   double count = 0;
-  for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
-    const Machines& before = model_.classifiers[c].machines();
+  for (std::size_t c = 0; c < machines.size(); ++c) {
     const Eigen::MatrixXd& values = kernel_values_[c];
-    const Machines after = place_recognition::reduce(before, values, options, progress);
-    const Eigen::ArrayXXd change = (after.margins(values) - before.margins(values)).array().abs();
-    if (change.size() > 0) {
-      reduced.max_margin_change = std::max(reduced.max_margin_change, change.maxCoeff());
-    }
+    const Eigen::MatrixXd before = model_.classifiers[c].machines().margins(values);
+    const Eigen::ArrayXXd change = (machines[c].margins(values) - before).array().abs();
+    if (change.size() > 0) result.largest = std::max(result.largest, change.maxCoeff());
     sum += change.sum();
     count += static_cast<double>(change.size());
-    reduced.machines.push_back(after);
   }
-  reduced.mean_margin_change = count > 0 ? sum / count : 0;
-  return reduced;
+  result.mean = count > 0 ? sum / count : 0;
+  return result;
 }
 
 RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const Progress& progress)
@@ -126,14 +142,32 @@ std::vector<Machines> machinesOf(const Model& model) {
   return machines;
 }
 
-Model withMachines(Model model, ReducedMachines reduced, const ReductionOptions& options) {
+Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options) {
   model.options.reduction = options;
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     std::vector<Feature> vectors = model.classifiers[c].supportSet().vectors();
-    model.classifiers[c] = Classifier(model.options.cues[c].kernel, std::move(reduced.machines[c]),
-                                      std::move(vectors));
+    model.classifiers[c] =
+        Classifier(model.options.cues[c].kernel, std::move(machines[c]), std::move(vectors));
   }
   return model;
+}
+
+double comparisonMilliseconds(const Model& model,
+                              const std::vector<std::vector<Feature>>& features) {
+  constexpr std::size_t kPictures = 200;
+  using Clock = std::chrono::steady_clock;
+  Eigen::VectorXd kernel_values;
+  Eigen::RowVectorXd margins;
+  std::vector<double> milliseconds;
+  for (std::size_t i = 0; i < std::min(kPictures, features[0].size()); ++i) {
+    const Clock::time_point start = Clock::now();
+    for (std::size_t c = 0; c < features.size(); ++c) {
+      if (i >= features[c].size() || isMissing(features[c][i])) continue;
+      model.classifiers[c].margins(features[c][i], kernel_values, margins);
+    }
+    milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+  }
+  return percentile(std::move(milliseconds), 0.5);
 }
 
 }  // namespace place_recognition::tool

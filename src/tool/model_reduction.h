@@ -1,20 +1,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "learning/machines.h"
+#include "learning/reduction.h"
 #include "place_recognition/model.h"
 #include "place_recognition/progress.h"
 #include "recognition/samples.h"
 
 namespace place_recognition::tool {
 
-/// The machines of a model after reduction, one set a cue, over the vectors they had before.
-struct ReducedMachines {
-  std::vector<Machines> machines;
-  double max_margin_change = 0;  ///< over all machines and all rows of the kernel matrix
-  double mean_margin_change = 0;
+/// How far margins are from those before, over all machines and all rows of the kernel matrices.
+struct MarginChange {
+  double largest = 0;
+  double mean = 0;
 };
 
 /// Reduces the support vectors of a trained model (thesis chapter 6), as often as one likes.
@@ -24,8 +25,14 @@ class ModelReduction {
   /// it, the model's support vectors, all that a saved model still has of them.
   ModelReduction(const Model& model, const Samples* training, const Progress& progress);
 
-  /// `options.support_vectors` counts for each cue.
-  ReducedMachines reduce(const ReductionOptions& options, const Progress& progress) const;
+  /// The machines that `options` ask for, one set a cue, over the vectors they had before.
+  std::vector<Machines> reduce(const ReductionOptions& options, const Progress& progress) const;
+
+  /// The same for any number of vectors that the options allow, one a cue.
+  std::vector<std::unique_ptr<const Reduction>> factorise(const ReductionOptions& options,
+                                                          const Progress& progress) const;
+
+  MarginChange change(const std::vector<Machines>& machines) const;
 
  private:
   const Model& model_;
@@ -51,8 +58,14 @@ class RateOnSamples {
 /// The model's own machines, one set a cue.
 std::vector<Machines> machinesOf(const Model& model);
 
-/// `model` with `reduced` machines in place of its own and `options` among its options. Calibration
-/// and threshold stay as they were fitted.
-Model withMachines(Model model, ReducedMachines reduced, const ReductionOptions& options);
+/// `model` with `machines`, one set a cue, in place of its own and `options` among its options.
+/// Calibration and threshold stay as they were fitted.
+Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options);
+
+/// Milliseconds to compare the features of one picture with all support vectors of all cues: the
+/// median over some of the pictures of `features` ([cue][picture]). What remains of a frame's time,
+/// the extraction of features, does not depend on the support vectors.
+double comparisonMilliseconds(const Model& model,
+                              const std::vector<std::vector<Feature>>& features);
 
 }  // namespace place_recognition::tool

@@ -1,132 +1,153 @@
-#include <algorithm>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 
+#include "base/atomic_file.h"
+#include "learning/support_set.h"
 #include "place_recognition/model_file.h"
 #include "tool/inputs.h"
 #include "tool/model_reduction.h"
 #include "tool/output.h"
+#include "tool/reduction_report.h"
+#include "tool/reduction_sweep.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
 namespace {
 
+constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
+
 struct ReduceOptions {
   std::string model;
   std::string out;
+  std::string report;
   std::vector<std::string> train;
   std::vector<std::string> validate;
-  double max_loss = 0;  // percentage points
+  double max_loss = -1;  // percentage points; negative: no search
   ReductionOptions reduction;
   InputOptions input;
   OutputOptions output;
 };
 
-/// The fewest vectors a cue whose rate on the validation runs stays within the loss, by bisection:
-/// the rate need not fall evenly with them, so there may be fewer still.
-ReductionOptions searchByLoss(const Model& model, const ModelReduction& reduction,
-                              const RateOnSamples& rate, const ReduceOptions& options,
-                              const Progress& progress) {
-  const double wanted = rate(machinesOf(model)) - options.max_loss / 100;
-  int enough = 1;
-  for (const Classifier& classifier : model.classifiers) {
-    enough = std::max(enough, static_cast<int>(classifier.supportVectorCount()));
+/// Reduces one model, by whichever method, and measures what that did.
+class Reducer {
+ public:
+  Reducer(const ReduceOptions& options, const Progress& progress)
+      : options_(options),
+        progress_(progress),
+        model_(loadModel(modelPath(options.model))),
+        training_(collect(options.train)),
+        validation_(collect(options.validate)),
+        reduction_(model_, options.train.empty() ? nullptr : &training_, progress) {
+    if (!options.validate.empty()) {
+      rate_ = std::make_unique<RateOnSamples>(model_, validation_, progress);
+      rate_before_ = (*rate_)(machinesOf(model_));
+    }
   }
-  int too_few = 0;
-  ReductionOptions tried = options.reduction;
-  const int span = enough;
-  while (enough - too_few > 1) {
-    report(progress, "Searching for the fewest vectors",
-           1 - static_cast<double>(enough - too_few) / span);
-    tried.support_vectors = (enough + too_few) / 2;
-    const bool holds = rate(reduction.reduce(tried, {}).machines) >= wanted;
-    (holds ? enough : too_few) = tried.support_vectors;
-  }
-  tried.support_vectors = enough;
-  return tried;
-}
 
-/// What a reduction did.
-struct Outcome {
-  std::size_t before = 0;  // support vectors
-  std::size_t after = 0;
-  double max_margin_change = 0;
-  double mean_margin_change = 0;
-  std::uint64_t bytes = 0;
-  bool validated = false;
-  double rate_before = 0;  // on the validation runs
-  double rate_after = 0;
+  ReductionFigures before() const {
+    ReductionFigures figures = measured(model_);
+    figures.method = "before";
+    if (rate_) figures.rate = rate_before_;
+    return figures;
+  }
+
+  /// Saves the reduced model if `path` is not empty.
+  ReductionFigures reduce(const std::string& method, const std::string& path) const {
+    ReductionOptions chosen = options_.reduction;
+    chosen.method = method;
+    std::vector<std::pair<double, double>> curve;
+    if (rate_) {
+      const ReductionSweep sweep(model_, reduction_, *rate_, chosen, progress_);
+      if (options_.max_loss >= 0) {
+        chosen.support_vectors = sweep.fewest(rate_before_ - options_.max_loss / 100, progress_);
+      }
+      if (!options_.report.empty()) curve = sweep.curve();
+    }
+    std::vector<Machines> machines = reduction_.reduce(chosen, progress_);
+    const MarginChange change = reduction_.change(machines);
+    std::optional<double> rate;
+    if (rate_) rate = (*rate_)(machines);
+
+    // A model cannot be copied; its file can be read again.
+    const Model smaller =
+        withMachines(loadModel(modelPath(options_.model)), std::move(machines), chosen);
+    if (!path.empty()) saveModel(smaller, path);
+    ReductionFigures figures = measured(smaller);
+    figures.method = method;
+    figures.change = change;
+    figures.rate = rate;
+    figures.curve = std::move(curve);
+    return figures;
+  }
+
+  std::string marginsOf() const {
+    if (options_.train.empty()) {
+      return "the model's own support vectors, all that it has of its training (give --train for "
+             "all pictures)";
+    }
+    return "the " + std::to_string(training_.origins.size()) + " pictures given by --train";
+  }
+
+ private:
+  Samples collect(const std::vector<std::string>& inputs) const {
+    if (inputs.empty()) return {};
+    return collectSamples(options_.input.openers(inputs), model_.options, 0, progress_);
+  }
+
+  ReductionFigures measured(const Model& model) const {
+    ReductionFigures figures;
+    figures.support_vectors = model.supportVectorCount();
+    figures.model_bytes = serializeModel(model).size();
+    figures.comparison_ms = comparisonMilliseconds(model, pictures());
+    return figures;
+  }
+
+  /// Features to measure time on, [cue][picture].
+  std::vector<std::vector<Feature>> pictures() const {
+    if (rate_) return validation_.features;
+    if (!options_.train.empty()) return training_.features;
+    std::vector<std::vector<Feature>> features;
+    for (const Classifier& classifier : model_.classifiers) {
+      features.push_back(classifier.supportSet().vectors());
+    }
+    return features;
+  }
+
+  const ReduceOptions& options_;
+  const Progress& progress_;
+  Model model_;
+  Samples training_;
+  Samples validation_;
+  ModelReduction reduction_;
+  std::unique_ptr<RateOnSamples> rate_;  // on the validation runs, if there are any
+  double rate_before_ = 0;
 };
-
-void printOutcome(const Outcome& outcome, const std::string& path, std::ostream& out) {
-  const double share = 100.0 * static_cast<double>(outcome.after) /
-                       static_cast<double>(std::max<std::size_t>(1, outcome.before));
-  out << "Support vectors: " << outcome.before << " -> " << outcome.after << std::fixed
-      << std::setprecision(1) << " (" << share << " %)\n"
-      << std::scientific << "Change of the margins: " << outcome.max_margin_change << " at most, "
-      << outcome.mean_margin_change << " in the mean\n"
-      << std::fixed;
-  if (outcome.validated) {
-    out << "Rate: " << 100 * outcome.rate_before << " % -> " << 100 * outcome.rate_after << " %\n";
-  }
-  out << "Model: " << path << ", " << std::max<std::uint64_t>(1, outcome.bytes / 1024) << " KiB"
-      << std::endl;
-}
-
-Json figures(const Outcome& outcome, const std::string& path) {
-  Json figures = {{"support_vectors_before", outcome.before},
-                  {"support_vectors_after", outcome.after},
-                  {"max_margin_change", outcome.max_margin_change},
-                  {"mean_margin_change", outcome.mean_margin_change},
-                  {"model_bytes", outcome.bytes},
-                  {"model", path}};
-  if (outcome.validated) {
-    figures["validation"] = {{"average_rate_before", outcome.rate_before},
-                             {"average_rate_after", outcome.rate_after}};
-  }
-  return figures;
-}
-
-/// Reduces `model`, replaces `path` by the result and tells what that did.
-Outcome reduceTo(const std::string& path, Model model, const ReduceOptions& options,
-                 const Progress& progress) {
-  const auto collect = [&](const std::vector<std::string>& inputs) {
-    return collectSamples(options.input.openers(inputs), model.options, 0, progress);
-  };
-  Samples training;
-  if (!options.train.empty()) training = collect(options.train);
-  const ModelReduction reduction(model, options.train.empty() ? nullptr : &training, progress);
-
-  Outcome outcome;
-  ReductionOptions chosen = options.reduction;
-  if (!options.validate.empty()) {
-    const RateOnSamples rate(model, collect(options.validate), progress);
-    chosen = searchByLoss(model, reduction, rate, options, progress);
-    outcome.validated = true;
-    outcome.rate_before = rate(machinesOf(model));
-    outcome.rate_after = rate(reduction.reduce(chosen, {}).machines);
-  }
-  ReducedMachines reduced = reduction.reduce(chosen, progress);
-  outcome.before = model.supportVectorCount();
-  outcome.max_margin_change = reduced.max_margin_change;
-  outcome.mean_margin_change = reduced.mean_margin_change;
-  const Model smaller = withMachines(std::move(model), std::move(reduced), chosen);
-  outcome.after = smaller.supportVectorCount();
-  outcome.bytes = saveModel(smaller, path);
-  return outcome;
-}
 
 void reduceModel(const ReduceOptions& options) {
   options.reduction.check();
   const std::string path = modelPath(options.out);
+  const std::string page = options.report + "/reduction.html";
   requireWritable(path);
+  if (!options.report.empty()) requireWritable(page);
+
   ProgressDisplay display(options.output.progress);
-  const Outcome outcome =
-      reduceTo(path, loadModel(modelPath(options.model)), options, display.callback());
+  const Progress progress = display.callback();
+  const Reducer reducer(options, progress);
+  ReductionReport report{path, reducer.marginsOf(), reducer.before(), {}};
+  report.methods.push_back(reducer.reduce(options.reduction.method, path));
+  for (const char* method : kMethods) {
+    if (options.report.empty() || method == options.reduction.method) continue;
+    report.methods.push_back(reducer.reduce(method, ""));
+  }
   display.clear();
-  printOutcome(outcome, path, options.output.text());
-  options.output.writeJson(figures(outcome, path));
+
+  options.output.text() << reductionTable(report) << "Model: " << path << std::endl;
+  if (!options.report.empty()) {
+    makeFolder(options.report);
+    writeFileAtomically(page, reductionPage(report));
+    options.output.text() << "Report: " << page << std::endl;
+  }
+  options.output.writeJson(reductionJson(report));
 }
 
 }  // namespace
@@ -134,7 +155,7 @@ void reduceModel(const ReduceOptions& options) {
 void addReduce(CLI::App& tool) {
   CLI::App* verb = tool.add_subcommand("reduce", "Makes a model smaller and quicker");
   const auto options = std::make_shared<ReduceOptions>();
-  options->reduction.method = "qr";
+  options->reduction.method = "shared-greedy";
   verb->add_option("--model", options->model, "Name or file of the model")
       ->type_name("NAME")
       ->required();
@@ -142,9 +163,11 @@ void addReduce(CLI::App& tool) {
       ->type_name("NAME2")
       ->required();
   verb->add_option("--method", options->reduction.method,
-                   "qr (default): each machine by itself; shared-qr, shared-greedy: one basis for "
-                   "all machines")
+                   "shared-greedy (default), shared-qr: one basis for all machines; qr: each "
+                   "machine by itself")
       ->check(CLI::IsMember({"qr", "shared-qr", "shared-greedy"}));
+  verb->add_flag("--normalise,!--no-normalise", options->reduction.normalise,
+                 "Scale the columns of the kernel matrix to norm one first (default), or do not");
   CLI::Option* tau =
       verb->add_option("--tau", options->reduction.tau, "Rank threshold, 0..1 (default 0.01)")
           ->type_name("T");
@@ -153,29 +176,37 @@ void addReduce(CLI::App& tool) {
                            ->type_name("N")
                            ->check(CLI::PositiveNumber)
                            ->excludes(tau);
+  CLI::Option* share = verb->add_option("--share", options->reduction.share,
+                                        "Share of the vectors to keep, of each cue, 0..1")
+                           ->type_name("S")
+                           ->check(CLI::Range(1e-6, 1.0))
+                           ->excludes(tau)
+                           ->excludes(count);
   CLI::Option* loss = verb->add_option("--max-loss", options->max_loss,
                                        "Fewest vectors that lose no more than this of the rate on "
                                        "--validate, percentage points")
                           ->type_name("PERCENT")
                           ->check(CLI::Range(0.0, 100.0))
                           ->excludes(tau)
-                          ->excludes(count);
-  CLI::Option* validate =
-      verb->add_option("--validate", options->validate, "Labelled runs to measure the loss on")
-          ->type_name("INPUT...")
-          ->needs(loss);
-  loss->needs(validate);
+                          ->excludes(count)
+                          ->excludes(share);
+  loss->needs(verb->add_option("--validate", options->validate,
+                               "Labelled runs to measure the rate on, before and after")
+                  ->type_name("INPUT..."));
   verb->add_option("--train", options->train,
                    "The runs that the model was trained on: the margins are then kept on all of "
                    "their pictures. Without it on the support vectors only, all that the model "
                    "has of them")
       ->type_name("INPUT...");
+  verb->add_option("--report", options->report,
+                   "Compare all three methods, in the table and in DIR/reduction.html; with "
+                   "--validate, with curves of the rate against the vectors")
+      ->type_name("DIR");
   options->input.addTo(*verb);
   options->output.addTo(*verb);
   verb->footer(
       "Example:\n"
-      "  place_tool reduce --model office --out office_small --method shared-qr --max-loss 1 "
-      "--validate tuesday.bag");
+      "  place_tool reduce --model office --out office_small --max-loss 1 --validate tuesday.bag");
   verb->callback([options] { reduceModel(*options); });
 }
 

@@ -2,6 +2,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <numeric>
 
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
@@ -33,6 +34,11 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
   return {{"images", training.images},
           {"rooms", rooms},
           {"support_vectors", model.supportVectorCount()},
+          {"support_vectors_before",
+           std::accumulate(training.unreduced_vectors.begin(), training.unreduced_vectors.end(),
+                           std::uint64_t{0})},
+          {"reduction",
+           {{"method", model.options.reduction.method}, {"share", model.options.reduction.share}}},
           {"seconds", training.seconds},
           {"model_bytes", bytes},
           {"validation",
@@ -58,8 +64,9 @@ void printSummary(const Training& training, const std::string& path, std::uint64
       << std::defaultfloat << std::setprecision(4);
   for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
     const CueOptions& cue = model.options.cues[i];
-    out << "Cue " << cue.name << ": " << model.classifiers[i].supportVectorCount()
-        << " support vectors, gamma " << cue.kernel.gamma << "\n";
+    out << "Cue " << cue.name << ": " << training.unreduced_vectors[i] << " support vectors, "
+        << model.classifiers[i].supportVectorCount() << " after reduction ("
+        << model.options.reduction.method << "), gamma " << cue.kernel.gamma << "\n";
   }
   out << "Model: " << path << ", " << std::max<std::uint64_t>(1, bytes / 1024) << " KiB"
       << std::endl;

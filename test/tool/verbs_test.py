@@ -17,6 +17,7 @@ class TrainTest(ToolCase):
         self.assertEqual(figures["images"], 24)
         self.assertEqual(figures["rooms"], {room: {"count": 8} for room in sorted(ROOMS)})
         self.assertGreater(figures["support_vectors"], 0)
+        self.assertLess(figures["support_vectors"], figures["support_vectors_before"])
         self.assertEqual(figures["validation"]["average_rate"], 1)
         model = self.folder / "ros_home/place_recognition/models/home.places"
         self.assertEqual(model.stat().st_size, figures["model_bytes"])
@@ -61,7 +62,8 @@ class TrainedCase(ToolCase):
         super().setUp()
         self.write_run("monday")
         self.write_run("tuesday", seed=1)
-        self.succeed("train", "monday", "--model", "./home.places", *COLOUR)
+        self.succeed("train", "monday", "--model", "./home.places", *COLOUR, "--set",
+                     "reduction.method=none")
 
 
 class RecognizeTest(TrainedCase):
@@ -160,6 +162,24 @@ class ReduceTest(TrainedCase):
             self.reduce(*arguments, "--support-vectors", kept - 1)
             fewer = self.figures("evaluate", "tuesday", "--model", "./small.places")
             self.assertLess(fewer["average_rate"], rates["average_rate_before"] - 0.05)
+
+
+    def test_report_compares_the_methods(self):
+        figures = self.reduce("--share", 0.3, "--validate", "tuesday", "--report", "report")
+        self.assertEqual(set(figures["methods"]), {"qr", "shared-qr", "shared-greedy"})
+        for method in figures["methods"].values():
+            self.assertLessEqual(method["support_vectors"], figures["support_vectors_before"])
+            self.assertEqual(method["curve"][-1][0], 1)
+            self.assertGreater(method["comparison_ms"], 0)
+        page = (self.folder / "report/reduction.html").read_text()
+        self.assertIn("shared-greedy", page)
+        self.assertIn("<svg", page)
+
+    def test_text_says_what_margins_were_measured_on(self):
+        arguments = ("reduce", "--model", "./home.places", "--out", "./small.places",
+                     "--no-normalise")
+        self.assertIn("support vectors", self.succeed(*arguments))
+        self.assertIn("24 pictures", self.succeed(*arguments, "--train", "monday"))
 
 
 class FeaturesTest(ToolCase):
