@@ -9,43 +9,57 @@ namespace place_recognition {
 
 namespace {
 
-/// Right answers and frames of one room.
-struct Tally {
-  double right = 0;
-  double frames = 0;
-  double rate() const { return right / frames; }
+/// First and second moment of one room's values.
+struct Moments {
+  double sum = 0;
+  double squares = 0;
+  double count = 0;
+
+  double mean() const { return sum / count; }
+  double varianceOfMean() const { return std::max(0.0, squares / count - mean() * mean()) / count; }
 };
 
-/// Of the rooms that occur.
-std::vector<Tally> tallies(const std::vector<int>& truth, const std::vector<int>& answers,
-                           std::size_t places) {
+/// One where the answer is right, zero elsewhere.
+std::vector<double> hits(const std::vector<int>& truth, const std::vector<int>& answers) {
   assert(truth.size() == answers.size());
-  std::vector<Tally> rooms(places);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    rooms[truth[i]].frames += 1;
-    rooms[truth[i]].right += answers[i] == truth[i] ? 1 : 0;
-  }
-  const auto absent = [](const Tally& room) { return room.frames == 0; };
-  rooms.erase(std::remove_if(rooms.begin(), rooms.end(), absent), rooms.end());
-  return rooms;
+  std::vector<double> values(truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) values[i] = answers[i] == truth[i] ? 1 : 0;
+  return values;
 }
 
 }  // namespace
 
+RoomMean roomMean(const std::vector<int>& truth, const std::vector<double>& values,
+                  std::size_t places) {
+  assert(truth.size() == values.size());
+  std::vector<Moments> rooms(places);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    Moments& room = rooms[static_cast<std::size_t>(truth[i])];
+    room.sum += values[i];
+    room.squares += values[i] * values[i];
+    room.count += 1;
+  }
+  double sum = 0;
+  double variance = 0;
+  double occurring = 0;
+  for (const Moments& room : rooms) {
+    if (room.count == 0) continue;
+    sum += room.mean();
+    variance += room.varianceOfMean();
+    occurring += 1;
+  }
+  if (occurring == 0) return {};
+  return {sum / occurring, std::sqrt(variance) / occurring};
+}
+
 double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
                    std::size_t places) {
-  const std::vector<Tally> rooms = tallies(truth, answers, places);
-  double sum = 0;
-  for (const Tally& room : rooms) sum += room.rate();
-  return rooms.empty() ? 0 : sum / static_cast<double>(rooms.size());
+  return roomMean(truth, hits(truth, answers), places).mean;
 }
 
 double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
                         std::size_t places) {
-  const std::vector<Tally> rooms = tallies(truth, answers, places);
-  double variance = 0;
-  for (const Tally& room : rooms) variance += room.rate() * (1 - room.rate()) / room.frames;
-  return rooms.empty() ? 0 : std::sqrt(variance) / static_cast<double>(rooms.size());
+  return roomMean(truth, hits(truth, answers), places).standard_error;
 }
 
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct) {

@@ -15,6 +15,16 @@ int largest(const Row& values) {
   return place;
 }
 
+/// A mean over rooms, each as important as any other however many frames it has.
+struct RoomMean {
+  double mean = 0;
+  double standard_error = 0;  ///< of the mean, as if frames were independent
+};
+
+/// Mean of the rooms' means of `values`, over the rooms that occur in `truth`; 0 if none does.
+RoomMean roomMean(const std::vector<int>& truth, const std::vector<double>& values,
+                  std::size_t places);
+
 /// Mean of the rooms' own rates, each room as important as any other however many frames it has
 /// (thesis section 8.1), over the rooms that occur in `truth`; 0 if none does. `answers`: place
 /// answered for each frame, -1 for none.

@@ -69,7 +69,7 @@ std::vector<CueChoice> chooseGammas(const std::vector<CueComparison>& comparison
       trials.push_back(
           search.note({comparison.withGamma(gamma)}, search.base.svm.c, samples, scores.back()));
     }
-    const std::size_t chosen = preferred(scores, samples);
+    const std::size_t chosen = firstNearlyAsGood(scores);
     choices.push_back({&comparison, gammas[chosen], std::move(held_out[chosen]), scores[chosen]});
     const bool best = !search.best || trials[chosen].log_loss < search.best->log_loss;
     if (best) search.best = trials[chosen];
@@ -130,7 +130,7 @@ double chooseC(const std::vector<CueChoice>& chosen, const LitSamples& samples, 
     scores.push_back(score(combineEqually(held_out), samples));
     trials.push_back(search.note(optionsOf(chosen), c, samples, scores.back()));
   }
-  const std::size_t index = preferred(scores, samples);
+  const std::size_t index = firstNearlyAsGood(scores);
   search.best = trials[index];
   return values[index];
 }

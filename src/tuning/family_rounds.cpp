@@ -55,7 +55,7 @@ std::vector<CueOptions> bestOf(const Family& family, std::size_t count, std::siz
         search.note({comparison.withGamma(gamma)}, search.base.svm.c, samples, scores.back());
     if (!search.best || trial.log_loss < search.best->log_loss) search.best = trial;
   }
-  if (count == 1) return {family.cues[preferred(scores, samples)]};
+  if (count == 1) return {family.cues[firstAsGood(scores, samples)]};
 
   std::vector<std::size_t> order(scores.size());
   std::iota(order.begin(), order.end(), 0);

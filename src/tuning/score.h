@@ -10,6 +10,7 @@ namespace place_recognition {
 /// How held-out answers fared.
 struct Score {
   double log_loss = 0;            ///< mean of the rooms' means of `losses`, nats
+  double standard_error = 0;      ///< of log_loss, as if pictures were independent
   double rate = 0;                ///< mean of the rooms' rates in the light of the recording
   double changed_light_rate = 0;  ///< the same in all other lights; 0 if there are none
   std::vector<double> losses;     ///< of each recorded sample, mean over lights; 0: never tested

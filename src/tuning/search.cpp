@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace place_recognition {
+namespace {
+
+const Score& leastOf(const std::vector<Score>& scores) {
+  return *std::min_element(scores.begin(), scores.end(),
+                           [](const Score& a, const Score& b) { return a.log_loss < b.log_loss; });
+}
+
+}  // namespace
 
 const TuningTrial& Search::note(const std::vector<CueOptions>& cues, double c,
                                 const LitSamples& samples, const Score& score) {
@@ -17,15 +25,18 @@ TrainingOptions Search::withCues(const std::vector<CueOptions>& cues) const {
   return options;
 }
 
-std::size_t preferred(const std::vector<Score>& scores, const LitSamples& samples) {
-  const auto least =
-      std::min_element(scores.begin(), scores.end(),
-                       [](const Score& a, const Score& b) { return a.log_loss < b.log_loss; });
-  for (std::size_t i = 0; i < scores.size(); ++i) {
-    const double surplus = scores[i].log_loss - least->log_loss;
-    if (surplus <= differenceError(scores[i], *least, samples)) return i;
-  }
-  return static_cast<std::size_t>(least - scores.begin());
+std::size_t firstAsGood(const std::vector<Score>& scores, const LitSamples& samples) {
+  const Score& least = leastOf(scores);
+  std::size_t i = 0;
+  while (scores[i].log_loss - least.log_loss > differenceError(scores[i], least, samples)) ++i;
+  return i;
+}
+
+std::size_t firstNearlyAsGood(const std::vector<Score>& scores) {
+  const Score& least = leastOf(scores);
+  std::size_t i = 0;
+  while (scores[i].log_loss - least.log_loss > least.standard_error) ++i;
+  return i;
 }
 
 }  // namespace place_recognition

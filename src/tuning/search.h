@@ -30,8 +30,12 @@ struct Search {
   TrainingOptions withCues(const std::vector<CueOptions>& cues) const;
 };
 
-/// The first of `scores`, which stand in the order of preference, whose log loss is within one
-/// standard error of the least.
-std::size_t preferred(const std::vector<Score>& scores, const LitSamples& samples);
+/// The first of `scores`, which stand in the order of preference, that is as good as the best: its
+/// log loss is less than one standard error of the difference above the least.
+std::size_t firstAsGood(const std::vector<Score>& scores, const LitSamples& samples);
+
+/// The same with the standard error of the least log loss itself, which is larger: for what hardly
+/// matters on the same recording, as gamma, and whose extremes often fail on the next one.
+std::size_t firstNearlyAsGood(const std::vector<Score>& scores);
 
 }  // namespace place_recognition

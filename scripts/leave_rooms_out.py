@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""How well places that were never trained are told from those that were.
+
+  . build/devel/setup.bash
+  ./scripts/leave_rooms_out.py RUN1 RUN2 [--elsewhere RUN3] [--presets crfh,sift]
+                               [--place-tool PATH]
+
+For every preset: each room in turn is left out of the training on one run, and the other run is
+tested, both ways. Prints a table in Markdown of the area under the ROC curve of known against
+unknown, mean over the rooms; and for the thresholds that `train` sets, the shares of unknown and of
+known pictures that are answered 'unknown'. With --elsewhere the same for a place of another
+building, with all rooms trained. The runs are folders of room/picture files.
+"""
+import pathlib
+import tempfile
+
+from preset_trials import PlaceTool, parser, presets
+
+KEYS = ("roc_area", "detection_rate", "false_alarm_rate")
+
+
+def mean_cells(results):
+    means = [sum(result[key] for result in results) / len(results) for key in KEYS]
+    return [f"{means[0]:.3f}", f"{100 * means[1]:.0f} %", f"{100 * means[2]:.0f} %"]
+
+
+class Trial:
+    def __init__(self, place_tool, preset, folder):
+        self.place_tool, self.preset, self.folder = place_tool, preset, pathlib.Path(folder)
+
+    def without(self, room, run, *tests):
+        """Trains on all rooms of `run` but `room`, and tests."""
+        with tempfile.TemporaryDirectory(dir=self.folder) as rest:
+            for other in sorted(pathlib.Path(run).iterdir()):
+                if other.name != room:
+                    (pathlib.Path(rest) / other.name).symlink_to(other.resolve())
+            model = self.folder / "rest.places"
+            self.place_tool.train(self.preset, rest, model)
+            return self.place_tool.figures("evaluate", *tests, "--model", model)["unknown"]
+
+
+def main():
+    arguments = parser(__doc__)
+    arguments.add_argument("--elsewhere", metavar="RUN", help="a place never seen")
+    options = arguments.parse_args()
+    place_tool = PlaceTool(options)
+    first, second = options.runs
+    rooms = sorted({path.name for run in options.runs for path in pathlib.Path(run).iterdir()
+                    if path.is_dir()})
+    print("| preset | unknown | area, there | detected | false alarms "
+          "| area, back | detected | false alarms |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    with tempfile.TemporaryDirectory() as folder:
+        for preset in presets(options):
+            trial = Trial(place_tool, preset, folder)
+            cells = [f"`{preset}`", "a room"]
+            for train, test in ((first, second), (second, first)):
+                cells += mean_cells([trial.without(room, train, test) for room in rooms])
+            print("| " + " | ".join(cells) + " |", flush=True)
+            if not options.elsewhere:
+                continue
+            cells = [f"`{preset}`", "elsewhere"]
+            for train, test in ((first, second), (second, first)):
+                cells += mean_cells([trial.without(None, train, test, options.elsewhere)])
+            print("| " + " | ".join(cells) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
