@@ -16,12 +16,23 @@ std::string serializeModel(const Model& model);
 /// and ranges that do not agree, numbers that are not finite.
 Model parseModel(const std::string& bytes, const std::string& where);
 
-/// Saves atomically; creates the folder if it is missing. Sets nothing in `model`.
-/// Returns the number of bytes written.
+/// Saves atomically, also beside others that save to the same path; creates the folder if it is
+/// missing. The models that were there before stay as backups. Sets nothing in `model`. Returns the
+/// number of bytes written.
 std::uint64_t saveModel(const Model& model, const std::string& path);
 
 /// Loads and checks a model file; sets name and version.
 Model loadModel(const std::string& path);
+
+/// How many models that were saved to the same path before are kept.
+constexpr int kModelBackups = 3;
+
+/// Where the backup of the model at `path` is; `age` 1: the newest, to kModelBackups: the oldest.
+std::string backupPath(const std::string& path, int age);
+
+/// Puts a backup in the place of the model at `path`, which becomes the newest backup itself. Throws
+/// Error, changing nothing, if there is no such backup or it cannot be used.
+void restoreModel(const std::string& path, int age);
 
 /// The path of a model by name: NAME itself if it has a slash or ends in `.places`, else
 /// modelFolder()/NAME.places. Throws Error for a name that is not [A-Za-z0-9_-]{1,64}.

@@ -8,12 +8,16 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
+
+/// Between the name of a file and what mkstemp() makes up.
+constexpr const char* kTemporary = ".tmp-";
 
 /// Closes the descriptor, and removes the temporary file unless it was renamed.
 struct TemporaryFile {
@@ -22,7 +26,7 @@ struct TemporaryFile {
   bool renamed = false;
 
   explicit TemporaryFile(const std::string& target) {
-    const std::string pattern = target + ".tmp-XXXXXX";
+    const std::string pattern = target + kTemporary + "XXXXXX";
     path.assign(pattern.c_str(), pattern.c_str() + pattern.size() + 1);
     fd = mkstemp(path.data());
   }
@@ -58,16 +62,30 @@ void syncFolder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void writeFileAtomically(const std::string& path, std::string_view bytes) {
+void writeFileAtomically(const std::string& path, std::string_view bytes,
+                         const std::function<void()>& before_rename) {
   TemporaryFile file(path);
   const mode_t mask = umask(0);
   umask(mask);
   if (file.fd < 0 || fchmod(file.fd, 0666 & ~mask) != 0 || !writeAll(file.fd, bytes) ||
-      fsync(file.fd) != 0 || std::rename(file.path.data(), path.c_str()) != 0) {
+      fsync(file.fd) != 0) {
     throwCannotWrite(path);
   }
+  if (before_rename) before_rename();
+  if (std::rename(file.path.data(), path.c_str()) != 0) throwCannotWrite(path);
   file.renamed = true;
   syncFolder(std::filesystem::path(path).parent_path());
+}
+
+void removeLeftovers(const std::string& path) {
+  namespace fs = std::filesystem;
+  const std::string start = fs::path(path).filename().string() + kTemporary;
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, failure)) {
+    const bool leftover = entry.path().filename().string().compare(0, start.size(), start) == 0;
+    if (leftover) fs::remove(entry.path(), failure);
+  }
 }
 
 std::string readFile(const std::string& path, std::size_t limit) {

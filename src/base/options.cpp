@@ -7,6 +7,9 @@
 #include <set>
 #include <sstream>
 
+#include "base/atomic_file.h"
+#include "base/yaml_guard.h"
+
 namespace place_recognition {
 
 namespace options_detail {
@@ -111,6 +114,7 @@ YAML::Node childOf(YAML::Node parent, const std::string& key, const std::string&
 
 YAML::Node parseYaml(const std::string& text, const std::string& where) {
   try {
+    requireModestYaml(text, where);
     return YAML::Load(text);
   } catch (const YAML::Exception& e) {
     throw Error(where + " is not valid YAML: " + e.what() + ".");
@@ -118,13 +122,8 @@ YAML::Node parseYaml(const std::string& text, const std::string& where) {
 }
 
 YAML::Node readYamlFile(const std::string& path) {
-  try {
-    return YAML::LoadFile(path);
-  } catch (const YAML::BadFile&) {
-    throw Error("Cannot read the file " + path + "; check the path and its permissions.");
-  } catch (const YAML::Exception& e) {
-    throw Error(path + " is not valid YAML: " + e.what() + ".");
-  }
+  constexpr std::size_t kMaxFileSize = 64 << 20;
+  return parseYaml(readFile(path, kMaxFileSize), path);
 }
 
 void assignOption(const YAML::Node& root, const std::string& assignment) {

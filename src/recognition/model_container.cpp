@@ -52,7 +52,7 @@ std::string_view unpackContainer(std::string_view bytes, const std::string& wher
   }
   if (bytes.size() < kHeaderSize) {
     throw Error(where + " is cut short after " + std::to_string(bytes.size()) +
-                " bytes; restore a backup or train the model again.");
+                " bytes; restore a backup (place_tool restore) or train the model again.");
   }
   const std::uint64_t format = littleEndian(bytes, kVersionAt, 4);
   if (format != kFormatVersion) {
@@ -65,11 +65,12 @@ std::string_view unpackContainer(std::string_view bytes, const std::string& wher
   if (payload.size() != length) {
     throw Error(where + " holds " + std::to_string(payload.size()) +
                 " bytes of model where it should hold " + std::to_string(length) +
-                "; restore a backup or train the model again.");
+                "; restore a backup (place_tool restore) or train the model again.");
   }
   if (checksum(payload) != littleEndian(bytes, kChecksumAt, 4)) {
     throw Error(where +
-                " is damaged (its checksum does not fit); restore a backup or train the "
+                " is damaged (its checksum does not fit); restore a backup (place_tool restore) or "
+                "train the "
                 "model again.");
   }
   return payload;

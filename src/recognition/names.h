@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace place_recognition {
+
+/// What a model may know at most; what is kept of pairs of places takes memory by its square.
+constexpr std::size_t kMaxPlaces = 2000;
 
 /// Whether `text` is well-formed UTF-8 (RFC 3629).
 bool isUtf8(const std::string& text);

@@ -116,6 +116,10 @@ class Collector {
   void requirePlaces() {
     for (const Record& record : records_) places_.insert(record.place);
     if (places_.size() < 2) throw Error(whyTooFewPlaces());
+    if (places_.size() > kMaxPlaces) {
+      throw Error("The runs show " + std::to_string(places_.size()) + " places, more than " +
+                  std::to_string(kMaxPlaces) + "; train a model for each part of the building.");
+    }
   }
 
   std::string whyTooFewPlaces() const {

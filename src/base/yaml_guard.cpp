@@ -1,0 +1,61 @@
+#include "base/yaml_guard.h"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <sstream>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+/// Follows the parser, which calls before it goes a level deeper itself.
+class ModestYaml : public YAML::EventHandler {
+ public:
+  explicit ModestYaml(const std::string& where) : where_(where) {}
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    throw Error(where_ + " has an alias ('*') in line " + std::to_string(mark.line + 1) +
+                "; write the value out.");
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    enter(mark);
+  }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    enter(mark);
+  }
+  void OnSequenceEnd() override { --depth_; }
+  void OnMapEnd() override { --depth_; }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+
+ private:
+  void enter(const YAML::Mark& mark) {
+    constexpr int kMaxDepth = 50;
+    if (++depth_ > kMaxDepth) {
+      throw Error(where_ + " nests too deep in line " + std::to_string(mark.line + 1) +
+                  "; it is no configuration.");
+    }
+  }
+
+  const std::string& where_;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+void requireModestYaml(const std::string& text, const std::string& where) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  ModestYaml guard(where);
+  parser.HandleNextDocument(guard);
+}
+
+}  // namespace place_recognition

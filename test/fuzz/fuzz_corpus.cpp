@@ -1,0 +1,44 @@
+// fuzz_corpus FOLDER: what the fuzzers start from, FOLDER/model and FOLDER/image.
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <opencv2/imgcodecs.hpp>
+
+#include "recognition/drawn_run.h"
+#include "recognition/model_container.h"
+#include "reliability/preset_models.h"
+
+using namespace place_recognition;
+
+namespace {
+
+void write(const std::string& path, std::string_view bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+void writePicture(const std::string& path, const cv::Mat& image, const char* extension) {
+  std::vector<std::uint8_t> file;
+  cv::imencode(extension, image, file);
+  write(path, "c" + std::string(file.begin(), file.end()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: fuzz_corpus FOLDER\n";
+    return 2;
+  }
+  const std::string folder = argv[1];
+  std::filesystem::create_directories(folder + "/model");
+  std::filesystem::create_directories(folder + "/image");
+  int number = 0;
+  for (const std::string& model : presetModels()) {
+    write(folder + "/model/" + std::to_string(number++), unpackContainer(model, "made up"));
+  }
+  const cv::Mat image = drawRoom(1, 1)(cv::Rect(0, 0, 16, 12));
+  writePicture(folder + "/image/png", image, ".png");
+  writePicture(folder + "/image/jpeg", image, ".jpg");
+  write(folder + "/image/raw", std::string("r\x02\0\0\0\x02\0\0\0\x06\0\0\0\0\0abcdefghijkl", 27));
+}

@@ -1,0 +1,31 @@
+// Any bytes as the inside of a model file. Its header is made to fit, for it would refuse them all.
+
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+#include "recognition/drawn_run.h"
+#include "recognition/model_container.h"
+
+using namespace place_recognition;
+
+namespace {
+
+/// What was accepted must be usable and come back as it was written.
+void use(Model parsed) {
+  const std::string bytes = serializeModel(parsed);
+  if (serializeModel(parseModel(bytes, "again")) != bytes) abort();
+  Recognizer recognizer(std::make_shared<const Model>(std::move(parsed)));
+  static const cv::Mat picture = drawRoom(1, 3);
+  if (!recognizer.recognize(picture).probabilities.allFinite()) abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view payload(reinterpret_cast<const char*>(data), size);
+  try {
+    use(parseModel(packContainer(payload), "fuzzed"));
+  } catch (const Error&) {
+  }
+  return 0;
+}

@@ -1,0 +1,45 @@
+#include "reliability/preset_models.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/options.h"
+#include "place_recognition/model_file.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+std::vector<std::string> presetFiles() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(PLACE_RECOGNITION_PRESETS)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> trainEach() {
+  std::vector<std::string> models;
+  for (const TrainingOptions& options : presets()) {
+    models.push_back(serializeModel(train({opener(drawFrames(3, 8))}, options).model));
+  }
+  return models;
+}
+
+}  // namespace
+
+std::vector<TrainingOptions> presets() {
+  std::vector<TrainingOptions> all;
+  for (const std::string& file : presetFiles()) {
+    readOptions(readYamlFile(file), file, all.emplace_back());
+  }
+  return all;
+}
+
+const std::vector<std::string>& presetModels() {
+  static const std::vector<std::string> models = trainEach();
+  return models;
+}
+
+}  // namespace place_recognition
