@@ -71,6 +71,7 @@ Classifier classifierFromMessage(const proto::Classifier& message, const CueOpti
 void readNames(const proto::Model& message, Model& model) {
   model.places.assign(message.places().begin(), message.places().end());
   require(model.places.size() >= 2, "it knows fewer than two places");
+  require(model.places.size() <= kMaxPlaces, "it knows too many places");
   for (std::size_t k = 0; k < model.places.size(); ++k) {
     require(isPlaceName(model.places[k]), "the name of a place is not printable UTF-8 text");
     require(k == 0 || model.places[k - 1] < model.places[k], "the names of places do not ascend");
