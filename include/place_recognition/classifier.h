@@ -17,8 +17,10 @@ struct Machines;
 /// in, one margin a place out. Immutable; safe to share between threads.
 class Classifier {
  public:
-  /// `machines` over `vectors` (as many rows of weights); vectors that no machine uses are dropped.
-  Classifier(const KernelOptions& kernel, Machines machines, std::vector<Feature> vectors);
+  /// `machines` over `vectors` (as many rows of weights), each recorded in one of `vector_places`;
+  /// vectors that no machine uses are dropped.
+  Classifier(const KernelOptions& kernel, Machines machines, std::vector<Feature> vectors,
+             const std::vector<int>& vector_places);
   ~Classifier();
   Classifier(Classifier&&) noexcept;
   Classifier& operator=(Classifier&&) noexcept;
@@ -32,10 +34,13 @@ class Classifier {
   std::size_t supportVectorCount() const;
   const SupportSet& supportSet() const { return *support_set_; }
   const Machines& machines() const { return *machines_; }
+  /// Of each support vector, the place that it was recorded in.
+  const std::vector<int>& vectorPlaces() const { return vector_places_; }
 
  private:
   std::unique_ptr<SupportSet> support_set_;
   std::unique_ptr<Machines> machines_;
+  std::vector<int> vector_places_;
 };
 
 }  // namespace place_recognition

@@ -7,15 +7,18 @@
 
 namespace place_recognition {
 
-Classifier::Classifier(const KernelOptions& kernel, Machines machines,
-                       std::vector<Feature> vectors) {
+Classifier::Classifier(const KernelOptions& kernel, Machines machines, std::vector<Feature> vectors,
+                       const std::vector<int>& vector_places) {
   assert(machines.weights.rows() == static_cast<Eigen::Index>(vectors.size()));
+  assert(vector_places.size() == vectors.size());
   const std::vector<int> used = supportVectors(machines);
   Eigen::MatrixXd weights(used.size(), machines.weights.cols());
   std::vector<Feature> kept;
   for (std::size_t i = 0; i < used.size(); ++i) {
     weights.row(static_cast<Eigen::Index>(i)) = machines.weights.row(used[i]);
-    kept.push_back(std::move(vectors[static_cast<std::size_t>(used[i])]));
+    const auto vector = static_cast<std::size_t>(used[i]);
+    kept.push_back(std::move(vectors[vector]));
+    vector_places_.push_back(vector_places[vector]);
   }
   machines.weights = std::move(weights);
   support_set_ = std::make_unique<SupportSet>(Kernel(kernel), std::move(kept));

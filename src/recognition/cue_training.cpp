@@ -49,7 +49,7 @@ class CueTrainer {
              static_cast<double>(trials.size()) / static_cast<double>(grid.gammas.size()));
       setGamma(gamma);
       compare();
-      const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
+      const PackedGram gram(Kernel(cue_.kernel), measures_, task_.threads);
       const HeldOut held_out = heldOutMargins(gram, rows_, task_, {unreduced}).front();
       trials.push_back({gamma, averageRate(held_out, task_.samples, task_.places),
                         averageRateError(held_out, task_.samples, task_.places)});
@@ -59,17 +59,19 @@ class CueTrainer {
 
   TrainedCue train(const std::vector<ReductionOptions>& reductions) {
     compare();
-    const Eigen::MatrixXd gram = gramMatrix(Kernel(cue_.kernel), measures_);
+    const PackedGram gram(Kernel(cue_.kernel), measures_, task_.threads);
     report(task_.progress, "Validating", 0);
     std::vector<HeldOut> held_out = heldOutMargins(gram, rows_, task_, reductions);
     report(task_.progress, "Training", 0);
     ReducedMachines reduced = trainReduced(gram, labels_, task_, reductions);
     std::vector<Feature> vectors;
+    std::vector<int> vector_places;
     for (const int i : reduced.vectors) {
       vectors.push_back(std::move(features_[static_cast<std::size_t>(i)]));
+      vector_places.push_back(labels_[static_cast<std::size_t>(i)]);
     }
-    return {cue_.kernel.gamma, std::move(vectors), std::move(reduced.machines),
-            std::move(held_out)};
+    return {cue_.kernel.gamma, std::move(vectors), std::move(vector_places),
+            std::move(reduced.machines), std::move(held_out)};
   }
 
  private:

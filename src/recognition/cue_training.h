@@ -13,6 +13,7 @@ namespace place_recognition {
 struct TrainedCue {
   double gamma;                    ///< of the kernel; as given, or as found by cross-validation
   std::vector<Feature> vectors;    ///< the support vectors before reduction
+  std::vector<int> vector_places;  ///< where each of them was recorded
   std::vector<Machines> machines;  ///< over `vectors`, trained on all samples
   std::vector<HeldOut> held_out;   ///< margins of each sample by cross-validation
 };

@@ -43,6 +43,9 @@ proto::Classifier toMessage(const Classifier& classifier, proto::Vectors::Kind k
     append(machines.weights.row(i), message.mutable_weights());
   }
   append(machines.biases, message.mutable_biases());
+  for (const int place : classifier.vectorPlaces()) {
+    message.add_vector_places(static_cast<std::uint32_t>(place));
+  }
   return message;
 }
 
@@ -60,12 +63,20 @@ Classifier classifierFromMessage(const proto::Classifier& message, const CueOpti
   requireFinite(message.weights(), "a weight is not finite");
   requireFinite(message.biases(), "a bias is not finite");
 
+  std::vector<int> vector_places;
+  for (const std::uint32_t place : message.vector_places()) {
+    require(place < machines.places, "a support vector is of a place that there is not");
+    vector_places.push_back(static_cast<int>(place));
+  }
+  require(vector_places.size() == vectors,
+          "the places of the support vectors are not as many as these");
+
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   machines.weights = Eigen::Map<const RowMajor>(
       message.weights().data(), static_cast<Eigen::Index>(vectors), message.biases_size());
   machines.biases = rowVector(message.biases());
   return Classifier(cue.kernel, std::move(machines),
-                    fromMessage(message.support_vectors(), vectorForm(cue.feature)));
+                    fromMessage(message.support_vectors(), vectorForm(cue.feature)), vector_places);
 }
 
 void readNames(const proto::Model& message, Model& model) {

@@ -66,12 +66,12 @@ class Collector {
     }
   }
 
-  Samples finish(std::size_t cues) {
+  Samples finish(std::size_t cues, std::size_t least_places) {
     pool_.finish();
     Samples samples;
     samples.inputs = inputs_;
     dropFeatureless();
-    requirePlaces();
+    requirePlaces(least_places);
     fill(samples, cues);
     learnRooms(samples);
     for (std::size_t r = 0; r < inputs_.size(); ++r) {
@@ -113,9 +113,9 @@ class Collector {
     records_.erase(std::remove_if(records_.begin(), records_.end(), featureless), records_.end());
   }
 
-  void requirePlaces() {
+  void requirePlaces(std::size_t least_places) {
     for (const Record& record : records_) places_.insert(record.place);
-    if (places_.size() < 2) throw Error(whyTooFewPlaces());
+    if (places_.size() < least_places) throw Error(whyTooFewPlaces());
     if (places_.size() > kMaxPlaces) {
       throw Error("The runs show " + std::to_string(places_.size()) + " places, more than " +
                   std::to_string(kMaxPlaces) + "; train a model for each part of the building.");
@@ -141,12 +141,14 @@ class Collector {
 
   void fill(Samples& samples, std::size_t cues) {
     samples.places.assign(places_.begin(), places_.end());
+    samples.images.assign(samples.places.size(), 0);
     samples.features.resize(cues);
     for (Record& record : records_) {
       const auto place =
           std::lower_bound(samples.places.begin(), samples.places.end(), record.place);
       samples.origins.push_back(
           {static_cast<int>(place - samples.places.begin()), record.run, record.stamp});
+      ++samples.images[static_cast<std::size_t>(samples.origins.back().place)];
       for (std::size_t c = 0; c < cues; ++c) {
         samples.features[c].push_back(std::move(record.extracted.features[c]));
       }
@@ -180,10 +182,10 @@ class Collector {
 }  // namespace
 
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
-                       unsigned threads, const Progress& progress) {
+                       unsigned threads, const Progress& progress, std::size_t least_places) {
   Collector collector(options, threads);
   for (const RunOpener& open : runs) collector.read(*open(), progress);
-  return collector.finish(options.cues.size());
+  return collector.finish(options.cues.size(), least_places);
 }
 
 }  // namespace place_recognition

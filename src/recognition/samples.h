@@ -15,8 +15,10 @@ struct Samples {
   std::vector<std::string> places;             ///< names, ascending
   std::vector<SampleOrigin> origins;           ///< one a sample; place: index into `places`
   std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
-  std::vector<std::string> inputs;             ///< names of the runs
-  Adjacency adjacency{0};                      ///< of `places`, from the runs that are drives
+  std::size_t remembered = 0;         ///< the first ones, from a model and not from these runs
+  std::vector<std::uint64_t> images;  ///< of each place, that it was learnt from in all
+  std::vector<std::string> inputs;    ///< names of the runs
+  Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
   std::uint64_t skipped = 0;  ///< frames without label, without picture or without any feature
   std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
 };
@@ -24,8 +26,8 @@ struct Samples {
 /// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
 /// one a core); a few frames at most wait in between. The samples are in the order of the runs.
 /// Throws Error if there is no picture, no label, a label that cannot name a place, or if fewer
-/// than two places have samples; Cancelled if `progress` asks for it.
+/// than `least_places` have samples; Cancelled if `progress` asks for it.
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
-                       unsigned threads, const Progress& progress);
+                       unsigned threads, const Progress& progress, std::size_t least_places = 2);
 
 }  // namespace place_recognition

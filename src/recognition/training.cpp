@@ -8,19 +8,14 @@
 #include "recognition/cue_training.h"
 #include "recognition/model_validation.h"
 #include "recognition/reduction_choice.h"
+#include "recognition/remembered_samples.h"
 #include "recognition/samples.h"
 
 namespace place_recognition {
 namespace {
 
-std::vector<std::uint64_t> countImages(const Samples& samples) {
-  std::vector<std::uint64_t> counts(samples.places.size(), 0);
-  for (const SampleOrigin& origin : samples.origins) ++counts[origin.place];
-  return counts;
-}
-
 Provenance provenanceOf(const Samples& samples) {
-  return {samples.inputs, countImages(samples), samples.skipped, PLACE_RECOGNITION_VERSION};
+  return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION};
 }
 
 /// Of each cue, with one of the reductions in question.
@@ -32,11 +27,10 @@ std::vector<HeldOut> heldOutOf(const std::vector<TrainedCue>& cues, std::size_t 
 
 /// Warnings about places that cross-validation cannot judge.
 void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>& warnings) {
-  const std::vector<std::uint64_t> counts = countImages(samples);
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    if (counts[k] >= 2 * static_cast<std::uint64_t>(folds)) continue;
+  for (std::size_t k = 0; k < samples.images.size(); ++k) {
+    if (samples.images[k] >= 2 * static_cast<std::uint64_t>(folds)) continue;
     warnings.push_back("The place '" + samples.places[k] + "' has only " +
-                       std::to_string(counts[k]) +
+                       std::to_string(samples.images[k]) +
                        " pictures; its answers and their confidence will be poor.");
   }
 }
@@ -49,11 +43,20 @@ std::size_t Model::supportVectorCount() const {
   return count;
 }
 
-Training train(const std::vector<RunOpener>& runs, const TrainingOptions& options, unsigned threads,
+namespace {
+
+/// Support vectors are the hard cases of a run: only fresh samples judge.
+void judgeByFreshSamples(std::size_t remembered, std::vector<TrainedCue>& cues) {
+  for (TrainedCue& cue : cues) {
+    for (HeldOut& held_out : cue.held_out) {
+      std::fill_n(held_out.valid.begin(), remembered, false);
+    }
+  }
+}
+
+/// The road from samples to a model.
+Training learn(Samples samples, const TrainingOptions& options, unsigned threads,
                const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  options.check();
-  Samples samples = collectSamples(runs, options, threads, progress);
   const std::size_t places = samples.places.size();
   const std::vector<Fold> folds =
       timeBlockFolds(samples.origins, options.validation.folds, options.validation.gap);
@@ -64,6 +67,8 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
     cues.push_back(trainCue(std::move(samples.features[c]), options.cues[c], reductions, task));
   }
+
+  judgeByFreshSamples(samples.remembered, cues);
 
   Training training;
   Model& model = training.model;
@@ -80,7 +85,7 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
     kernel.gamma = cues[c].gamma;
     training.unreduced_vectors.push_back(cues[c].vectors.size());
     model.classifiers.emplace_back(kernel, std::move(cues[c].machines[chosen]),
-                                   std::move(cues[c].vectors));
+                                   std::move(cues[c].vectors), cues[c].vector_places);
   }
 
   report(progress, "Calibrating", 0);
@@ -93,13 +98,47 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
   model.adjacency = samples.adjacency;
   model.provenance = provenanceOf(samples);
 
-  training.images = samples.origins.size();
+  training.images = samples.origins.size() - samples.remembered;
   training.warnings = samples.warnings;
   warnOfFewImages(samples, options.validation.folds, training.warnings);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  training.seconds = elapsed.count();
   report(progress, "Calibrating", 1);
   return training;
+}
+
+/// `work()`, with the time that it took.
+template <typename Work>
+Training timed(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  Training training = work();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  training.seconds = elapsed.count();
+  return training;
+}
+
+}  // namespace
+
+Training train(const std::vector<RunOpener>& runs, const TrainingOptions& options, unsigned threads,
+               const Progress& progress) {
+  options.check();
+  return timed([&] {
+    return learn(collectSamples(runs, options, threads, progress), options, threads, progress);
+  });
+}
+
+Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vector_limit,
+                 unsigned threads, const Progress& progress) {
+  TrainingOptions options = model.options;
+  if (vector_limit > 0) {
+    options.reduction.method = "shared-greedy";
+    options.reduction.support_vectors = vector_limit;
+    options.reduction.share = 0;
+  }
+  options.check();
+  return timed([&] {
+    Samples fresh = collectSamples(runs, options, threads, progress, 1);
+    return learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads,
+                 progress);
+  });
 }
 
 }  // namespace place_recognition

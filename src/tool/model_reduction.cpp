@@ -146,8 +146,9 @@ Model withMachines(Model model, std::vector<Machines> machines, const ReductionO
   model.options.reduction = options;
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     std::vector<Feature> vectors = model.classifiers[c].supportSet().vectors();
-    model.classifiers[c] =
-        Classifier(model.options.cues[c].kernel, std::move(machines[c]), std::move(vectors));
+    const std::vector<int> vector_places = model.classifiers[c].vectorPlaces();
+    model.classifiers[c] = Classifier(model.options.cues[c].kernel, std::move(machines[c]),
+                                      std::move(vectors), vector_places);
   }
   return model;
 }

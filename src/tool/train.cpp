@@ -17,6 +17,8 @@ namespace {
 struct TrainOptions {
   std::vector<std::string> inputs;
   std::string model;
+  std::string add_to;
+  int limit = 0;
   unsigned threads = 0;
   InputOptions input;
   ConfigurationOptions configuration;
@@ -72,6 +74,16 @@ void printSummary(const Training& training, const std::string& path, std::uint64
       << std::endl;
 }
 
+/// From nothing, or on from a model.
+Training learn(const TrainOptions& options, const std::vector<RunOpener>& runs,
+               const TrainingOptions& training_options, const Progress& progress) {
+  if (options.add_to.empty()) {
+    return place_recognition::train(runs, training_options, options.threads, progress);
+  }
+  return learnOn(loadModel(modelPath(options.add_to)), runs, options.limit, options.threads,
+                 progress);
+}
+
 void train(const TrainOptions& options) {
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);
@@ -79,8 +91,7 @@ void train(const TrainOptions& options) {
   const std::vector<RunOpener> runs = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
-  const Training training =
-      place_recognition::train(runs, training_options, options.threads, display.callback());
+  const Training training = learn(options, runs, training_options, display.callback());
   const std::uint64_t bytes = saveModel(training.model, path);
   display.clear();
 
@@ -99,13 +110,23 @@ void addTrain(CLI::App& tool) {
                    "Name of the model, or a file: a name with a slash or ending in .places")
       ->type_name("NAME")
       ->required();
+  CLI::Option* add_to =
+      verb->add_option("--add-to", options->add_to,
+                       "Learn on from this model: keep its features and what it remembers")
+          ->type_name("NAME");
+  verb->add_option("--limit", options->limit,
+                   "With --add-to: support vectors that each cue may keep; 0: as many as it needs")
+      ->needs(add_to)
+      ->check(CLI::Range(0, 1000000));
   options->configuration.addTo(*verb);
+  for (const char* other : {"--config", "--set"}) add_to->excludes(verb->get_option(other));
   options->input.addTo(*verb);
   verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");
   options->output.addTo(*verb);
   verb->footer(
       "Example:\n"
-      "  place_tool train monday.bag tuesday.bag --model office --config crfh_colour");
+      "  place_tool train monday.bag tuesday.bag --model office --config crfh_colour\n"
+      "  place_tool train wednesday.bag --add-to office --limit 500 --model office");
   verb->callback([options] { train(*options); });
 }
 

@@ -53,6 +53,7 @@ TEST(Training, CombinesCuesAndRuns) {
 
 TEST(Training, ReducesTheModel) {
   TrainingOptions options = quickOptions();
+  options.reduction.method = "none";
   const std::size_t all = train({opener(drawFrames(3, 20))}, options).model.supportVectorCount();
   options.reduction.method = "shared-greedy";
   options.reduction.support_vectors = 9;

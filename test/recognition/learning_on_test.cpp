@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+/// Share of right answers to new frames of all drawn rooms.
+double rateOn(Model model, int rooms) {
+  const auto shared = std::make_shared<const Model>(std::move(model));
+  Recognizer recognizer(shared);
+  double right = 0;
+  const std::vector<Frame> frames = drawFrames(rooms, 8, 5000);
+  for (const Frame& frame : frames) {
+    const Recognition& answer = recognizer.recognize(frame.image);
+    right += shared->places[static_cast<std::size_t>(answer.place)] == frame.place ? 1 : 0;
+  }
+  return right / static_cast<double>(frames.size());
+}
+
+std::vector<Frame> framesOf(const std::string& room, unsigned first_frame) {
+  std::vector<Frame> frames;
+  for (const Frame& frame : drawFrames(4, 15, first_frame)) {
+    if (frame.place == room) frames.push_back(frame);
+  }
+  return frames;
+}
+
+TEST(LearnOn, ANewRoomJoinsTheOnesThatAreRemembered) {
+  const Training before = train({opener(drawFrames(3, 15), "monday")}, quickOptions());
+  const Training after = learnOn(before.model, {opener(framesOf("room3", 100), "tuesday")}, 0);
+  EXPECT_EQ(after.model.places, (std::vector<std::string>{"room0", "room1", "room2", "room3"}));
+  EXPECT_EQ(after.images, 15u);
+  EXPECT_EQ(after.model.provenance.place_images, (std::vector<std::uint64_t>{15, 15, 15, 15}));
+  EXPECT_EQ(after.model.provenance.inputs, (std::vector<std::string>{"monday", "tuesday"}));
+}
+
+TEST(LearnOn, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
+  TrainingOptions options = twoCueOptions();
+  options.reduction.method = "none";
+  Training training = train({opener(drawFrames(3, 20), "monday")}, options);
+  for (const unsigned first_frame : {100u, 200u, 300u}) {
+    training = learnOn(training.model, {opener(framesOf("room1", first_frame))}, 20);
+    for (const Classifier& classifier : training.model.classifiers) {
+      EXPECT_LE(classifier.supportVectorCount(), 20u);
+    }
+  }
+  EXPECT_GT(rateOn(std::move(training.model), 3), 0.85);
+}
+
+TEST(LearnOn, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
+  const Training before = train({opener(drawFrames(3, 12))}, twoCueOptions());
+  const std::string file = serializeModel(before.model);
+  const std::vector<RunOpener> runs{opener(drawFrames(3, 6, 700))};
+  const std::string once = serializeModel(learnOn(before.model, runs, 15, 1).model);
+  EXPECT_EQ(serializeModel(learnOn(parseModel(file, "once"), runs, 15, 3).model), once);
+}
+
+TEST(LearnOn, FeaturesAndGammaStayThoseOfTheModel) {
+  const Training before = train({opener(drawFrames(3, 12))}, quickOptions());
+  const Training after = learnOn(before.model, {opener(drawFrames(3, 12, 60))}, 0);
+  EXPECT_EQ(after.model.options.cues[0].kernel.gamma, before.model.options.cues[0].kernel.gamma);
+  EXPECT_GT(before.model.options.cues[0].kernel.gamma, 0);
+}
+
+}  // namespace
+}  // namespace place_recognition
