@@ -18,7 +18,7 @@ bool eventually(Condition condition, double seconds = 15) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;
-    ros::WallDuration(0.01).sleep();
+    ros::WallDuration(0.002).sleep();
   }
   return true;
 }

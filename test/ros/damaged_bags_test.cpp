@@ -1,0 +1,114 @@
+// Bags that are cut, changed, foreign or empty, and messages in them that cannot be used.
+
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <sensor_msgs/Image.h>
+#include <std_msgs/String.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "ros/conversions.h"
+#include "ros/written_bags.h"
+
+namespace place_recognition {
+namespace {
+
+TEST_F(Bags, BadLabelsAreRefused) {
+  for (const std::string& bad :
+       {std::string(1 << 20, 'x'), std::string("a\nb"), std::string("\xff")}) {
+    {
+      rosbag::Bag bag(path_, rosbag::bagmode::Write);
+      std_msgs::String message;
+      message.data = bad;
+      bag.write("/place_label", ros::Time(1), message);
+      bag.write("/image", ros::Time(2), toImageMessage(picture(0), std_msgs::Header()));
+    }
+    EXPECT_NE(errorOf(path_).find("/place_label at 0 s: the label"), std::string::npos);
+    EXPECT_LT(errorOf(path_).size(), 400u);
+  }
+}
+
+TEST_F(Bags, WithoutImagesTellTheirTopics) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    bag.write("/place_label", ros::Time(1), std_msgs::String());
+  }
+  EXPECT_NE(errorOf(path_).find("has no images; its topics are /place_label (std_msgs/String)"),
+            std::string::npos)
+      << errorOf(path_);
+}
+
+TEST_F(Bags, PicturesThatCannotBeUsedAreFramesWithAProblem) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    sensor_msgs::Image message = toImageMessage(picture(0), std_msgs::Header());
+    bag.write("/image", ros::Time(1), message);
+    message.height = 65537;
+    bag.write("/image", ros::Time(2), message);
+    message = toImageMessage(picture(2).rowRange(0, 5), std_msgs::Header());
+    bag.write("/image", ros::Time(3), message);
+  }
+  const std::vector<Frame> frames = readAll(path_);
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_FALSE(frames[0].image.empty());
+  EXPECT_TRUE(frames[1].image.empty());
+  EXPECT_NE(frames[1].problem.find("65537"), std::string::npos);
+  EXPECT_EQ(frames[2].image.rows, 5);
+}
+
+TEST_F(Bags, FilesThatAreNoBagAreRefused) {
+  EXPECT_NE(errorOf(scratch_ / "none.bag").find("There is no bag"), std::string::npos);
+  EXPECT_NE(errorOf(scratch_.write("empty.bag", "")).find("empty.bag"), std::string::npos);
+  EXPECT_NE(errorOf(scratch_.write("text.bag", "not a bag at all\n")), "");
+  EXPECT_NE(errorOf(scratch_ / "."), "");
+}
+
+TEST_F(Bags, AnUnindexedBagAsksToBeIndexed) {
+  writeRun(path_);
+  // As left by a recorder that was killed: the header has no index position yet.
+  std::string bytes = readBytesOf(path_);
+  const std::size_t field = bytes.find("index_pos=");
+  ASSERT_NE(field, std::string::npos);
+  bytes.replace(field + 10, 8, 8, '\0');
+  EXPECT_NE(errorOf(scratch_.write("cut.bag", bytes)).find("rosbag reindex"), std::string::npos);
+}
+
+TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
+  LabelledBagOptions raw;
+  raw.jpeg = false;
+  writeRun(path_, raw);
+  const std::string good = readBytesOf(path_);
+  std::mt19937 random(11);
+  int refused = 0;
+  for (int i = 0; i < 60; ++i) {
+    std::string bytes = good;
+    if (i % 3 == 0) {
+      bytes.resize(random() % good.size());
+    } else {
+      // Where the structure of the bag is, rather than among the pixels.
+      const std::size_t end = i % 3 == 1 ? 4096 + 400 : good.size();
+      const std::size_t begin = i % 3 == 1 ? 0 : good.size() - 2500;
+      for (int k = 0; k < 4; ++k) {
+        bytes[begin + random() % (end - begin)] = static_cast<char>(random());
+      }
+    }
+    const std::string changed = scratch_.write("changed.bag", bytes);
+    const std::string error = errorOf(changed);
+    if (error.empty()) continue;
+    ++refused;
+    EXPECT_NE(error.find(changed), std::string::npos) << error;
+  }
+  EXPECT_GT(refused, 20);
+}
+
+TEST_F(Bags, ARunThatIsNotReadToItsEndEnds) {
+  writeRun(path_);
+  const auto run = openBagRun(path_);
+  Frame frame;
+  EXPECT_TRUE(run->next(frame));
+}
+
+}  // namespace
+}  // namespace place_recognition

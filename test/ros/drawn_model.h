@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "place_recognition/model_file.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+
+/// Saves a model of drawn rooms in the folder of models.
+inline void saveRooms(const std::string& name, int rooms, std::uint64_t seed = 1) {
+  TrainingOptions options = quickOptions();
+  options.seed = seed;
+  saveModel(train({opener(drawFrames(rooms, 20))}, options).model, namedModelPath(name));
+}
+
+}  // namespace place_recognition

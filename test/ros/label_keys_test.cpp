@@ -1,0 +1,98 @@
+// Keys and buttons that say places, and a terminal that they come from.
+
+#include "ros/label_keys.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <string>
+
+#include "place_recognition/error.h"
+#include "ros/inbox.h"
+#include "ros/keyboard.h"
+
+namespace place_recognition {
+namespace {
+
+const std::vector<std::string> kPlaces = {"kitchen", "corridor"};
+
+TEST(LabelKeys, DigitsSayPlacesInTheirOrder) {
+  const LabelKeys keys(kPlaces, {}, -1);
+  EXPECT_EQ(keys.placeOfKey('1'), "kitchen");
+  EXPECT_EQ(keys.placeOfKey('2'), "corridor");
+  EXPECT_EQ(keys.placeOfKey('0'), "");
+  EXPECT_EQ(keys.placeOfKey('3'), std::nullopt);
+  EXPECT_EQ(keys.placeOfKey('q'), std::nullopt);
+  EXPECT_EQ(keys.placeOfKey('\n'), std::nullopt);
+  EXPECT_EQ(keys.help(), "1 kitchen, 2 corridor, 0 no place");
+}
+
+TEST(LabelKeys, LettersFollowTheDigits) {
+  std::vector<std::string> many;
+  for (int i = 0; i < 34; ++i) many.push_back("room" + std::to_string(i));
+  const LabelKeys keys(many, {}, -1);
+  EXPECT_EQ(keys.placeOfKey('9'), "room8");
+  EXPECT_EQ(keys.placeOfKey('a'), "room9");
+  EXPECT_EQ(keys.placeOfKey('z'), "room33");
+  many.push_back("one more");
+  EXPECT_THROW(LabelKeys(many, {}, -1), Error);
+}
+
+TEST(LabelKeys, AButtonSpeaksOnceWhenItIsPressed) {
+  LabelKeys keys(kPlaces, {}, 4);
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 0}), std::nullopt);
+  EXPECT_EQ(keys.placeOfButtons({0, 1, 0, 0, 0}), "corridor");
+  EXPECT_EQ(keys.placeOfButtons({0, 1, 0, 0, 0}), std::nullopt);  // still down
+  EXPECT_EQ(keys.placeOfButtons({1, 1, 0, 0, 0}), "kitchen");
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 1}), "");
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 1, 0}), std::nullopt);  // of no place
+  EXPECT_EQ(keys.placeOfButtons({}), std::nullopt);
+}
+
+TEST(LabelKeys, ButtonsCanBeChosen) {
+  LabelKeys keys(kPlaces, {5, 3}, -1);
+  EXPECT_EQ(keys.placeOfButtons({1, 0, 0, 0, 0, 0}), std::nullopt);
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 0, 1}), "kitchen");
+  EXPECT_THROW(LabelKeys(kPlaces, {1}, -1), Error);
+  EXPECT_THROW(LabelKeys({"unknown"}, {}, -1), Error);
+}
+
+TEST(Keyboard, HandsOverEachKeyAtOnceAndLeavesTheTerminalAsItWas) {
+  const int person = posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(person, 0);
+  ASSERT_EQ(grantpt(person) | unlockpt(person), 0);
+  const int terminal = open(ptsname(person), O_RDWR | O_NOCTTY);
+  ASSERT_GE(terminal, 0);
+  ASSERT_TRUE(Keyboard::isUsable(terminal));
+  termios before{}, during{}, after{};
+  tcgetattr(terminal, &before);
+  std::atomic<char> last{0};
+  {
+    const Keyboard keyboard(terminal, [&last](char key) { last = key; });
+    tcgetattr(terminal, &during);
+    for (const char key : {'1', '2', '0'}) {
+      ASSERT_EQ(write(person, &key, 1), 1);
+      EXPECT_TRUE(eventually([&] { return last == key; })) << key;
+    }
+  }
+  tcgetattr(terminal, &after);
+  EXPECT_FALSE(during.c_lflag & ICANON);
+  EXPECT_TRUE(during.c_lflag & ISIG);  // Ctrl-C
+  EXPECT_EQ(after.c_lflag, before.c_lflag);
+  close(terminal);
+  close(person);
+}
+
+TEST(Keyboard, NeedsATerminal) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  EXPECT_FALSE(Keyboard::isUsable(ends[0]));
+  close(ends[0]);
+  close(ends[1]);
+}
+
+}  // namespace
+}  // namespace place_recognition

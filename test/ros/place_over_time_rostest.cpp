@@ -1,0 +1,138 @@
+// What place_recognizer knows beside its frames: a map of adjoining rooms and odometry.
+
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+
+#include <limits>
+#include <string>
+
+#include "ros/inbox.h"
+#include "ros/place_over_time.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+namespace {
+
+std::shared_ptr<Model> threeRooms() {
+  const auto model = std::make_shared<Model>();
+  model->places = {"hall", "kitchen", "lab"};
+  model->unknown_threshold = 0.5;
+  model->adjacency = Adjacency(3);
+  return model;
+}
+
+Recognition frameOf(double hall, double kitchen, double lab) {
+  Recognition recognition;
+  recognition.probabilities = Eigen::RowVector3d(hall, kitchen, lab);
+  recognition.confidence = recognition.probabilities.maxCoeff(&recognition.place);
+  recognition.evidence = 0.9;
+  recognition.known = true;
+  return recognition;
+}
+
+/// A node's parameters and topics, of a namespace that no other test uses.
+class PlacesOverTime : public testing::Test {
+ protected:
+  PlacesOverTime() {
+    static int count = 0;
+    node_ = ros::NodeHandle("places_over_time_" + std::to_string(++count));
+  }
+
+  /// The place after a second in the hall and then two of frames that rather show the lab than the
+  /// kitchen, through which alone the lab can be reached.
+  std::string afterTheHall(std::shared_ptr<Model> model) {
+    PlaceOverTime places(node_, node_);
+    places.setModel(std::move(model), 0.2);
+    double stamp = 0;
+    for (; stamp < 1; stamp += 0.1) places.update(stamp, frameOf(0.98, 0.01, 0.01));
+    EXPECT_EQ(places.update(stamp, frameOf(0.98, 0.01, 0.01)), "hall");
+    std::string place;
+    for (int i = 0; i < 20; ++i) place = places.update(stamp += 0.1, frameOf(0.01, 0.44, 0.55));
+    return place;
+  }
+
+  ros::NodeHandle node_;
+  const ScratchFolder scratch_;
+};
+
+const char* const kRow = "rooms: {hall: [kitchen], kitchen: [lab]}";
+
+TEST_F(PlacesOverTime, TakeAnyRoomForANeighbourWithoutAMap) {
+  EXPECT_EQ(afterTheHall(threeRooms()), "lab");
+}
+
+TEST_F(PlacesOverTime, FollowTheMapOfTheParameter) {
+  node_.setParam("adjacency", scratch_.write("map.yaml", kRow));
+  EXPECT_EQ(afterTheHall(threeRooms()), "kitchen");
+}
+
+TEST_F(PlacesOverTime, FollowTheMapOfTheModelUnlessThereIsAParameter) {
+  const auto model = threeRooms();
+  model->adjacency = parseAdjacency(kRow, "test", model->places);
+  EXPECT_EQ(afterTheHall(model), "kitchen");
+  node_.setParam("adjacency",
+                 scratch_.write("map.yaml", "rooms: {hall: [kitchen, lab], kitchen: [lab]}"));
+  EXPECT_EQ(afterTheHall(model), "lab");
+}
+
+TEST_F(PlacesOverTime, DoWithoutAMapThatCannotBeUsed) {
+  for (const std::string text : {"rooms: {cellar: [hall]}", "[", "rooms: 3"}) {
+    node_.setParam("adjacency", scratch_.write("map.yaml", text));
+    EXPECT_EQ(afterTheHall(threeRooms()), "lab");
+  }
+  node_.setParam("adjacency", "/no/such/map.yaml");
+  EXPECT_EQ(afterTheHall(threeRooms()), "lab");
+}
+
+class PlacesWithOdometry : public PlacesOverTime {
+ protected:
+  PlacesWithOdometry() {
+    node_.setParam("use_odometry", true);
+    places_ = std::make_unique<PlaceOverTime>(node_, node_);
+    places_->setModel(threeRooms(), 0.2);
+    publisher_ = node_.advertise<nav_msgs::Odometry>("odom", 10);
+    EXPECT_TRUE(eventually([this] { return publisher_.getNumSubscribers() > 0; }));
+  }
+
+  /// Sends a pose, waits until it must have come, and hands over a frame of its time.
+  std::string update(double stamp, double x, const Recognition& recognition) {
+    nav_msgs::Odometry odometry;
+    odometry.header.stamp = ros::Time(stamp);
+    odometry.pose.pose.position.x = x;
+    odometry.pose.pose.orientation.w = 1;
+    publisher_.publish(odometry);
+    ros::WallDuration(0.03).sleep();
+    return places_->update(stamp, recognition);
+  }
+
+  std::unique_ptr<PlaceOverTime> places_;
+  ros::Publisher publisher_;
+};
+
+TEST_F(PlacesWithOdometry, StayWhereTheRobotStands) {
+  double stamp = 100;
+  for (int i = 0; i < 10; ++i) update(stamp += 0.1, 0.1 * i, frameOf(0.98, 0.01, 0.01));
+  // Two seconds of frames that show another room, as when somebody stands before the camera.
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(update(stamp += 0.1, 0.9, frameOf(0.01, 0.98, 0.01)), "hall");
+  }
+  std::string place;
+  for (int i = 0; i < 20; ++i) {
+    place = update(stamp += 0.1, 0.9 + 0.1 * i, frameOf(0.01, 0.98, 0.01));
+  }
+  EXPECT_EQ(place, "kitchen");
+}
+
+TEST_F(PlacesWithOdometry, SurviveOdometryThatIsNoNumber) {
+  double stamp = 100;
+  std::string place;
+  for (const double x : {0.0, std::numeric_limits<double>::quiet_NaN(),
+                         std::numeric_limits<double>::infinity(), -1e300, 1e300, 0.1}) {
+    place = update(stamp += 0.1, x, frameOf(0.98, 0.01, 0.01));
+  }
+  EXPECT_EQ(place, "hall");
+}
+
+}  // namespace
+}  // namespace place_recognition

@@ -1,0 +1,87 @@
+// Switches, thresholds and diagnostics of place_recognizer, and images that cannot be used.
+
+#include <std_msgs/String.h>
+#include <visualization_msgs/Marker.h>
+
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "ros/recognizer_fixture.h"
+
+namespace place_recognition {
+namespace {
+
+TEST_F(RecognizerNode, UnusableImagesAreReportedAndSurvived) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  ASSERT_TRUE(answerTo(answers, drawRoom(0, 1)));
+  sensor_msgs::Image bad = toImageMessage(drawRoom(0, 1), headerAt(nextStamp().toSec()));
+  bad.height = 65537;
+  camera_.send(bad);
+  ros::WallDuration(0.2).sleep();
+  bad = toImageMessage(drawRoom(0, 1), headerAt(nextStamp().toSec()));
+  bad.encoding = "32FC1";
+  camera_.send(bad);
+  ros::WallDuration(0.2).sleep();
+  ASSERT_TRUE(answerTo(answers, drawRoom(2, 1)));
+  EXPECT_EQ(answers.messages().size(), 2u);
+  const auto report = status("Images");
+  ASSERT_TRUE(report);
+  EXPECT_GE(std::stoi(valueOf(*report, "unusable")), 2);
+  EXPECT_NE(valueOf(*report, "last problem").find("32FC1"), std::string::npos);
+}
+
+TEST_F(RecognizerNode, ListensOnlyWhileSomebodyListensToIt) {
+  EXPECT_TRUE(eventually([this] { return listeners() == 0; }));
+  expectListensWith<PlaceRecognition>("/recognition");
+  expectListensWith<std_msgs::String>("/place");
+  expectListensWith<sensor_msgs::Image>("/debug_image");
+  expectListensWith<visualization_msgs::Marker>("/marker");
+}
+
+TEST_F(RecognizerNode, CanBeSwitchedOff) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  ASSERT_TRUE(answerTo(answers, drawRoom(1, 1)));
+  enable(false);
+  EXPECT_TRUE(eventually([this] { return listeners() == 0; }));
+  answers.clear();
+  camera_.send(drawRoom(1, 2), nextStamp().toSec());
+  ros::WallDuration(0.3).sleep();
+  EXPECT_TRUE(answers.messages().empty());
+  enable(true);
+  EXPECT_TRUE(answerTo(answers, drawRoom(1, 3)));
+}
+
+TEST_F(RecognizerNode, TakesItsThresholdLive) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  reconfigure("unknown_threshold", 0);
+  const auto sure = answerTo(answers, drawRoom(1, 1));
+  reconfigure("unknown_threshold", 1);
+  const auto unsure = answerTo(answers, drawRoom(1, 1));
+  reconfigure("unknown_threshold", -1);
+  ASSERT_TRUE(sure && unsure);
+  EXPECT_TRUE(sure->known);
+  EXPECT_FALSE(unsure->known);
+  EXPECT_EQ(unsure->place, "room1");  // the best guess all the same
+}
+
+TEST_F(RecognizerNode, CountsWhatItSkipsWhileBusy) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  ASSERT_TRUE(answerTo(answers, drawRoom(1, 1)));
+  cv::Mat large;
+  cv::resize(drawRoom(1, 1), large, cv::Size(1920, 1440));
+  ros::Time last;
+  for (int i = 0; i < 100; ++i) {
+    last = nextStamp();
+    camera_.send(toImageMessage(large, headerAt(last.toSec())));
+    ros::WallDuration(0.005).sleep();
+  }
+  // The newest is among those answered.
+  EXPECT_TRUE(answers.find([last](const auto& answer) { return answer.header.stamp == last; }));
+  const auto report = status("Images");
+  ASSERT_TRUE(report);
+  EXPECT_NE(valueOf(*report, "skipped while busy"), "missing");
+  EXPECT_NE(valueOf(*report, "answers"), "missing");
+}
+
+}  // namespace
+}  // namespace place_recognition

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "place_recognition/error.h"
+#include "ros/bag_run.h"
+#include "ros/labelled_bag_writer.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+
+/// A picture that tells its number by its grey level.
+inline cv::Mat picture(int number) {
+  return cv::Mat(12, 16, CV_8UC3, cv::Scalar::all(10 + 10 * number));
+}
+
+/// Rooms of the pictures of writeRun(): one a second.
+inline const std::vector<std::string> kRooms = {"kitchen", "kitchen", "", "corridor", "corridor"};
+
+inline void writeRun(const std::string& path, const LabelledBagOptions& options = {}) {
+  LabelledBagWriter writer(path, options);
+  for (std::size_t i = 0; i < kRooms.size(); ++i) {
+    writer.write(picture(static_cast<int>(i)), kRooms[i], static_cast<double>(i));
+  }
+  writer.close();
+}
+
+inline std::vector<Frame> readAll(const std::string& path, const BagRunOptions& options = {}) {
+  const std::unique_ptr<Run> run = openBagRun(path, options);
+  std::vector<Frame> frames;
+  Frame frame;
+  while (run->next(frame)) frames.push_back(frame);
+  EXPECT_EQ(run->fraction(), 1);
+  return frames;
+}
+
+inline std::vector<std::string> places(const std::vector<Frame>& frames) {
+  std::vector<std::string> names;
+  for (const Frame& frame : frames) names.push_back(frame.place);
+  return names;
+}
+
+inline std::string errorOf(const std::string& path, const BagRunOptions& options = {}) {
+  try {
+    const std::unique_ptr<Run> run = openBagRun(path, options);
+    Frame frame;
+    while (run->next(frame)) {
+    }
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+inline std::string readBytesOf(const std::string& path) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+class Bags : public testing::Test {
+ protected:
+  ScratchFolder scratch_;
+  const std::string path_ = scratch_ / "run.bag";
+};
+
+}  // namespace place_recognition
