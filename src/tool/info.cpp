@@ -40,6 +40,9 @@ void printModel(const Model& model, const std::string& path, std::uint64_t bytes
     std::cout << std::right << std::setw(8) << origin.place_images[i] << " images  "
               << model.places[i] << "\n";
   }
+  if (!model.adjacency.empty()) {
+    std::cout << "adjoining " << writeAdjacency(model.adjacency, model.places);
+  }
   std::cout << "cues\n";
   for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
     std::cout << std::setw(8) << model.classifiers[i].supportVectorCount() << " vectors, weight "
@@ -53,6 +56,12 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
   for (std::size_t i = 0; i < model.places.size(); ++i) {
     rooms[model.places[i]] = {{"count", model.provenance.place_images[i]}};
   }
+  Json adjoining = Json::array();  // pairs
+  for (int a = 0; a < static_cast<int>(model.places.size()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(model.places.size()); ++b) {
+      if (model.adjacency.joined(a, b)) adjoining.push_back({model.places[a], model.places[b]});
+    }
+  }
   return {{"model", model.name},
           {"path", path},
           {"version", model.version},
@@ -60,6 +69,7 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
           {"inputs", model.provenance.inputs},
           {"skipped_images", model.provenance.skipped_images},
           {"rooms", rooms},
+          {"adjoining", adjoining},
           {"support_vectors", model.supportVectorCount()},
           {"model_bytes", bytes},
           {"unknown_threshold", model.unknown_threshold},
