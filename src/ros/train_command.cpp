@@ -18,7 +18,8 @@ constexpr std::size_t kMaxBags = 1000;
 constexpr std::size_t kMaxRecognizers = 100;
 constexpr std::size_t kMaxYamlBytes = 64 * 1024;
 constexpr std::size_t kMaxTopicBytes = 256;
-constexpr std::array<const char*, 4> kReductions = {"none", "qr", "shared-qr", "shared-greedy"};
+constexpr std::array<const char*, 5> kReductions = {"auto", "none", "qr", "shared-qr",
+                                                    "shared-greedy"};
 
 void require(bool sound, const std::string& what) {
   if (!sound) throw Error("The goal's " + what + ".");
@@ -40,7 +41,7 @@ void check(const TrainGoal& goal) {
           "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
   require(goal.reduction.empty() ||
               std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
-          "reduction must be none, qr, shared-qr or shared-greedy");
+          "reduction must be auto, none, qr, shared-qr or shared-greedy");
   require(isGraphName(goal.image_topic), "image_topic is no topic's name");
   require(isGraphName(goal.label_topic), "label_topic is no topic's name");
   if (!goal.label.empty()) checkLabel(goal.label, "The goal");
