@@ -75,24 +75,31 @@ void LabelledRecording::say(const std::string& place, const ros::Time& time) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (place == place_) return;
   place_ = place;
-  const std_msgs::String label = labelMessage(place);
-  record(label_topic_, time, label);
-  publisher_.publish(label);
+  publisher_.publish(labelMessage(place));
+  recordLabel(time);
 }
 
 void LabelledRecording::add(const ImageMessage& image, const ros::Time& time) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (time < ros::TIME_MIN) return;  // a simulated clock that has not come yet
+  recordLabel(time);
   image.visit([&](const auto& message) {
     record(image_topic_ + topicSuffix(message), time, message);
     ++images_;
   });
 }
 
+void LabelledRecording::recordLabel(const ros::Time& time) {
+  if (place_ == recorded_place_ || time < ros::TIME_MIN) return;
+  record(label_topic_, time, labelMessage(place_));
+  recorded_place_ = place_;
+}
+
 /// A disk that refuses ends the node: somebody drives the robot for this recording.
 template <typename Message>
 void LabelledRecording::record(const std::string& topic, const ros::Time& time,
                                const Message& message) {
-  if (!bag_ || failed_ || time < ros::TIME_MIN) return;  // no time: a clock that has not come yet
+  if (!bag_ || failed_) return;
   try {
     bag_->write(topic, time, message);
   } catch (const Error& e) {

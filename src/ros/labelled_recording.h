@@ -35,6 +35,7 @@ class LabelledRecording {
   void add(const ImageMessage& image, const ros::Time& time);
 
  private:
+  void recordLabel(const ros::Time& time);
   template <typename Message>
   void record(const std::string& topic, const ros::Time& time, const Message& message);
   void reportProgress();
@@ -43,8 +44,9 @@ class LabelledRecording {
   std::string label_topic_;
   std::unique_ptr<StagedBag> bag_;  // none: nothing is recorded
 
-  std::mutex mutex_;  // of the four below
+  std::mutex mutex_;  // of all up to failed_
   std::string place_;
+  std::string recorded_place_;
   std::uint64_t images_ = 0;
   std::uint64_t reported_images_ = 0;
   bool failed_ = false;
