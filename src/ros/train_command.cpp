@@ -18,6 +18,8 @@ constexpr std::size_t kMaxBags = 1000;
 constexpr std::size_t kMaxRecognizers = 100;
 constexpr std::size_t kMaxYamlBytes = 64 * 1024;
 constexpr std::size_t kMaxTopicBytes = 256;
+constexpr std::uint32_t kMaxVectorLimit = 1000000;
+constexpr std::uint32_t kMaxThreads = 1024;
 constexpr std::array<const char*, 5> kReductions = {"auto", "none", "qr", "shared-qr",
                                                     "shared-greedy"};
 
@@ -42,6 +44,15 @@ void check(const TrainGoal& goal) {
   require(goal.reduction.empty() ||
               std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
           "reduction must be auto, none, qr, shared-qr or shared-greedy");
+  require(goal.add_to.empty() || isPlainName(goal.add_to),
+          "add_to must be 1 to 64 letters, digits, '_' or '-'");
+  require(
+      goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
+      "add_to excludes preset, yaml and reduction, which the model has");
+  require(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
+  require(goal.vector_limit <= kMaxVectorLimit,
+          "vector_limit is above " + std::to_string(kMaxVectorLimit));
+  require(goal.threads <= kMaxThreads, "threads are more than " + std::to_string(kMaxThreads));
   require(isGraphName(goal.image_topic), "image_topic is no topic's name");
   require(isGraphName(goal.label_topic), "label_topic is no topic's name");
   if (!goal.label.empty()) checkLabel(goal.label, "The goal");
@@ -66,6 +77,9 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
   add("--model", goal.model);
   add("--config", goal.yaml.empty() ? goal.preset : yaml_path);
   add("--set", goal.reduction.empty() ? "" : "reduction.method=" + goal.reduction);
+  add("--add-to", goal.add_to);
+  add("--limit", goal.vector_limit == 0 ? "" : std::to_string(goal.vector_limit));
+  add("--threads", goal.threads == 0 ? "" : std::to_string(goal.threads));
   add("--image-topic", goal.image_topic);
   add("--label-topic", goal.label_topic);
   add("--label", goal.label);

@@ -30,6 +30,9 @@ TrainGoal toGoal(const Retrain::Request& request) {
   goal.preset = request.preset;
   goal.yaml = request.yaml;
   goal.reduction = request.reduction;
+  goal.add_to = request.add_to;
+  goal.vector_limit = request.vector_limit;
+  goal.threads = request.threads;
   goal.recognizers = request.recognizers;
   return goal;
 }

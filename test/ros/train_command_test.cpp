@@ -74,6 +74,15 @@ TEST_F(TrainCommand, OfEveryField) {
   EXPECT_TRUE(has("--config=/tmp/c.yaml"));
 }
 
+TEST_F(TrainCommand, ToLearnOn) {
+  goal_.add_to = "monday";
+  goal_.vector_limit = 300;
+  goal_.threads = 1;
+  EXPECT_TRUE(has("--add-to=monday"));
+  EXPECT_TRUE(has("--limit=300"));
+  EXPECT_TRUE(has("--threads=1"));
+}
+
 TEST_F(TrainCommand, BadFieldsAreNamed) {
   const auto expectNamed = [this](const std::string& field,
                                   const std::function<void(TrainGoal&)>& change) {
@@ -91,6 +100,11 @@ TEST_F(TrainCommand, BadFieldsAreNamed) {
   expectNamed("preset", [](TrainGoal& g) { g.preset = "crfh", g.yaml = "seed: 1"; });
   expectNamed("yaml", [](TrainGoal& g) { g.yaml = std::string(1 << 20, ' '); });
   expectNamed("reduction", [](TrainGoal& g) { g.reduction = "qr --out=/etc/passwd"; });
+  expectNamed("add_to", [](TrainGoal& g) { g.add_to = "../monday"; });
+  expectNamed("add_to", [](TrainGoal& g) { g.add_to = "monday", g.preset = "crfh"; });
+  expectNamed("vector_limit", [](TrainGoal& g) { g.vector_limit = 10; });
+  expectNamed("vector_limit", [](TrainGoal& g) { g.add_to = "a", g.vector_limit = 2000000; });
+  expectNamed("threads", [](TrainGoal& g) { g.threads = 100000; });
   expectNamed("image_topic", [](TrainGoal& g) { g.image_topic = "a topic"; });
   expectNamed("label_topic", [](TrainGoal& g) { g.label_topic = std::string(1000, 'a'); });
   expectNamed("label", [](TrainGoal& g) { g.label = "a\nb"; });

@@ -144,6 +144,17 @@ TEST_F(Trainers, RetrainByService) {
   EXPECT_NE(response.message.find("has loaded it"), std::string::npos);
 }
 
+TEST_F(Trainers, LearnOnWithinALimit) {
+  ASSERT_TRUE(retrain([](Retrain::Request&) {}).success);
+  const Retrain::Response response = retrain([](Retrain::Request& request) {
+    request.yaml.clear();
+    request.add_to = request.model;
+    request.vector_limit = 12;
+  });
+  EXPECT_TRUE(response.success) << response.message;
+  EXPECT_LE(response.support_vectors, 12u);
+}
+
 TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
   using Request = Retrain::Request;
   const auto expectRefused = [](const std::string& reason,
@@ -155,7 +166,15 @@ TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
   expectRefused("model", [](Request& r) { r.model = "../home"; });
   expectRefused("no bag", [](Request& r) { r.bags = {"/etc/passwd"}; });
   expectRefused("no bag", [](Request& r) { r.bags = {"missing.bag"}; });
+  expectRefused("no bag", [](Request& r) { r.bags = {"../short.bag"}; });
+  expectRefused("no bag", [](Request& r) { r.bags = {std::string("short.bag\0.bag", 14)}; });
+  expectRefused("no bag", [](Request& r) { r.bags = {std::string(1 << 20, 'a') + ".bag"}; });
+  expectRefused("model", [](Request& r) { r.model = std::string("home\0", 5); });
+  expectRefused("model", [](Request& r) { r.model = std::string(1 << 20, 'a'); });
   expectRefused("bags", [](Request& r) { r.bags.clear(); });
+  expectRefused("bags", [](Request& r) { r.bags.resize(1001, "short.bag"); });
+  expectRefused("yaml", [](Request& r) { r.yaml = std::string(1 << 20, ' '); });
+  expectRefused("alias", [](Request& r) { r.yaml = "svm: &a {c: 1}\nimage: *a"; });
   expectRefused("colour", [](Request& r) { r.yaml = "colour: true"; });
   expectRefused("nosuchpreset", [](Request& r) { r.yaml.clear(), r.preset = "nosuchpreset"; });
   expectRefused("/front", [](Request& r) { r.image_topic = "/front"; });
