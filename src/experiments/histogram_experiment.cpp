@@ -68,7 +68,7 @@ cv::Mat readPicture(const LabelledPicture& picture) {
                 "; remove it or put a good one in its place.");
   }
   cv::Mat buffer;
-  return scaledDown(decoded.image, kWidth, buffer).clone();
+  return scaledDown(decoded.image, kWidth, buffer);
 }
 
 double bytesOf(const Feature& feature) {

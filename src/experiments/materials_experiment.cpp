@@ -183,25 +183,23 @@ void MaterialsExperiment::compute(const std::vector<Json>& cells, const CellSink
     std::string measured;
     Eigen::MatrixXd measures;
     constexpr std::size_t kAtOnce = 16;  // cells between two looks at whether to stop
-    for (std::size_t begin = 0; begin < tasks.size();) {
+    for (std::size_t begin = 0, end = 0; begin < tasks.size(); begin = end) {
       const KernelOptions& kernel = tasks[begin].classifier->kernel;
       if (measured != kernel.type) {
         measures = measureMatrix(Kernel(kernel), samples.features[0], threads_, {});
         measured = kernel.type;
       }
-      std::size_t end = begin;
       while (end < tasks.size() && end < begin + kAtOnce &&
              tasks[end].classifier->kernel.type == measured) {
         ++end;
       }
       report(progress, "Training and reducing", static_cast<double>(begin) / tasks.size());
       std::vector<Json> results(end - begin);
-      parallelFor(end - begin, threads_, [&](std::size_t i, unsigned) {
+      parallelFor(results.size(), threads_, [&](std::size_t i, unsigned) {
         const Task& task = tasks[begin + i];
         results[i] = evaluate(*task.classifier, task.tested, set_samples, measures);
       });
-      for (; begin < end; ++begin)
-        finished(*tasks[begin].cell, results[results.size() - (end - begin)]);
+      for (std::size_t i = 0; i < results.size(); ++i) finished(*tasks[begin + i].cell, results[i]);
     }
   }
 }

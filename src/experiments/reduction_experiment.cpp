@@ -13,13 +13,15 @@
 namespace place_recognition {
 namespace {
 
+constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
+
 /// A way to reduce: the thesis' own twice, for its tables take the better of both.
 struct Way {
-  const char* method;
+  std::size_t method;  ///< of kMethods
   bool normalise;
 };
-constexpr Way kWays[] = {{"qr", true}, {"qr", false}, {"shared-qr", true}, {"shared-greedy", true}};
-constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
+constexpr Way kWays[] = {{0, true}, {0, false}, {1, true}, {2, true}};
+
 constexpr PlaceFeatures kFeatures[] = {PlaceFeatures::kLocal, PlaceFeatures::kGlobal};
 
 /// Curves of one kind of features: [method][training set], several a method where there are.
@@ -105,7 +107,7 @@ std::vector<Json> ReductionExperiment::cells() const {
         cells.push_back({{"reduction", writeOptions(trainingOptions(features))},
                          {"features", name(features)},
                          {"training_set", set.name},
-                         {"method", way.method},
+                         {"method", kMethods[way.method]},
                          {"normalise", way.normalise}});
       }
     }
@@ -153,11 +155,7 @@ Findings ReductionExperiment::findings(const std::vector<Json>& results) const {
     Curves curves(std::size(kMethods), std::vector<std::vector<ReductionCurve>>(sets_.size()));
     for (std::size_t set = 0; set < sets_.size(); ++set) {
       for (const Way& way : kWays) {
-        for (std::size_t m = 0; m < std::size(kMethods); ++m) {
-          if (std::string(way.method) != kMethods[m]) continue;
-          curves[m][set].push_back(curveFromJson(results[next].at("curve")));
-        }
-        ++next;
+        curves[way.method][set].push_back(curveFromJson(results[next++].at("curve")));
       }
     }
     findings.tables.push_back(reductionTable(features, curves));

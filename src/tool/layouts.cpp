@@ -5,28 +5,19 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <tuple>
 
 #include "place_recognition/error.h"
+#include "ros/labels.h"
 #include "tool/inputs.h"
 
 namespace place_recognition::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Paths of all pictures below `folder`, in ascending order.
-std::vector<fs::path> picturesBelow(const fs::path& folder) {
-  std::vector<fs::path> paths;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && isPicture(entry.path().string())) paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
 
 std::vector<std::string> split(const std::string& text, const char* separators) {
   std::vector<std::string> words;
@@ -64,7 +55,7 @@ void stampByRate(std::vector<LabelledPicture>& pictures, double rate) {
 
 std::vector<LabelledPicture> listRooms(const fs::path& folder) {
   std::vector<LabelledPicture> pictures;
-  for (const fs::path& path : picturesBelow(folder)) {
+  for (const fs::path path : picturesBelow(folder.string())) {
     const fs::path relative = path.lexically_relative(folder);
     if (std::distance(relative.begin(), relative.end()) == 2) {
       pictures.push_back({path.string(), relative.begin()->string(), 0});
@@ -120,7 +111,7 @@ struct IndecsPicture {
 std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::string& wanted) {
   std::vector<IndecsPicture> found;
   std::set<std::string> conditions;
-  for (const fs::path& path : picturesBelow(folder)) {
+  for (const fs::path path : picturesBelow(folder.string())) {
     IndecsPicture picture(folder, path);
     conditions.insert(picture.condition);
     if (wanted.empty() || picture.condition == wanted) found.push_back(std::move(picture));
@@ -138,7 +129,7 @@ std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::strin
 
 std::vector<LabelledPicture> listIdol(const fs::path& folder) {
   std::vector<LabelledPicture> pictures;
-  for (const fs::path& path : picturesBelow(folder)) {
+  for (const fs::path path : picturesBelow(folder.string())) {
     LabelledPicture picture{path.string(), "", NAN};
     for (const std::string& word : split(path.stem().string(), "_")) {
       if (word.front() == 't') picture.stamp = numberBehindLetter(word);
@@ -154,30 +145,83 @@ std::vector<LabelledPicture> listIdol(const fs::path& folder) {
   return pictures;
 }
 
-std::vector<LabelledPicture> listCold(const fs::path& folder) {
-  const fs::path list = folder / "localization" / "places.lst";
+/// The stamp in the name of a picture of COLD; NaN if it has none.
+double coldStamp(const std::string& file) {
+  return numberBehindLetter(file.substr(0, file.find('_')));
+}
+
+/// A line a picture, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
+std::vector<LabelledPicture> listByPictures(const fs::path& cameras, const fs::path& list) {
   std::ifstream lines(list);
-  if (!lines) {
-    throw Error("There is no " + list.string() +
-                "; give the folder of one COLD sequence, which holds std_cam and localization.");
-  }
   std::vector<LabelledPicture> pictures;
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     std::istringstream words(line);
     std::string file, place;
     if (!(words >> file)) continue;
-    const double stamp = numberBehindLetter(file.substr(0, file.find('_')));
+    const double stamp = coldStamp(file);
     if (!(words >> place) || std::isnan(stamp)) {
       throw Error(list.string() + " line " + std::to_string(number) +
                   " is not of the form 'tTIME_xX_yY_aANGLE.jpeg LABEL'; correct it.");
     }
-    pictures.push_back({(folder / "std_cam" / file).string(), place, stamp});
+    pictures.push_back({(cameras / file).string(), place, stamp});
   }
   return pictures;
 }
 
+/// Lines `timestamp label` (COLD-Meta), each of which holds until the next. Pictures before the
+/// first are left out.
+std::vector<LabelledPicture> listByTimes(const fs::path& cameras, const fs::path& labels_file) {
+  std::vector<LabelledPicture> pictures;
+  double start = std::numeric_limits<double>::infinity(), end = -start;
+  for (const std::string& path : picturesBelow(cameras.string())) {
+    const double stamp = coldStamp(fs::path(path).filename().string());
+    if (std::isnan(stamp)) {
+      throw Error(path + " is not named as COLD does (tTIME_xX_yY_aANGLE); remove it.");
+    }
+    pictures.push_back({path, "", stamp});
+    start = std::min(start, stamp);
+    end = std::max(end, stamp);
+  }
+  const Labels labels = Labels::fromFile(labels_file.string(), start, end);
+  for (LabelledPicture& picture : pictures) picture.place = labels.at(picture.stamp);
+  pictures.erase(std::remove_if(pictures.begin(), pictures.end(),
+                                [](const auto& picture) { return picture.place.empty(); }),
+                 pictures.end());
+  return pictures;
+}
+
+std::vector<LabelledPicture> listCold(const fs::path& folder) {
+  const fs::path cameras = folder / "std_cam", list = folder / "localization" / "places.lst";
+  if (fs::exists(list)) return listByPictures(cameras, list);
+  for (const fs::path& labels : {folder / "labels.dat", folder / "localization" / "labels.dat"}) {
+    if (fs::exists(labels) && fs::is_directory(cameras)) return listByTimes(cameras, labels);
+  }
+  throw Error("There is neither " + list.string() + " nor " + (folder / "labels.dat").string() +
+              "; give the folder of one COLD sequence, which holds std_cam and one of these.");
+}
+
 }  // namespace
+
+std::vector<std::string> picturesBelow(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file() && isPicture(entry.path().string())) {
+      paths.push_back(entry.path().string());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+std::vector<std::string> indecsConditions(const std::string& folder) {
+  std::set<std::string> conditions;
+  for (const std::string& path : picturesBelow(folder)) {
+    conditions.insert(IndecsPicture(folder, path).condition);
+  }
+  conditions.erase("");
+  return {conditions.begin(), conditions.end()};
+}
 
 std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout) {
   if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");

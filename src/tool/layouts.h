@@ -3,14 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace place_recognition::tool {
+#include "experiments/picture_set.h"
 
-/// A picture of a data set on disk.
-struct LabelledPicture {
-  std::string path;
-  std::string place;
-  double stamp = 0;  ///< s
-};
+namespace place_recognition::tool {
 
 /// How to read a folder of pictures as one run.
 struct Layout {
@@ -23,5 +18,11 @@ struct Layout {
 /// are those of the recording for idol and cold. Throws Error, naming the file, for what does not
 /// fit the layout, and if there is no picture at all.
 std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout);
+
+/// cloudy, night, sunny: those of which a folder of layout indecs has pictures, in this order.
+std::vector<std::string> indecsConditions(const std::string& folder);
+
+/// Paths of all pictures below `folder`, in ascending order.
+std::vector<std::string> picturesBelow(const std::string& folder);
 
 }  // namespace place_recognition::tool

@@ -10,11 +10,14 @@ namespace place_recognition::tool {
 void addSimulate(CLI::App& tool);
 void addImport(CLI::App& tool);
 void addTrain(CLI::App& tool);
+void addTune(CLI::App& tool);
 void addRecognize(CLI::App& tool);
 void addEvaluate(CLI::App& tool);
+void addExperiment(CLI::App& tool);
 void addReduce(CLI::App& tool);
 void addFeatures(CLI::App& tool);
 void addInfo(CLI::App& tool);
+void addRestore(CLI::App& tool);
 /// Hidden: writes doc/configuration.md.
 void addDocument(CLI::App& tool);
 
@@ -23,11 +26,14 @@ inline void addVerbs(CLI::App& tool) {
   addSimulate(tool);
   addImport(tool);
   addTrain(tool);
+  addTune(tool);
   addRecognize(tool);
   addEvaluate(tool);
+  addExperiment(tool);
   addReduce(tool);
   addFeatures(tool);
   addInfo(tool);
+  addRestore(tool);
   addDocument(tool);
 }
 

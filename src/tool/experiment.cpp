@@ -1,0 +1,135 @@
+#include <cstdio>
+#include <memory>
+#include <ostream>
+
+#include "experiments/experiment_run.h"
+#include "experiments/final_experiment.h"
+#include "experiments/histogram_experiment.h"
+#include "experiments/materials_experiment.h"
+#include "experiments/reduction_experiment.h"
+#include "tool/layout_sets.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct ExperimentOptions {
+  std::string name;
+  std::string data;
+  std::string out;
+  std::string layout = "indecs";
+  std::string part = "1/1";
+  int every = 1;
+  int max_dimensions = 16;
+  unsigned threads = 0;
+  OutputOptions output;
+};
+
+Part parsePart(const std::string& text) {
+  Part part;
+  char rest = 0;
+  const bool two = std::sscanf(text.c_str(), "%d/%d%c", &part.number, &part.count, &rest) == 2;
+  if (!two || part.number < 1 || part.count < part.number) {
+    throw CLI::ValidationError("--part", "'" + text + "' is not of the form 3/21");
+  }
+  return part;
+}
+
+std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
+                                           std::vector<PictureSet> sets) {
+  const unsigned threads = options.threads;
+  if (options.name == "indecs-local") {
+    return std::make_unique<FinalExperiment>(PlaceFeatures::kLocal, std::move(sets), threads);
+  }
+  if (options.name == "indecs-global") {
+    return std::make_unique<FinalExperiment>(PlaceFeatures::kGlobal, std::move(sets), threads);
+  }
+  if (options.name == "reduction") {
+    return std::make_unique<ReductionExperiment>(std::move(sets), threads);
+  }
+  if (options.name == "materials") {
+    return std::make_unique<MaterialsExperiment>(std::move(sets), threads);
+  }
+  const auto sweep = options.name == "bins" ? HistogramSweep::kBins : HistogramSweep::kDescriptors;
+  return std::make_unique<HistogramExperiment>(sweep, std::move(sets), options.max_dimensions,
+                                               threads);
+}
+
+void runExperimentVerb(const ExperimentOptions& options) {
+  const Part part = parsePart(options.part);
+  std::vector<PictureSet> sets = options.name == "materials"
+                                     ? sampleSets(options.data)
+                                     : conditionSets(options.data, options.layout);
+  std::size_t pictures = 0;
+  for (PictureSet& set : sets) {
+    set = thinnedOut(set, options.every);
+    pictures += set.pictures.size();
+  }
+  makeFolder(options.out);
+  ProgressDisplay display(options.output.progress);
+  const std::uint64_t digest = digestOf(sets);
+  const std::unique_ptr<Experiment> experiment = makeExperiment(options, std::move(sets));
+  const ExperimentOutcome outcome =
+      runExperiment(*experiment, options.out, digest, part, display.callback());
+  display.clear();
+
+  std::ostream& out = options.output.text();
+  if (outcome.missing == 0) {
+    out << outcome.text << "\nTables, figures and results: " << options.out << std::endl;
+  }
+  out << outcome.cells << " cells, " << outcome.computed << " computed now";
+  if (outcome.missing > 0) out << ", " << outcome.missing << " still missing";
+  out << "; " << pictures << " pictures" << std::endl;
+  options.output.writeJson({{"experiment", options.name},
+                            {"cells", outcome.cells},
+                            {"computed", outcome.computed},
+                            {"missing", outcome.missing},
+                            {"pictures", pictures}});
+}
+
+}  // namespace
+
+void addExperiment(CLI::App& tool) {
+  CLI::App* verb = tool.add_subcommand("experiment", "Repeats an experiment of the thesis");
+  const auto options = std::make_shared<ExperimentOptions>();
+  verb->add_option("NAME", options->name,
+                   "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
+                   "reduction: 8.3, 8.7; materials: 7.1 to 7.6")
+      ->required()
+      ->check(CLI::IsMember(
+          {"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials"}));
+  verb->add_option("--data", options->data,
+                   "Folder of pictures: CONDITION/ROOM/PICTURE; materials: "
+                   "MATERIAL/SAMPLE/PICTURE")
+      ->type_name("DIR")
+      ->required();
+  verb->add_option("--out", options->out,
+                   "Folder for the tables and for finished cells, which are not computed again")
+      ->type_name("DIR")
+      ->required();
+  verb->add_option("--layout", options->layout,
+                   "How the pictures of places lie: indecs (default); idol, cold: a folder of "
+                   "sequences")
+      ->check(CLI::IsMember({"indecs", "idol", "cold"}));
+  verb->add_option("--every", options->every, "Take every N-th picture of each room only")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--max-dimensions", options->max_dimensions,
+                   "descriptors: leave out histograms of more (default 16; the thesis' have 8 at "
+                   "most)")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--part", options->part,
+                   "Compute the K-th of N parts of the cells only; tables are written once all "
+                   "cells are there")
+      ->type_name("K/N");
+  verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");
+  options->output.addTo(*verb);
+  verb->footer(
+      "Example:\n"
+      "  place_tool experiment indecs-global --data runs --out results/indecs-global");
+  verb->callback([options] { runExperimentVerb(*options); });
+}
+
+}  // namespace place_recognition::tool
