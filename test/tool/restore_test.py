@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Earlier models of a name are told and put back."""
+import unittest
+
+from tool_case import ROOMS, ToolCase
+
+COLOUR = ("--config", "crfh_colour")
+
+
+class RestoreTest(ToolCase):
+    def setUp(self):
+        super().setUp()
+        self.write_run("monday")
+        rooms = sorted(ROOMS)
+        self.write_run("tuesday", rooms=rooms[:2])
+        self.succeed("train", "monday", "--model", "home", *COLOUR)
+
+    def rooms(self):
+        return list(self.figures("info", "home")["rooms"])
+
+    def test_the_newest_backup_unless_told_otherwise(self):
+        self.succeed("train", "tuesday", "--model", "home", *COLOUR)
+        self.assertEqual(len(self.rooms()), 2)
+        self.assertIn("in use again", self.succeed("restore", "home"))
+        self.assertEqual(len(self.rooms()), 3)
+        self.succeed("restore", "home")  # and back
+        self.assertEqual(len(self.rooms()), 2)
+
+    def test_three_are_kept_and_listed(self):
+        for _ in range(4):
+            self.succeed("train", "tuesday", "--model", "home", *COLOUR)
+        models = self.figures("restore", "home", "--list")["models"]
+        self.assertEqual([model["age"] for model in models], [0, 1, 2, 3])
+        self.assertEqual([len(model["rooms"]) for model in models], [2, 2, 2, 2])
+        self.assertIn("backup 3", self.succeed("restore", "home", "--list"))
+
+    def test_what_cannot_be_restored(self):
+        self.assertIn("home.places.2", self.refuse("restore", "home", "--age", "2"))
+        self.assertIn("absent", self.refuse("restore", "absent", "--list"))
+        self.refuse("restore", "home", "--age", "4", status=2)
+        models = self.folder / "ros_home/place_recognition/models"
+        (models / "home.places.1").write_bytes(b"no model")
+        self.assertIn("home.places.1", self.refuse("restore", "home"))
+        self.assertIn("not a place_recognition model", self.succeed("restore", "home", "--list"))
+        self.assertEqual(len(self.rooms()), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()
