@@ -2,6 +2,7 @@
 
 #include <place_recognition/ModelInfo.h>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
@@ -32,9 +33,15 @@ TEST_F(RecognizerNode, LoadsAnotherModelAndKeepsItIfTheNextIsBad) {
            info.support_vectors > 0;
   }));
   std::ofstream(namedModelPath("foreign")) << "not a model";
-  for (const char* bad : {"foreign", "none", "../two", "/etc/passwd", "two.places"}) {
+  const std::string link = modelFolder() + "/link.places";
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink(namedModelPath("three"), link);
+  for (const std::string& bad :
+       {std::string("foreign"), std::string("none"), std::string("../two"),
+        std::string("/etc/passwd"), std::string("two.places"), std::string("link"), std::string(),
+        std::string("two\0", 4), std::string(1 << 20, 'a')}) {
     const auto response = load(bad);
-    EXPECT_FALSE(response.success) << bad;
+    EXPECT_FALSE(response.success) << bad.substr(0, 80);
     EXPECT_GT(response.message.size(), 20u);
   }
   const auto answer = answerTo(answers, drawRoom(1, 5));
