@@ -144,7 +144,7 @@ class BadUsageTest(ToolCase):
 
     def test_every_verb_has_help_with_an_example(self):
         verbs = ("simulate", "import", "train", "recognize", "evaluate", "reduce", "features",
-                 "info")
+                 "info", "restore")
         for verb in verbs:
             self.assertIn(f"Example:\n  place_tool {verb} ", self.succeed(verb, "--help"))
         for verb in verbs:
