@@ -8,6 +8,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
+#include "place_recognition/temporal_filter.h"
 
 namespace place_recognition {
 namespace {
@@ -33,7 +34,7 @@ std::string thumbnail(const cv::Mat& image) {
 class Evaluator {
  public:
   Evaluator(const std::shared_ptr<const Model>& model, std::size_t wrong_pictures)
-      : recognizer_(model), wrong_pictures_(wrong_pictures) {
+      : recognizer_(model), filter_(*model, model->adjacency, {}), wrong_pictures_(wrong_pictures) {
     evaluation_.model = model->name;
     evaluation_.places = model->places;
     evaluation_.model_places = model->places.size();
@@ -43,6 +44,7 @@ class Evaluator {
 
   void read(Run& run, const Progress& progress) {
     evaluation_.runs.push_back(run.name());
+    filter_ = TemporalFilter(recognizer_.model(), recognizer_.model().adjacency, {});
     const std::string stage = "Recognizing " + run.name();
     report(progress, stage, 0);
     std::uint64_t unlabelled = 0, unreadable = 0;
@@ -96,6 +98,7 @@ class Evaluator {
     result.confidence = answer.confidence;
     result.evidence = answer.evidence;
     result.seconds = elapsed.count();
+    result.place_over_time = filter_.update(frame.stamp, answer).place;
     evaluation_.frames.push_back(result);
     if (!result.correct() && result.place >= 0) keepIfAmongTheWorst(result, frame.image);
   }
@@ -135,6 +138,7 @@ class Evaluator {
   }
 
   Recognizer recognizer_;
+  TemporalFilter filter_;  // of the current run
   std::size_t wrong_pictures_;
   std::uint64_t pictures_ = 0;
   Evaluation evaluation_;

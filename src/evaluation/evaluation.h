@@ -22,6 +22,7 @@ struct FrameResult {
   double confidence = 0;  ///< probability of `place`
   double evidence = 0;    ///< see Calibration::evidence()
   double seconds = 0;     ///< from the decoded image to the answer
+  int place_over_time = -1;  ///< answer of a TemporalFilter that saw the run so far; -1: 'unknown'
 
   bool correct() const { return place == truth; }
 };

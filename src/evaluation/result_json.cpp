@@ -50,6 +50,21 @@ Json unknownJson(const Summary& summary) {
           {"detection_rate", summary.unknown->detection_rate}};
 }
 
+Json countsJson(const AnswerCounts& counts) {
+  return {{"wrong", counts.wrong}, {"unknown", counts.unknown}};
+}
+
+Json overTimeJson(const Summary& summary) {
+  if (!summary.over_time) return nullptr;
+  const OverTime& over_time = *summary.over_time;
+  return {{"frames", over_time.frames},
+          {"single", countsJson(over_time.single)},
+          {"filtered", countsJson(over_time.filtered)},
+          {"delays", over_time.delays},
+          {"missed", over_time.missed},
+          {"followed_within_2s", over_time.followedWithin(2)}};
+}
+
 }  // namespace
 
 nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary) {
@@ -68,6 +83,7 @@ nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary) 
           {"mean_risk", meanRisk(summary.risk_coverage)},
           {"unknown_share", summary.unknown_share},
           {"unknown", unknownJson(summary)},
+          {"over_time", overTimeJson(summary)},
           {"model", evaluation.model},
           {"support_vectors", evaluation.support_vectors},
           {"model_bytes", evaluation.model_bytes},

@@ -74,6 +74,23 @@ std::string otherFigures(const Evaluation& evaluation, const Summary& summary) {
   return alignColumns(rows);
 }
 
+/// Empty if no run is a drive.
+std::string overTimeTable(const Summary& summary) {
+  if (!summary.over_time) return "";
+  const OverTime& over_time = *summary.over_time;
+  const auto row = [&](const std::string& name, const AnswerCounts& counts) {
+    return std::vector<std::string>{name, std::to_string(counts.wrong),
+                                    std::to_string(counts.unknown)};
+  };
+  TextRows rows{{"over time: " + std::to_string(over_time.frames) + " frames of drives",
+                 "wrong room", "'unknown'"}};
+  rows.push_back(row("frame by frame", over_time.single));
+  rows.push_back(row("filtered, as ~place", over_time.filtered));
+  return alignColumns(rows) +
+         "changes of room followed within 2 s: " + percent(over_time.followedWithin(2)) + " of " +
+         std::to_string(over_time.delays.size() + over_time.missed) + "\n\n";
+}
+
 }  // namespace
 
 TextRows reliabilityRows(const Summary& summary) {
@@ -99,7 +116,7 @@ TextRows riskRows(const Summary& summary) {
 std::string resultTable(const Evaluation& evaluation, const Summary& summary) {
   return ratesTable(summary) + "\n" + confusionTable(summary) + "\n" +
          alignColumns(reliabilityRows(summary)) + "\n" + alignColumns(riskRows(summary)) + "\n" +
-         otherFigures(evaluation, summary);
+         overTimeTable(summary) + otherFigures(evaluation, summary);
 }
 
 }  // namespace place_recognition

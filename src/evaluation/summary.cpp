@@ -103,6 +103,7 @@ void summarizeUnknown(const Evaluation& evaluation, Summary& summary) {
 void summarizeLatency(const Evaluation& evaluation, Summary& summary) {
   std::vector<double> seconds;
   for (const FrameResult& frame : evaluation.frames) seconds.push_back(frame.seconds);
+  summary.over_time = overTime(evaluation);
   summary.latency_p50 = percentile(seconds, 0.50);
   summary.latency_p95 = percentile(seconds, 0.95);
   summary.latency_p99 = percentile(seconds, 0.99);

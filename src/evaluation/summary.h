@@ -7,6 +7,7 @@
 
 #include "evaluation/evaluation.h"
 #include "evaluation/metrics.h"
+#include "evaluation/over_time.h"
 
 namespace place_recognition {
 
@@ -58,6 +59,7 @@ struct Summary {
   std::vector<RiskPoint> risk_coverage;
   double unknown_share = 0;               ///< answered 'unknown'
   std::optional<UnknownSummary> unknown;  ///< if there are pictures of other places
+  std::optional<OverTime> over_time;      ///< if a run is a drive
   double latency_p50 = 0;                 ///< s, of all pictures
   double latency_p95 = 0;
   double latency_p99 = 0;

@@ -1,5 +1,7 @@
 #include "recognition/held_out.h"
 
+#include <numeric>
+
 #include "learning/reduction.h"
 #include "recognition/scores.h"
 
@@ -18,6 +20,13 @@ Eigen::MatrixXd rows(const Eigen::MatrixXd& matrix, const std::vector<int>& indi
   return part;
 }
 
+/// The numbers at some places of a list.
+std::vector<int> pick(const std::vector<int>& list, const std::vector<int>& places) {
+  std::vector<int> picked;
+  for (const int place : places) picked.push_back(list[static_cast<std::size_t>(place)]);
+  return picked;
+}
+
 /// Those of `samples` that have the cue.
 std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>& cue_rows) {
   std::vector<int> kept;
@@ -25,12 +34,6 @@ std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>
     if (cue_rows[sample] >= 0) kept.push_back(sample);
   }
   return kept;
-}
-
-std::vector<int> rowsOf(const std::vector<int>& samples, const std::vector<int>& cue_rows) {
-  std::vector<int> indices;
-  for (const int sample : samples) indices.push_back(cue_rows[sample]);
-  return indices;
 }
 
 /// True places of the valid samples, and those of their largest margins.
@@ -63,19 +66,30 @@ HeldOut noneHeldOut(const TrainingTask& task) {
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.samples.size()))};
 }
 
-}  // namespace
-
-ReducedMachines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                             const TrainingTask& task,
-                             const std::vector<ReductionOptions>& reductions) {
-  const Machines machines = trainMachines(gram, labels, task.places, task.svm, task.threads);
+/// trainReduced() on some rows of a Gram matrix; the vectors are numbered among these.
+ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const PackedGram& gram,
+                               const std::vector<int>& labels, const TrainingTask& task,
+                               const std::vector<ReductionOptions>& reductions) {
+  const Machines machines =
+      trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
   const std::vector<int> vectors = supportVectors(machines);
   Machines supported = machines;
   supported.weights = rows(machines.weights, vectors);
-  return {vectors, reduceEach(supported, columns(gram, vectors), reductions, task.threads)};
+  return {vectors, reduceEach(supported, gram.values(train_rows, pick(train_rows, vectors)),
+                              reductions, task.threads)};
 }
 
-std::vector<HeldOut> heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& cue_rows,
+}  // namespace
+
+ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& labels,
+                             const TrainingTask& task,
+                             const std::vector<ReductionOptions>& reductions) {
+  std::vector<int> all(labels.size());
+  std::iota(all.begin(), all.end(), 0);
+  return trainReducedOn(all, gram, labels, task, reductions);
+}
+
+std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<int>& cue_rows,
                                     const TrainingTask& task,
                                     const std::vector<ReductionOptions>& reductions) {
   std::vector<HeldOut> held_out(reductions.size(), noneHeldOut(task));
@@ -90,12 +104,10 @@ std::vector<HeldOut> heldOutMargins(const Eigen::MatrixXd& gram, const std::vect
       trained[labels.back()] = true;
     }
 
-    const std::vector<int> train_rows = rowsOf(train, cue_rows);
-    const Eigen::MatrixXd train_columns = columns(gram, train_rows);
-    const ReducedMachines reduced =
-        trainReduced(rows(train_columns, train_rows), labels, task, reductions);
+    const std::vector<int> train_rows = pick(cue_rows, train);
+    const ReducedMachines reduced = trainReducedOn(train_rows, gram, labels, task, reductions);
     const Eigen::MatrixXd kernel_values =
-        columns(rows(train_columns, rowsOf(test, cue_rows)), reduced.vectors);
+        gram.values(pick(cue_rows, test), pick(train_rows, reduced.vectors));
     for (std::size_t r = 0; r < reductions.size(); ++r) {
       const Machines& machines = reduced.machines[r];
       const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));

@@ -5,6 +5,7 @@
 
 #include "learning/folds.h"
 #include "learning/machines.h"
+#include "learning/packed_gram.h"
 #include "place_recognition/learning_options.h"
 #include "place_recognition/progress.h"
 
@@ -22,8 +23,8 @@ struct TrainingTask {
 
 /// Margins of samples by machines that were trained without them and their neighbours in time.
 struct HeldOut {
-  Eigen::MatrixXd margins;  ///< samples x places; zero where there is none
-  std::vector<bool> valid;  ///< of each sample: whether it has margins
+  Eigen::MatrixXd margins;           ///< samples x places; zero where there is none
+  std::vector<bool> valid;           ///< of each sample: whether it has margins
   Eigen::VectorXd familiarity = {};  ///< of each sample: the largest kernel value
 };
 
@@ -35,7 +36,7 @@ struct ReducedMachines {
 
 /// Trains on the Gram matrix of the training vectors and reduces; see reduceEach() for the order of
 /// `reductions`.
-ReducedMachines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& labels,
                              const TrainingTask& task,
                              const std::vector<ReductionOptions>& reductions);
 
@@ -43,7 +44,7 @@ ReducedMachines trainReduced(const Eigen::MatrixXd& gram, const std::vector<int>
 /// is the Gram matrix of the cue's features; `rows`: the row of each sample in it, -1 if the sample
 /// lacks the cue. A sample is not valid if it lacks the cue, is tested in no fold, or if its own
 /// place could not be trained on in that fold.
-std::vector<HeldOut> heldOutMargins(const Eigen::MatrixXd& gram, const std::vector<int>& rows,
+std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<int>& rows,
                                     const TrainingTask& task,
                                     const std::vector<ReductionOptions>& reductions);
 

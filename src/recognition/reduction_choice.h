@@ -12,13 +12,12 @@ namespace place_recognition {
 /// them.
 std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options);
 
-/// The index of the one that keeps the fewest vectors at no loss that can be told: the mean of the
-/// rooms' rates on held-out samples is within one standard error of that of the first reduction,
-/// and so it is with every larger share by the same method. The error is that of the difference
-/// between answers to the same samples, of which only those count that are answered differently; it
-/// is much smaller than that of a rate.
-/// Of equal shares, the better rate decides. `held_out`: one for each of `reductions`, of which the
-/// first keeps most; it is the answer where no sample is valid.
+/// The index of the one that keeps the fewest vectors at no loss: the log loss of held-out samples
+/// (mean of the rooms, see logLosses()) is not above that of the first reduction, and so it is with
+/// every larger share by the same method. Within an error instead of above nothing would choose
+/// smaller ones that cost several points of rate on another recording. Of equal shares, the smaller
+/// loss decides. `held_out`: one for each of `reductions`, of which the first keeps most; it is the
+/// answer where no sample is valid.
 std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
                             const std::vector<HeldOut>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places);

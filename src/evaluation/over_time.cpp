@@ -1,0 +1,84 @@
+#include "evaluation/over_time.h"
+
+#include <algorithm>
+
+namespace place_recognition {
+namespace {
+
+void count(int answer, int truth, AnswerCounts& counts) {
+  counts.unknown += answer < 0 ? 1 : 0;
+  counts.wrong += answer >= 0 && answer != truth ? 1 : 0;
+}
+
+bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places) {
+  std::vector<PlaceAt> way;
+  for (const FrameResult* frame : run) way.push_back({frame->stamp, frame->truth});
+  Adjacency adjacency(places);
+  return learnAdjacency(way, adjacency);
+}
+
+/// Follows the changes from one learned room to another in a run.
+class Changes {
+ public:
+  explicit Changes(OverTime& result) : result_(result) {}
+
+  void add(const FrameResult& frame, bool learned) {
+    if (frame.truth != room_) {
+      if (waiting_) ++result_.missed;
+      waiting_ = room_ >= 0 && learned;
+      room_ = frame.truth;
+      since_ = frame.stamp;
+    }
+    if (!waiting_ || frame.place_over_time != frame.truth) return;
+    result_.delays.push_back(frame.stamp - since_);
+    waiting_ = false;
+  }
+
+  void finish() {
+    if (waiting_) ++result_.missed;
+  }
+
+ private:
+  OverTime& result_;
+  int room_ = -1;
+  double since_ = 0;
+  bool waiting_ = false;
+};
+
+void addDrive(const std::vector<const FrameResult*>& run, const Evaluation& evaluation,
+              OverTime& result) {
+  Changes changes(result);
+  for (const FrameResult* frame : run) {
+    const bool learned = evaluation.learned(*frame);
+    changes.add(*frame, learned);
+    if (!learned) continue;
+    ++result.frames;
+    count(frame->known ? frame->place : -1, frame->truth, result.single);
+    count(frame->place_over_time, frame->truth, result.filtered);
+  }
+  changes.finish();
+}
+
+}  // namespace
+
+double OverTime::followedWithin(double seconds) const {
+  const auto all = delays.size() + missed;
+  const auto in_time = std::upper_bound(delays.begin(), delays.end(), seconds) - delays.begin();
+  return all > 0 ? static_cast<double>(in_time) / static_cast<double>(all) : 1;
+}
+
+std::optional<OverTime> overTime(const Evaluation& evaluation) {
+  OverTime result;
+  for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
+    std::vector<const FrameResult*> run;
+    for (const FrameResult& frame : evaluation.frames) {
+      if (frame.run == static_cast<int>(r)) run.push_back(&frame);
+    }
+    if (isDrive(run, evaluation.places.size())) addDrive(run, evaluation, result);
+  }
+  if (result.frames == 0) return std::nullopt;
+  std::sort(result.delays.begin(), result.delays.end());
+  return result;
+}
+
+}  // namespace place_recognition

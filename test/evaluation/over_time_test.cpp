@@ -1,0 +1,48 @@
+#include "evaluation/over_time.h"
+
+#include <gtest/gtest.h>
+
+namespace place_recognition {
+namespace {
+
+/// Frames a second apart; truth, answer to the frame, answer over time: a digit each, '-': unknown.
+Evaluation driveOf(const std::string& truth, const std::string& single,
+                   const std::string& filtered) {
+  Evaluation evaluation;
+  evaluation.places = {"hall", "kitchen", "office"};
+  evaluation.model_places = 3;
+  evaluation.runs = {"drive"};
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    FrameResult frame;
+    frame.stamp = static_cast<double>(i);
+    frame.truth = truth[i] - '0';
+    frame.known = single[i] != '-';
+    frame.place = frame.known ? single[i] - '0' : 0;
+    frame.place_over_time = filtered[i] == '-' ? -1 : filtered[i] - '0';
+    evaluation.frames.push_back(frame);
+  }
+  return evaluation;
+}
+
+TEST(OverTime, CountsWrongAndUnknownFramesAndDelays) {
+  const auto result = overTime(driveOf("0001110022",    //
+                                       "0201-10022",    //
+                                       "0000110-00"));  //
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->frames, 10u);
+  EXPECT_EQ(result->single.wrong, 1u);
+  EXPECT_EQ(result->single.unknown, 1u);
+  EXPECT_EQ(result->filtered.wrong, 3u);  // one late in the kitchen, two in the office
+  EXPECT_EQ(result->filtered.unknown, 1u);
+  EXPECT_EQ(result->delays, (std::vector<double>{0, 1}));
+  EXPECT_EQ(result->missed, 1u);
+  EXPECT_DOUBLE_EQ(result->followedWithin(0.5), 1.0 / 3);
+  EXPECT_DOUBLE_EQ(result->followedWithin(2), 2.0 / 3);
+}
+
+TEST(OverTime, PicturesSortedByRoomAreNoDrive) {
+  EXPECT_FALSE(overTime(driveOf("000111222", "000111222", "000111222")));
+}
+
+}  // namespace
+}  // namespace place_recognition
