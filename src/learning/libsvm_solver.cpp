@@ -36,29 +36,20 @@ struct ModelDeleter {
 
 }  // namespace
 
-LibsvmSolver::LibsvmSolver(const Eigen::MatrixXd& gram)
-    : nodes_(gram.rows() * (gram.rows() + 1)), size_(gram.rows()) {
-  assert(gram.rows() == gram.cols());
+LibsvmSolver::LibsvmSolver(const PackedGram& gram, const std::vector<int>& vectors) {
   silenceLibsvm();
-  // A precomputed row of libsvm: its own number, from 1, then the kernel values.
-  svm_node* node = nodes_.data();
-  for (Eigen::Index i = 0; i < gram.cols(); ++i) {
-    *node++ = {0, static_cast<double>(i + 1)};
-    for (Eigen::Index j = 0; j < gram.rows(); ++j) *node++ = {static_cast<int>(j + 1), gram(j, i)};
-  }
+  for (const int vector : vectors) rows_.push_back(gram.nodes(vector));
 }
-
-LibsvmSolver::~LibsvmSolver() = default;
 
 double LibsvmSolver::solve(const std::vector<int>& signs, double c,
                            Eigen::Ref<Eigen::VectorXd> weights) const {
-  assert(signs.size() == size_ && static_cast<std::size_t>(weights.size()) == size_);
+  assert(signs.size() == rows_.size() && static_cast<std::size_t>(weights.size()) == rows_.size());
   std::vector<svm_node*> rows;
   std::vector<double> targets;
   std::vector<Eigen::Index> vectors;
-  for (std::size_t i = 0; i < size_; ++i) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (signs[i] == 0) continue;
-    rows.push_back(const_cast<svm_node*>(&nodes_[i * (size_ + 1)]));  // libsvm only reads it
+    rows.push_back(rows_[i]);
     targets.push_back(signs[i]);
     vectors.push_back(static_cast<Eigen::Index>(i));
   }

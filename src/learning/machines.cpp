@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "base/parallel.h"
@@ -69,18 +70,20 @@ Eigen::MatrixXd placeMargins(const Machines& machines, const Eigen::MatrixXd& ma
   return votes.array() + sums.array() / (3 * (sums.array().abs() + 1));
 }
 
-Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                       std::size_t places, const SvmOptions& options, unsigned threads) {
-  assert(gram.rows() == static_cast<Eigen::Index>(labels.size()));
+Machines trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
+                       const std::vector<int>& labels, std::size_t places,
+                       const SvmOptions& options, unsigned threads) {
+  assert(vectors.size() == labels.size());
   options.check();
   Machines machines;
   machines.places = places;
   machines.one_against_one = options.multiclass == "one-against-one";
   const auto signs = signsOfMachines(labels, places, machines.one_against_one);
-  machines.weights.setZero(gram.rows(), static_cast<Eigen::Index>(signs.size()));
+  machines.weights.setZero(static_cast<Eigen::Index>(vectors.size()),
+                           static_cast<Eigen::Index>(signs.size()));
   machines.biases.setZero(static_cast<Eigen::Index>(signs.size()));
 
-  const LibsvmSolver solver(gram);
+  const LibsvmSolver solver(gram, vectors);
   parallelFor(signs.size(), threads, [&](std::size_t m, unsigned) {
     const auto machine = static_cast<Eigen::Index>(m);
     const bool positive = std::count(signs[m].begin(), signs[m].end(), 1) > 0;
@@ -90,6 +93,14 @@ Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labe
                              : (positive ? 1 : -1);
   });
   return machines;
+}
+
+Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                       std::size_t places, const SvmOptions& options, unsigned threads) {
+  assert(gram.rows() == gram.cols());
+  std::vector<int> all(static_cast<std::size_t>(gram.rows()));
+  std::iota(all.begin(), all.end(), 0);
+  return trainMachines(PackedGram(gram), all, labels, places, options, threads);
 }
 
 std::vector<int> supportVectors(const Machines& machines) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "learning/packed_gram.h"
 #include "place_recognition/learning_options.h"
 
 namespace place_recognition {
@@ -29,9 +30,14 @@ std::size_t machineCount(std::size_t places, bool one_against_one);
 /// outweighing a vote.
 Eigen::MatrixXd placeMargins(const Machines& machines, const Eigen::MatrixXd& machine_margins);
 
-/// Trains every machine on the Gram matrix (n x n) with C-SVC (libsvm, precomputed kernel).
-/// `labels`: place 0..places-1 of each vector. A place or pair without vectors of both signs gives
-/// a machine of zero weights and bias -1 or +1. The result does not depend on `threads`.
+/// Trains every machine on some of the vectors of a Gram matrix, all of which have a column in it,
+/// with C-SVC (libsvm, precomputed kernel). `labels`: place 0..places-1 of each of `vectors`. A
+/// place or pair without vectors of both signs gives a machine of zero weights and bias -1 or +1.
+/// The result does not depend on `threads`.
+Machines trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
+                       const std::vector<int>& labels, std::size_t places,
+                       const SvmOptions& options, unsigned threads = 1);
+/// The same on all vectors of a Gram matrix (n x n), of which it makes a copy.
 Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
                        std::size_t places, const SvmOptions& options, unsigned threads = 1);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/huge_pages.h"
+#include "learning/bin_slices.h"
 #include "learning/bin_table.h"
 #include "learning/kernel_type.h"
 #include "learning/support_index.h"
@@ -33,8 +34,10 @@ class VectorIndex : public SupportIndex {
   /// `x` itself, or its non-zero elements in `scratch`; Error if it is of a foreign kind.
   const SparseVector& asSparse(const Feature& x, SparseVector& scratch) const;
   double total(const SparseVector& x) const;
-  /// Gives every bin, counted in the table, its place in values_ or rows_.
-  void layOut();
+  /// Lays out the elements of all vectors.
+  void collect(BinSlices slices);
+  /// Gives each of some bins, counted, its place behind what values_ or rows_ hold.
+  void layOut(std::vector<BinTable::Slot>& bins);
   std::vector<Postings> postingsOf(const SparseVector& x) const;
 
   Measure measure_;

@@ -48,7 +48,7 @@ CueOptions CueComparison::withGamma(double gamma) const {
 }
 
 HeldOut CueComparison::heldOut(double gamma, const SvmOptions& svm, unsigned threads) const {
-  const Eigen::MatrixXd gram = gramMatrix(Kernel(withGamma(gamma).kernel), measures_);
+  const PackedGram gram(Kernel(withGamma(gamma).kernel), measures_, threads);
   ReductionOptions unreduced;
   unreduced.method = "none";
   const Progress silent;
