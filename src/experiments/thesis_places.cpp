@@ -17,8 +17,8 @@ int indexIn(const std::map<std::string, int>& names, const std::string& name) {
 double ThesisFinal::rate(const std::string& room, const std::string& test_set,
                          int training_set) const {
   static const std::map<std::string, int> kRooms = {
-      {"BO", 0},       {"office_b", 0}, {"CR", 1},      {"corridor", 1}, {"EO", 2},
-      {"office_a", 2}, {"KT", 3},       {"kitchen", 3}, {"PR", 4},       {"printer_area", 4}};
+      {"BO", 0}, {"office_a", 0}, {"CR", 1}, {"corridor", 1}, {"EO", 2},          {"office_b", 2},
+      {"KT", 3}, {"kitchen", 3},  {"PR", 4}, {"PA", 4},       {"printer_area", 4}};
   static const std::map<std::string, int> kSets = {{"cloudy", 0}, {"night", 1}, {"sunny", 2}};
   const int r = indexIn(kRooms, room), s = indexIn(kSets, test_set);
   return r < 0 || s < 0 ? kNone : rates[r][s][training_set];
