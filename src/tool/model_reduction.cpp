@@ -45,6 +45,28 @@ std::vector<int> rowsWithFeature(const std::vector<Feature>& features) {
   return rows;
 }
 
+/// Mean over all support vectors of the largest kernel value against another one of `kept`.
+double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<int>& kept) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < kernel_values.rows(); ++i) {
+    double largest = 0;
+    for (const int j : kept) {
+      if (j != i) largest = std::max(largest, kernel_values(i, j));
+    }
+    sum += largest;
+  }
+  return kernel_values.rows() > 0 ? sum / static_cast<double>(kernel_values.rows()) : 0;
+}
+
+/// How much less familiar frames look to the vectors that `machines` use than to all.
+double familiarityLost(const Classifier& classifier, const Machines& machines) {
+  const SupportSet& support_set = classifier.supportSet();
+  const Eigen::MatrixXd values =
+      kernelValues(pointers(support_set.vectors()), support_set, Progress());
+  return meanFamiliarity(values, supportVectors(classifier.machines())) -
+         meanFamiliarity(values, supportVectors(machines));
+}
+
 }  // namespace
 
 ModelReduction::ModelReduction(const Model& model, const Samples* training,
@@ -145,6 +167,9 @@ std::vector<Machines> machinesOf(const Model& model) {
 Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options) {
   model.options.reduction = options;
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    model.calibration.weights.offset += model.calibration.weights.familiarity *
+                                        model.cue_weights[c] *
+                                        familiarityLost(model.classifiers[c], machines[c]);
     std::vector<Feature> vectors = model.classifiers[c].supportSet().vectors();
     const std::vector<int> vector_places = model.classifiers[c].vectorPlaces();
     model.classifiers[c] = Classifier(model.options.cues[c].kernel, std::move(machines[c]),

@@ -59,7 +59,8 @@ class RateOnSamples {
 std::vector<Machines> machinesOf(const Model& model);
 
 /// `model` with `machines`, one set a cue, in place of its own and `options` among its options.
-/// Calibration and threshold stay as they were fitted.
+/// Calibration and threshold stay as they were fitted, but frames look less familiar to fewer
+/// vectors: the evidence is shifted by what the support vectors themselves lose on average.
 Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options);
 
 /// Milliseconds to compare the features of one picture with all support vectors of all cues: the
