@@ -182,9 +182,8 @@ void sendImages(const rosbag::Bag& bag, const std::string& topic) {
   }
 }
 
-void readBag(bool images, const std::string& path, const std::string& image_topic,
+void sendAll(const rosbag::Bag& bag, bool images, const std::string& image_topic,
              const std::string& label_topic) {
-  rosbag::Bag bag(path, rosbag::bagmode::Read);
   const Topics topics = listTopics(bag);
   sendSpan(bag);
   sendTopics(bag, topics, !images);
@@ -194,6 +193,19 @@ void readBag(bool images, const std::string& path, const std::string& image_topi
   send(BagRecord());
 }
 
+/// Sends all of a bag; `failed_at` tells how far that came, for once the bag is closed its
+/// position is gone.
+void readBag(bool images, const std::string& path, const std::string& image_topic,
+             const std::string& label_topic, std::uint64_t& failed_at) {
+  rosbag::Bag bag(path, rosbag::bagmode::Read);
+  try {
+    sendAll(bag, images, image_topic, label_topic);
+  } catch (...) {
+    failed_at = bagOffset();
+    throw;
+  }
+}
+
 /// readBag() with every error told to the other end of the pipe.
 int run(bool images, const std::string& path, const std::string& image_topic,
         const std::string& label_topic) {
@@ -201,7 +213,7 @@ int run(bool images, const std::string& path, const std::string& image_topic,
   record.kind = BagRecordKind::kError;
   try {
     guardBag(path);
-    readBag(images, path, image_topic, label_topic);
+    readBag(images, path, image_topic, label_topic, record.number);
     return 0;
   } catch (const rosbag::BagUnindexedException&) {
     record.detail = "it has no index, as when recording was cut short; run: rosbag reindex " + path;
@@ -213,7 +225,6 @@ int run(bool images, const std::string& path, const std::string& image_topic,
   } catch (const std::exception& e) {
     record.detail = std::string("it is damaged or no ROS 1 bag (") + e.what() + ")";
   }
-  record.number = bagOffset();
   send(record);
   return 1;
 }
