@@ -30,8 +30,8 @@ constexpr int kModelBackups = 3;
 /// Where the backup of the model at `path` is; `age` 1: the newest, to kModelBackups: the oldest.
 std::string backupPath(const std::string& path, int age);
 
-/// Puts a backup in the place of the model at `path`, which becomes the newest backup itself. Throws
-/// Error, changing nothing, if there is no such backup or it cannot be used.
+/// Puts a backup in the place of the model at `path`, which becomes the newest backup itself.
+/// Throws Error, changing nothing, if there is no such backup or it cannot be used.
 void restoreModel(const std::string& path, int age);
 
 /// The path of a model by name: NAME itself if it has a slash or ends in `.places`, else
