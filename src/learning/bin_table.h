@@ -17,12 +17,14 @@ class BinTable {
     std::uint32_t count = 0;  ///< 0: the slot is empty
   };
 
+  using Slots = std::vector<Slot, HugePages<Slot>>;
+
   BinTable() : slots_(1u << kFirstBits), shift_(64 - kFirstBits) {}
 
   /// The slot of `bin`, with a count of 0 if there is none yet; whoever asks must then raise it.
   /// Pointers from earlier calls no longer hold.
   Slot& insert(std::uint64_t bin) {
-    if (2 * used_ >= slots_.size()) resize(2 * slots_.size());
+    if (2 * used_ >= slots_.size()) grow();
     Slot& slot = slots_[position(bin)];
     if (slot.count == 0) {
       ++used_;
@@ -33,26 +35,14 @@ class BinTable {
 
   /// The slot of `bin`, or one with a count of 0.
   const Slot& find(std::uint64_t bin) const { return slots_[position(bin)]; }
+  Slot& find(std::uint64_t bin) { return slots_[position(bin)]; }
 
   /// Asks the memory for what find(bin) will read.
   void prefetch(std::uint64_t bin) const { __builtin_prefetch(&slots_[home(bin)]); }
 
-  /// Makes room for so many bins at once.
-  void reserve(std::size_t bins) {
-    std::size_t size = slots_.size();
-    while (size < 2 * bins) size *= 2;
-    if (size > slots_.size()) resize(size);
-  }
-
-  /// Takes all bins out; the room for them stays.
-  void clear() {
-    slots_.assign(slots_.size(), Slot());
-    used_ = 0;
-  }
+  Slots& slots() { return slots_; }
 
  private:
-  using Slots = std::vector<Slot, HugePages<Slot>>;
-
   static constexpr unsigned kFirstBits = 10;
 
   /// Fibonacci hashing: the high bits of a product with 2^64 / golden ratio.
@@ -64,11 +54,10 @@ class BinTable {
     return i;
   }
 
-  /// To a power of two.
-  void resize(std::size_t size) {
-    Slots old(size);
+  void grow() {
+    Slots old(2 * slots_.size());
     old.swap(slots_);
-    for (std::size_t former = old.size(); former < size; former *= 2) --shift_;
+    --shift_;
     for (const Slot& slot : old) {
       if (slot.count != 0) slots_[position(slot.bin)] = slot;
     }

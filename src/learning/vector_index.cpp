@@ -82,66 +82,45 @@ VectorIndex::VectorIndex(Measure measure, const std::vector<Feature>& vectors) :
   if (const auto* dense = std::get_if<DenseVector>(&vectors.front())) {
     dimension_ = dense->values.size();
   }
-  std::vector<SparseVector> converted(dimension_ > 0 ? vectors.size() : 0);
-  SparseVector none;
-  std::vector<const SparseVector*> sparse;
+  SparseVector scratch;
+  for (const Feature& vector : vectors) {
+    const SparseVector& sparse = asSparse(vector, scratch);
+    totals_.push_back(total(sparse));
+    for (std::size_t i = 0; i < sparse.size(); ++i) {
+      table_.prefetch(sparse.indices[std::min(i + kLookupsAhead, sparse.size() - 1)]);
+      ++table_.insert(sparse.indices[i]).count;
+    }
+  }
+  layOut();
   for (std::size_t v = 0; v < vectors.size(); ++v) {
-    sparse.push_back(&asSparse(vectors[v], converted.empty() ? none : converted[v]));
-    totals_.push_back(total(*sparse.back()));
-  }
-  collect(BinSlices(std::move(sparse)));
-}
-
-void VectorIndex::collect(BinSlices slices) {
-  values_.reserve(slices.elements());
-  vectors_.reserve(slices.elements());
-  std::vector<BinTable::Slot> all;
-  BinTable numbers;  // of the slice's bins, in the order in which they are met
-  std::vector<BinTable::Slot> bins;
-  std::vector<std::uint32_t> met;
-  while (slices.next()) {
-    numbers.clear();
-    bins.clear();
-    met.clear();
-    slices.forEach([&](std::size_t, std::uint64_t bin, float) {
-      BinTable::Slot& number = numbers.insert(bin);
-      if (number.count++ == 0) {
-        number.begin = static_cast<std::uint32_t>(bins.size());
-        bins.push_back({bin, 0, 0});
-      }
-      ++bins[number.begin].count;
-      met.push_back(number.begin);
-    });
-    layOut(bins);
-    all.insert(all.end(), bins.begin(), bins.end());
-    auto number = met.begin();
-    slices.forEach([&](std::size_t v, std::uint64_t, float value) {
-      BinTable::Slot& place = bins[*number++];
-      if (place.count == kRow) {
-        rows_[place.begin * totals_.size() + v] = value;
+    const SparseVector& sparse = asSparse(vectors[v], scratch);
+    for (std::size_t i = 0; i < sparse.size(); ++i) {
+      table_.prefetch(sparse.indices[std::min(i + kLookupsAhead, sparse.size() - 1)]);
+      BinTable::Slot& slot = table_.find(sparse.indices[i]);
+      if (slot.count == kRow) {
+        rows_[slot.begin * vectors.size() + v] = sparse.values[i];
       } else {
-        values_[place.begin] = value;
-        vectors_[place.begin++] = static_cast<std::uint32_t>(v);
+        values_[slot.begin] = sparse.values[i];
+        vectors_[slot.begin++] = static_cast<std::uint32_t>(v);
       }
-    });
+    }
   }
-  table_.reserve(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    table_.prefetch(all[std::min(i + kLookupsAhead, all.size() - 1)].bin);
-    table_.insert(all[i].bin) = all[i];
+  for (BinTable::Slot& slot : table_.slots()) {
+    if (slot.count != kRow) slot.begin -= slot.count;
   }
 }
 
-void VectorIndex::layOut(std::vector<BinTable::Slot>& bins) {
-  std::size_t postings = values_.size();
-  std::size_t rows = rows_.size() / totals_.size();
-  for (BinTable::Slot& bin : bins) {
-    if (bin.count * kRowShare >= totals_.size()) {
-      bin.begin = static_cast<std::uint32_t>(rows++);
-      bin.count = kRow;
+void VectorIndex::layOut() {
+  std::uint32_t postings = 0;
+  std::uint32_t rows = 0;
+  for (BinTable::Slot& slot : table_.slots()) {
+    if (slot.count == 0) continue;
+    if (slot.count * kRowShare >= totals_.size()) {
+      slot.begin = rows++;
+      slot.count = kRow;
     } else {
-      bin.begin = static_cast<std::uint32_t>(postings);
-      postings += bin.count;
+      slot.begin = postings;
+      postings += slot.count;
     }
   }
   rows_.resize(rows * totals_.size());

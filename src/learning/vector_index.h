@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/huge_pages.h"
-#include "learning/bin_slices.h"
 #include "learning/bin_table.h"
 #include "learning/kernel_type.h"
 #include "learning/support_index.h"
@@ -34,10 +33,8 @@ class VectorIndex : public SupportIndex {
   /// `x` itself, or its non-zero elements in `scratch`; Error if it is of a foreign kind.
   const SparseVector& asSparse(const Feature& x, SparseVector& scratch) const;
   double total(const SparseVector& x) const;
-  /// Lays out the elements of all vectors.
-  void collect(BinSlices slices);
-  /// Gives each of some bins, counted, its place behind what values_ or rows_ hold.
-  void layOut(std::vector<BinTable::Slot>& bins);
+  /// Gives every bin, counted in the table, its place in values_ or rows_.
+  void layOut();
   std::vector<Postings> postingsOf(const SparseVector& x) const;
 
   Measure measure_;
