@@ -28,7 +28,11 @@ class Endurance : public RecognizerNode {
   void driveAnHour(int hour) {
     Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
     const Inbox<visualization_msgs::Marker> markers(node_, name_ + "/marker");
-    ASSERT_TRUE(eventually([this] { return listeners() > 0; }));
+    ASSERT_TRUE(eventually([&] {  // until everybody listens to everybody
+      camera_.send(toImageMessage(drawRoom(0, 0), headerAt(kStart + hour * kHour)));
+      ros::WallDuration(0.05).sleep();
+      return !answers.messages().empty();
+    }));
     for (int i = 0; i < kFramesAnHour; ++i) {
       const double stamp = kStart + hour * kHour + i * kFramePeriod;
       nav_msgs::Odometry odometry;
