@@ -13,13 +13,6 @@ namespace {
 /// Columns are padded to a multiple of this: two registers of the widest instruction set.
 constexpr Eigen::Index kLanes = 16;
 
-PLACE_RECOGNITION_INLINE double sumOfLanes(double* lanes) {
-  for (Eigen::Index half = kLanes / 2; half > 0; half /= 2) {
-    for (Eigen::Index k = 0; k < half; ++k) lanes[k] += lanes[k + half];
-  }
-  return lanes[0];
-}
-
 /// Sum of term(i) over i in 0..n-1, a multiple of kLanes, in an order that is the same for every
 /// instruction set.
 template <typename Term>
@@ -28,7 +21,10 @@ PLACE_RECOGNITION_INLINE double sumOver(Eigen::Index n, Term term) {
   for (Eigen::Index i = 0; i < n; i += kLanes) {
     for (Eigen::Index k = 0; k < kLanes; ++k) lanes[k] += term(i + k);
   }
-  return sumOfLanes(lanes);
+  for (Eigen::Index half = kLanes / 2; half > 0; half /= 2) {
+    for (Eigen::Index k = 0; k < half; ++k) lanes[k] += lanes[k + half];
+  }
+  return lanes[0];
 }
 
 /// q'a.
@@ -45,27 +41,6 @@ double subtractAndMultiply(double product, const double* q, const double* next,
     a[i] -= product * q[i];
     return next[i] * a[i];
   });
-}
-
-/// The same for two columns, whose `products` it replaces. Reads q and next once for both.
-PLACE_RECOGNITION_TARGET_CLONES
-void subtractAndMultiplyBoth(double (&products)[2], const double* q, const double* next,
-                             double* __restrict a, double* __restrict b, Eigen::Index n) {
-  double a_lanes[kLanes] = {};
-  double b_lanes[kLanes] = {};
-  const double a_product = products[0];
-  const double b_product = products[1];
-  for (Eigen::Index i = 0; i < n; i += kLanes) {
-    PLACE_RECOGNITION_INDEPENDENT
-    for (Eigen::Index k = 0; k < kLanes; ++k) {
-      a[i + k] -= a_product * q[i + k];
-      b[i + k] -= b_product * q[i + k];
-      a_lanes[k] += next[i + k] * a[i + k];
-      b_lanes[k] += next[i + k] * b[i + k];
-    }
-  }
-  products[0] = sumOfLanes(a_lanes);
-  products[1] = sumOfLanes(b_lanes);
 }
 
 /// a -= product * q; returns a'a.
@@ -110,25 +85,14 @@ bool ColumnElimination::isSettled(Eigen::Index column) const {
 }
 
 void ColumnElimination::settle(Eigen::Index column) {
-  if (!isSettled(column)) takeOut(column, rank());
-}
-
-void ColumnElimination::settleAll() {
-  Eigen::Index waiting = -1;  // for a second one
-  for (Eigen::Index column = 0; column < squared_norms_.size(); ++column) {
-    if (isSettled(column)) continue;
-    if (waiting >= 0) settleBoth(waiting, column);
-    waiting = waiting >= 0 ? -1 : column;
-  }
-  if (waiting >= 0) settle(waiting);
-}
-
-void ColumnElimination::takeOut(Eigen::Index column, Eigen::Index end) {
   Eigen::Index& step = steps_[static_cast<std::size_t>(column)];
-  if (step == end) return;
-  double* a = data(column);
+  if (isSettled(column)) return;
+  const auto q = [this](Eigen::Index k) {
+    return columns().col(chosen_[static_cast<std::size_t>(k)]).data();
+  };
+  double* a = columns().col(column).data();
   double product = multiply(q(step), a, padded_rows_);
-  for (; step + 1 < end; ++step) {
+  for (; step + 1 < rank(); ++step) {
     r_(step, column) = product;
     product = subtractAndMultiply(product, q(step), q(step + 1), a, padded_rows_);
   }
@@ -136,26 +100,8 @@ void ColumnElimination::takeOut(Eigen::Index column, Eigen::Index end) {
   squared_norms_[column] = subtractAndSquare(product, q(step++), a, padded_rows_);
 }
 
-void ColumnElimination::settleBoth(Eigen::Index first, Eigen::Index second) {
-  Eigen::Index& first_step = steps_[static_cast<std::size_t>(first)];
-  Eigen::Index& second_step = steps_[static_cast<std::size_t>(second)];
-  takeOut(first, std::max(first_step, second_step));
-  takeOut(second, first_step);
-
-  Eigen::Index step = first_step;
-  double* a = data(first);
-  double* b = data(second);
-  double products[] = {multiply(q(step), a, padded_rows_), multiply(q(step), b, padded_rows_)};
-  for (; step + 1 < rank(); ++step) {
-    r_(step, first) = products[0];
-    r_(step, second) = products[1];
-    subtractAndMultiplyBoth(products, q(step), q(step + 1), a, b, padded_rows_);
-  }
-  r_(step, first) = products[0];
-  r_(step, second) = products[1];
-  squared_norms_[first] = subtractAndSquare(products[0], q(step), a, padded_rows_);
-  squared_norms_[second] = subtractAndSquare(products[1], q(step), b, padded_rows_);
-  first_step = second_step = rank();
+void ColumnElimination::settleAll() {
+  for (Eigen::Index column = 0; column < squared_norms_.size(); ++column) settle(column);
 }
 
 Eigen::MatrixXd ColumnElimination::targetProducts() {

@@ -49,14 +49,6 @@ class ColumnElimination {
  private:
   using Columns = Eigen::Map<Eigen::MatrixXd>;
   Columns columns() { return {storage_.data(), padded_rows_, squared_norms_.size()}; }
-  double* data(Eigen::Index column) { return storage_.data() + column * padded_rows_; }
-  /// The unit vector of a step.
-  const double* q(Eigen::Index step) { return data(chosen_[static_cast<std::size_t>(step)]); }
-
-  /// Takes out of a column its parts along Q from its own step to the one before `end`.
-  void takeOut(Eigen::Index column, Eigen::Index end);
-  /// Settles two columns, neither of which is, at once: in less time, with the same result.
-  void settleBoth(Eigen::Index first, Eigen::Index second);
 
   Eigen::Index rows_;
   Eigen::Index padded_rows_;  ///< with zeros, so that every column starts on a cache line
