@@ -1,0 +1,111 @@
+// Loading a model of 1000 support vectors beside reading its file with cat. One core: what counts
+// is the time of the processor, of cat's whole process too.
+
+#include <benchmark/benchmark.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <opencv2/core.hpp>
+
+#include "learning/support_set.h"
+#include "place_recognition/model_file.h"
+#include "sample_model.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr std::size_t kVectors = 1000;
+
+/// The model's file, written once, removed at the end.
+class ModelFile {
+ public:
+  ModelFile() {
+    const Model model = sampleModel(kVectors);
+    bytes_ = saveModel(model, path_);
+    vectors_ = model.supportVectorCount();
+  }
+  ~ModelFile() { std::filesystem::remove(path_); }
+
+  const std::string& path() const { return path_; }
+  std::uint64_t bytes() const { return bytes_; }
+  std::size_t vectors() const { return vectors_; }
+
+ private:
+  std::string path_ =
+      std::filesystem::temp_directory_path() / ("benchmark" + std::to_string(getpid()) + ".places");
+  std::uint64_t bytes_ = 0;
+  std::size_t vectors_ = 0;
+};
+
+const ModelFile& modelFile() {
+  static const ModelFile file;
+  return file;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Seconds of processor that `cat PATH > /dev/null` takes; less than 0 if it fails.
+double secondsOfCat(const std::string& path) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  std::string command = "cat", argument = path;
+  char* arguments[] = {command.data(), argument.data(), nullptr};
+  pid_t process = 0;
+  int status = posix_spawnp(&process, "cat", &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  rusage usage = {};
+  if (status != 0 || wait4(process, &status, 0, &usage) != process || status != 0) return -1;
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+void load(benchmark::State& state) {
+  const std::string& path = modelFile().path();
+  std::size_t vectors = 0;
+  for (auto _ : state) vectors = loadModel(path).supportVectorCount();
+  state.counters["bytes"] = static_cast<double>(modelFile().bytes());
+  if (vectors != kVectors || modelFile().vectors() != kVectors ||
+      serializeModel(loadModel(path)) != serializeModel(sampleModel(kVectors))) {
+    state.SkipWithError("The model that was loaded is not the one that was saved.");
+  }
+}
+
+/// The part of loading that lays the support vectors out for comparing.
+void index(benchmark::State& state) {
+  const Model model = loadModel(modelFile().path());
+  const SupportSet& set = model.classifiers.front().supportSet();
+  for (auto _ : state) {
+    state.PauseTiming();
+    std::vector<Feature> vectors = set.vectors();
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(SupportSet(set.kernel(), std::move(vectors)));
+  }
+}
+
+void cat(benchmark::State& state) {
+  const std::string& path = modelFile().path();
+  for (auto _ : state) {
+    const double time = secondsOfCat(path);
+    if (time < 0) state.SkipWithError("cat cannot be run.");
+    state.SetIterationTime(time);
+  }
+}
+
+BENCHMARK(load)->Unit(benchmark::kMillisecond);
+BENCHMARK(index)->Unit(benchmark::kMillisecond);
+BENCHMARK(cat)->Unit(benchmark::kMillisecond)->UseManualTime();
+
+}  // namespace
+}  // namespace place_recognition
+
+int main(int argc, char** argv) {
+  cv::setNumThreads(1);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

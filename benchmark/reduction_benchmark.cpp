@@ -1,0 +1,128 @@
+// Reduction of the machines of five rooms, trained on 1000 real pictures, each machine by itself
+// (`qr`), beside Eigen's ColPivHouseholderQR of each machine. One core. Columns are not normalised:
+// their first pivot would be a tie, which each program breaks as its rounding has it.
+
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "learning/gram.h"
+#include "learning/reduction.h"
+#include "views.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr std::size_t kImages = 1000;
+constexpr double kTolerance = 1e-6;  // of the largest margin
+
+struct Setup {
+  Eigen::MatrixXd gram;
+  Machines machines;
+
+  Setup() {
+    const ViewFeatures views = extractViews(CrfhOptions(), kImages);
+    KernelOptions options;
+    options.gamma = 2;  // so that hardly a vector depends on others
+    const Kernel kernel(options);
+    gram = gramMatrix(kernel, measureMatrix(kernel, views.features, 1, {}));
+    machines = trainMachines(gram, views.labels, Views::kPlaces, SvmOptions());
+  }
+};
+
+const Setup& setup() {
+  static const Setup setup;
+  return setup;
+}
+
+ReductionOptions options(double tau) {
+  ReductionOptions options;
+  options.method = "qr";
+  options.tau = tau;
+  options.normalise = false;
+  return options;
+}
+
+/// Eq. 6.18 to 6.21 of one machine.
+Eigen::VectorXd reduceWithEigen(const Eigen::MatrixXd& gram, const Eigen::VectorXd& weights,
+                                double tau) {
+  std::vector<Eigen::Index> vectors;
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    if (weights[i] != 0) vectors.push_back(i);
+  }
+  const auto m = static_cast<Eigen::Index>(vectors.size());
+  Eigen::MatrixXd columns(gram.rows(), m);
+  Eigen::VectorXd alpha(m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    columns.col(i) = gram.col(vectors[i]);
+    alpha[i] = weights[vectors[i]];
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  const auto& r = qr.matrixR();
+  Eigen::Index rank = 0;
+  while (rank < m && std::abs(r(rank, rank)) > tau * std::abs(r(0, 0))) ++rank;
+  const Eigen::VectorXd pivoted = qr.colsPermutation().transpose() * alpha;
+  const Eigen::VectorXd kept =
+      pivoted.head(rank) + r.topLeftCorner(rank, rank)
+                               .triangularView<Eigen::Upper>()
+                               .solve(r.topRightCorner(rank, m - rank) * pivoted.tail(m - rank));
+  Eigen::VectorXd reduced = Eigen::VectorXd::Zero(weights.size());
+  for (Eigen::Index k = 0; k < rank; ++k) {
+    reduced[vectors[qr.colsPermutation().indices()[k]]] = kept[k];
+  }
+  return reduced;
+}
+
+Machines reduceWithEigen(double tau) {
+  Machines reduced = setup().machines;
+  for (Eigen::Index m = 0; m < reduced.weights.cols(); ++m) {
+    reduced.weights.col(m) = reduceWithEigen(setup().gram, reduced.weights.col(m), tau);
+  }
+  return reduced;
+}
+
+double countWeights(const Machines& machines) {
+  return static_cast<double>((machines.weights.array() != 0).count());
+}
+
+void qr(benchmark::State& state, double tau) {
+  setup();  // is none of its time
+  Machines reduced;
+  for (auto _ : state) reduced = reduce(setup().machines, setup().gram, options(tau));
+  const Machines expected = reduceWithEigen(tau);
+  state.counters["before"] = countWeights(setup().machines);
+  state.counters["after"] = countWeights(reduced);
+  const Eigen::MatrixXd margins = expected.margins(setup().gram);
+  const double change = (reduced.margins(setup().gram) - margins).cwiseAbs().maxCoeff();
+  if (countWeights(reduced) != countWeights(expected) ||
+      change > kTolerance * margins.cwiseAbs().maxCoeff()) {
+    state.SkipWithError("The reduced machines differ from the peer's.");
+  }
+}
+
+void qrOfEigen(benchmark::State& state, double tau) {
+  setup();
+  for (auto _ : state) benchmark::DoNotOptimize(reduceWithEigen(tau));
+}
+
+void registerAll(const std::string& name, double tau) {
+  const auto add = [&](const char* who, auto function) {
+    benchmark::RegisterBenchmark(("reduction/" + name + "/" + who).c_str(), function, tau)
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("ours", qr);
+  add("eigen", qrOfEigen);
+}
+
+}  // namespace
+}  // namespace place_recognition
+
+int main(int argc, char** argv) {
+  cv::setNumThreads(1);
+  place_recognition::registerAll("none_dropped", 1e-4);
+  place_recognition::registerAll("default_tau", 0.01);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

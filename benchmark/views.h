@@ -1,0 +1,40 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "place_recognition/feature.h"
+#include "place_recognition/feature_options.h"
+
+namespace place_recognition {
+
+/// A picture of a room.
+struct View {
+  cv::Mat image;  ///< 640 x 480, BGR
+  int place;
+};
+
+/// Any number of views of the first five rooms that stand as room/picture somewhere below the
+/// folder $PLACE_RECOGNITION_PICTURES: each picture itself, then parts of it, mirrored every other
+/// time. The rooms take turns. View i is always the same. Throws std::runtime_error without
+/// pictures.
+class Views {
+ public:
+  static constexpr std::size_t kPlaces = 5;
+
+  Views();
+  View operator[](std::size_t i) const;
+
+ private:
+  std::vector<std::vector<std::string>> files_;  ///< of each room
+};
+
+/// Features of the first views, and their rooms.
+struct ViewFeatures {
+  std::vector<Feature> features;
+  std::vector<int> labels;
+};
+ViewFeatures extractViews(const FeatureOptions& options, std::size_t count, std::size_t first = 0);
+
+}  // namespace place_recognition
