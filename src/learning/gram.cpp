@@ -50,14 +50,12 @@ Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& 
     const std::size_t end = std::min(n, begin + kBlock);
     const SupportSet block(
         kernel, std::vector<Feature>(&features[begin], &features[begin] + (end - begin)));
-    // Of column i only what stands on or above the diagonal is kept, and mirrored below, so that
-    // the matrix is symmetric to the last bit.
+    // Of column i only what stands on or above the diagonal is computed, and mirrored below, so
+    // that the matrix is symmetric to the last bit.
     parallelFor(n - begin, threads, [&](std::size_t offset, unsigned thread) {
       const std::size_t i = begin + offset;
-      Eigen::VectorXd column(block.size());
-      block.measures(features[i], column);
       const std::size_t count = std::min(end, i + 1) - begin;
-      measures.col(i).segment(begin, count) = column.head(count);
+      block.measures(features[i], measures.col(i).segment(begin, count));
       row_progress.finishRow(thread);
     });
   }

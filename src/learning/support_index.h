@@ -11,8 +11,9 @@ class SupportIndex {
  public:
   virtual ~SupportIndex() = default;
 
-  /// Kernel::measure(x, vector i) for every i, into `out`. Throws Error if `x` is of another kind
-  /// or dimension than the vectors. Safe to call from several threads.
+  /// Kernel::measure(x, vector i) for the first vectors, as many as `out` has elements. Throws
+  /// Error if `x` is of another kind or dimension than the vectors. Safe to call from several
+  /// threads.
   virtual void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const = 0;
 };
 

@@ -19,9 +19,9 @@ class SupportSet {
   /// Error. May be empty.
   SupportSet(const Kernel& kernel, std::vector<Feature> vectors);
 
-  /// kernel.measure(x, vector i) for every i, into `out` of size() elements.
+  /// kernel.measure(x, vector i) for the first vectors, as many as `out` has elements.
   void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
-  /// kernel(x, vector i) for every i, into `out` of size() elements.
+  /// kernel(x, vector i), likewise.
   void kernelValues(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
 
   std::size_t size() const { return vectors_.size(); }

@@ -159,16 +159,22 @@ double VectorIndex::total(const SparseVector& x) const {
   return sum;
 }
 
-std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x) const {
+std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x,
+                                                           std::size_t vectors) const {
   std::vector<Postings> bins;
   bins.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     table_.prefetch(x.indices[std::min(i + kLookupsAhead, x.size() - 1)]);
     const BinTable::Slot& slot = table_.find(x.indices[i]);
     if (slot.count == kRow) {
-      bins.push_back({&rows_[slot.begin * totals_.size()], nullptr, totals_.size(), x.values[i]});
+      bins.push_back({&rows_[slot.begin * totals_.size()], nullptr, vectors, x.values[i]});
     } else if (slot.count != 0) {
-      bins.push_back({&values_[slot.begin], &vectors_[slot.begin], slot.count, x.values[i]});
+      const std::uint32_t* first = &vectors_[slot.begin];
+      std::size_t count = slot.count;  // in ascending order of vectors
+      if (vectors < totals_.size()) {
+        count = static_cast<std::size_t>(std::lower_bound(first, first + count, vectors) - first);
+      }
+      bins.push_back({&values_[slot.begin], first, count, x.values[i]});
     }
   }
   return bins;
@@ -178,7 +184,7 @@ void VectorIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) co
   if (totals_.empty()) return;
   SparseVector scratch;
   const SparseVector& sparse = asSparse(x, scratch);
-  const std::vector<Postings> bins = postingsOf(sparse);
+  const std::vector<Postings> bins = postingsOf(sparse, static_cast<std::size_t>(out.size()));
   out.setZero();
   switch (measure_) {
     case Measure::kChiSquared:

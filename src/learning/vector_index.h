@@ -35,7 +35,8 @@ class VectorIndex : public SupportIndex {
   double total(const SparseVector& x) const;
   /// Gives every bin, counted in the table, its place in values_ or rows_.
   void layOut();
-  std::vector<Postings> postingsOf(const SparseVector& x) const;
+  /// Of the bins of `x`, of the first `vectors` vectors.
+  std::vector<Postings> postingsOf(const SparseVector& x, std::size_t vectors) const;
 
   Measure measure_;
   std::size_t kind_ = 0;        ///< index of the alternative of Feature

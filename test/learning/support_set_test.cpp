@@ -60,6 +60,18 @@ TEST_P(SupportSetOf, WorksForAnyNumberOfVectors) {
   }
 }
 
+TEST_P(SupportSetOf, ComparesWithTheFirstVectorsAlone) {
+  const SupportSet set(kernel_, draw(150));
+  const Feature x = GetParam().draw(random_);
+  Eigen::VectorXd all(set.size());
+  set.measures(x, all);
+  for (const Eigen::Index count : {0, 1, 49, 149}) {
+    Eigen::VectorXd first(count);
+    set.measures(x, first);
+    EXPECT_EQ(first, all.head(count));
+  }
+}
+
 TEST_P(SupportSetOf, OwnMeasureIsExact) {
   const SupportSet set(kernel_, draw(50));
   Eigen::VectorXd measures(set.size());
