@@ -34,6 +34,18 @@ struct CueOptions {
   }
 };
 
+/// Further pictures to learn from, made of those of the runs.
+struct AugmentationOptions {
+  bool other_light = false;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("other_light", self.other_light,
+            "learn each picture a second time as it would look darker, brighter, warmer or colder, "
+            "in turn");
+  }
+};
+
 /// Cross-validation within the training runs: for gamma, for the probabilities, for `unknown`.
 struct ValidationOptions {
   int folds = 5;
@@ -62,6 +74,7 @@ struct UnknownOptions {
 /// Everything that `train` can be told; read from YAML (config/), stored in the model.
 struct TrainingOptions {
   ImageOptions image;
+  AugmentationOptions augmentation;
   std::vector<CueOptions> cues{CueOptions()};
   SvmOptions svm;
   ReductionOptions reduction;
@@ -72,6 +85,7 @@ struct TrainingOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("image", self.image, "preparation of the image");
+    visitor("augmentation", self.augmentation, "further pictures made of those of the runs");
     visitor("cues", self.cues, "one or more cues; their margins are combined");
     visitor("svm", self.svm, "the machines");
     visitor("reduction", self.reduction, "support vector reduction");

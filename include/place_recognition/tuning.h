@@ -23,7 +23,7 @@ struct SearchSpace {
   std::vector<double> gamma_factors = {0.25, 1, 4};
   std::vector<double> c = {10, 100, 1000};
   int max_cues = 3;
-  bool change_light = true;
+  bool other_light = true;
   int first_pictures = 200;
   int max_pictures = 1000;
 
@@ -39,9 +39,10 @@ struct SearchSpace {
             "gamma, as multiples of one over twice the typical distance");
     visitor("c", self.c, "price of a training error");
     visitor("max_cues", self.max_cues, "that are combined at most, 1..8");
-    visitor("change_light", self.change_light,
-            "whether held-out pictures are judged darker, brighter, warmer and colder, too; not "
-            "where the rooms are only ever seen in the light of the runs");
+    visitor(
+        "other_light", self.other_light,
+        "judge held-out pictures a second time, in other light, and have `train` learn from such "
+        "ones, too; not where the rooms are only ever seen in the light of the runs");
     visitor("first_pictures", self.first_pictures,
             "the first round looks at about this many, each later one at twice as many");
     visitor("max_pictures", self.max_pictures, "the last round looks at about this many");
@@ -56,9 +57,9 @@ struct TuningTrial {
   std::vector<CueOptions> cues;  ///< with the gamma tried
   double c = 0;                  ///< price of a training error
   std::uint64_t pictures = 0;    ///< looked at
-  double log_loss = 0;  ///< nats a picture, rooms weighted alike, all lights; the criterion
-  double rate = 0;      ///< mean of the rooms' rates in the light of the recording
-  double changed_light_rate = 0;  ///< the same in changed light; 0 if that was not asked for
+  double log_loss = 0;          ///< nats a picture, rooms weighted alike, all lights; the criterion
+  double rate = 0;              ///< mean of the rooms' rates in the light of the recording
+  double other_light_rate = 0;  ///< the same in other light; 0 if that was not asked for
 };
 
 /// What tune() found.
@@ -76,10 +77,11 @@ struct Tuning {
 ///
 /// Folds are whole runs if two or more of them hold every place, else contiguous blocks of time;
 /// if `hold_out` is not empty, one split: trained on `runs`, tested on `hold_out`. Tested pictures
-/// are judged in the light of the recording and in changed light, because a recording cannot tell
-/// which features survive the night. The criterion is the log loss of the calibrated probabilities:
-/// it uses how sure the answers are, where a rate of a few hundred frames only knows right and
-/// wrong. What is simpler wins if it is within one standard error (of the paired difference).
+/// are judged in the light of the recording and in other light (see AugmentationOptions), because
+/// a recording cannot tell which features survive the night. The criterion is the log loss of the
+/// calibrated probabilities: it uses how sure the answers are, where a rate of a few hundred frames
+/// only knows right and wrong. What is simpler wins if it is within one standard error (of the
+/// paired difference).
 ///
 /// 1. For each set of descriptors, scales and bins by successive halving: round by round fewer
 ///    candidates and more pictures. 2. Gamma for each survivor. 3. Cues are added one at a time,

@@ -93,4 +93,23 @@ std::vector<Fold> timeBlockFolds(const Samples& samples, int count, int gap) {
   return folds;
 }
 
+std::vector<Fold> withCopies(std::vector<Fold> folds, const std::vector<int>& source,
+                             bool train_on_copies) {
+  std::vector<std::vector<int>> copies(source.size());
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    if (source[i] != static_cast<int>(i)) copies[source[i]].push_back(static_cast<int>(i));
+  }
+  const auto addCopies = [&copies](std::vector<int>& samples) {
+    const std::vector<int> originals = samples;
+    for (const int i : originals) {
+      samples.insert(samples.end(), copies[i].begin(), copies[i].end());
+    }
+  };
+  for (Fold& fold : folds) {
+    addCopies(fold.test);
+    if (train_on_copies) addCopies(fold.train);
+  }
+  return folds;
+}
+
 }  // namespace place_recognition

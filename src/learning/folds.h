@@ -24,4 +24,10 @@ struct Fold {
 /// With at least `count` runs that hold every place, whole runs are the blocks instead.
 std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count, int gap);
 
+/// `folds` of the first samples, where later ones are copies of these (`source`: of each sample,
+/// the one that it is a copy of, often itself): what is tested is tested in every copy, and what is
+/// trained on is trained on in every copy if `train_on_copies`.
+std::vector<Fold> withCopies(std::vector<Fold> folds, const std::vector<int>& source,
+                             bool train_on_copies);
+
 }  // namespace place_recognition

@@ -10,7 +10,8 @@ namespace place_recognition {
 // (discriminative accumulation). Dividing by the weights that are present keeps the result in the
 // units that it is calibrated in.
 
-/// Held-out margins of the cues, and their familiarity, combined; valid where any cue of positive weight is.
+/// Held-out margins of the cues, and their familiarity, combined; valid where any cue of positive
+/// weight is.
 HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& weights);
 
 /// The weights, in steps of a tenth (coarser for many cues) and with the sum 1, for the mean rate

@@ -22,6 +22,9 @@ std::vector<int> positions(const std::vector<std::string>& names,
 /// Numbers places and runs as `samples` does, and appends `part` to it.
 void append(Samples part, int first_run, Samples& samples) {
   const std::vector<int> places = positions(part.places, samples.places);
+  const int first_sample = static_cast<int>(samples.origins.size());
+  for (const int source : part.source) samples.source.push_back(first_sample + source);
+  samples.recorded += part.recorded;
   for (SampleOrigin origin : part.origins) {
     origin.place = places[static_cast<std::size_t>(origin.place)];
     origin.run += first_run;
@@ -59,6 +62,7 @@ Samples rememberedSamples(const Model& model) {
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     const Classifier& classifier = model.classifiers[c];
     for (std::size_t i = 0; i < classifier.supportVectorCount(); ++i) {
+      samples.source.push_back(static_cast<int>(samples.origins.size()));
       samples.origins.push_back({classifier.vectorPlaces()[i], 0, static_cast<double>(i)});
       for (std::size_t other = 0; other < model.classifiers.size(); ++other) {
         samples.features[other].push_back(other == c ? classifier.supportSet().vectors()[i]
@@ -66,7 +70,7 @@ Samples rememberedSamples(const Model& model) {
       }
     }
   }
-  samples.remembered = samples.origins.size();
+  samples.recorded = samples.remembered = samples.origins.size();
   return samples;
 }
 

@@ -6,6 +6,7 @@
 
 #include "place_recognition/error.h"
 #include "recognition/extraction_pool.h"
+#include "recognition/light.h"
 #include "recognition/names.h"
 
 namespace place_recognition {
@@ -18,6 +19,12 @@ struct Record {
   double stamp = 0;
   std::string name;
   ExtractedFeatures extracted;
+  ExtractedFeatures in_other_light;  // if that is asked for
+
+  bool hasFeature() const { return extracted.problem.empty(); }
+  bool hasFeatureInOtherLight() const {
+    return !in_other_light.features.empty() && in_other_light.problem.empty();
+  }
 };
 
 /// What the label of a frame says, used or not.
@@ -52,7 +59,8 @@ std::string warningOf(const std::string& run, const Skipped& skipped) {
 /// Reads runs and remembers what came of each frame.
 class Collector {
  public:
-  Collector(const TrainingOptions& options, unsigned threads) : pool_(options, threads) {}
+  Collector(const TrainingOptions& options, unsigned threads)
+      : other_light_(options.augmentation.other_light), pool_(options, threads) {}
 
   void read(Run& run, const Progress& progress) {
     inputs_.push_back(run.name());
@@ -99,14 +107,18 @@ class Collector {
       skipped_.back().add(frame.name, frame.problem);
     } else {
       const int run = static_cast<int>(inputs_.size()) - 1;
-      records_.push_back({frame.place, run, frame.stamp, frame.name, {}});
+      records_.push_back({frame.place, run, frame.stamp, frame.name, {}, {}});
       pool_.submit(frame.image, records_.back().extracted);
+      if (other_light_) {
+        const Light& light = otherLights()[records_.size() % otherLights().size()];
+        pool_.submit(inLight(frame.image, light), records_.back().in_other_light);
+      }
     }
   }
 
   void dropFeatureless() {
     const auto featureless = [this](const Record& record) {
-      if (record.extracted.problem.empty()) return false;
+      if (record.hasFeature()) return false;
       skipped_[record.run].add(record.name, record.extracted.problem);
       return true;
     };
@@ -146,12 +158,24 @@ class Collector {
     for (Record& record : records_) {
       const auto place =
           std::lower_bound(samples.places.begin(), samples.places.end(), record.place);
-      samples.origins.push_back(
-          {static_cast<int>(place - samples.places.begin()), record.run, record.stamp});
-      ++samples.images[static_cast<std::size_t>(samples.origins.back().place)];
-      for (std::size_t c = 0; c < cues; ++c) {
-        samples.features[c].push_back(std::move(record.extracted.features[c]));
-      }
+      const SampleOrigin origin{static_cast<int>(place - samples.places.begin()), record.run,
+                                record.stamp};
+      ++samples.images[static_cast<std::size_t>(origin.place)];
+      append(origin, static_cast<int>(samples.origins.size()), record.extracted, samples);
+    }
+    samples.recorded = samples.origins.size();
+    for (std::size_t i = 0; i < samples.recorded; ++i) {
+      if (!records_[i].hasFeatureInOtherLight()) continue;
+      append(samples.origins[i], static_cast<int>(i), records_[i].in_other_light, samples);
+    }
+  }
+
+  static void append(SampleOrigin origin, int source, ExtractedFeatures& extracted,
+                     Samples& samples) {
+    samples.origins.push_back(origin);
+    samples.source.push_back(source);
+    for (std::size_t c = 0; c < samples.features.size(); ++c) {
+      samples.features[c].push_back(std::move(extracted.features[c]));
     }
   }
 
@@ -176,6 +200,7 @@ class Collector {
   std::deque<Record> records_;           // stay where they are while threads fill them
   std::set<std::string> places_;
   std::uint64_t frames_ = 0;
+  bool other_light_;
   ExtractionPool pool_;  // the last member: its threads end first
 };
 

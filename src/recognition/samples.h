@@ -10,23 +10,26 @@
 
 namespace place_recognition {
 
-/// What training keeps of the labelled frames of its runs.
+/// What training keeps of the labelled frames of its runs: first those in the light of the
+/// recording, in the order of the runs, then the same frames in other light, if that is asked for.
 struct Samples {
   std::vector<std::string> places;             ///< names, ascending
   std::vector<SampleOrigin> origins;           ///< one a sample; place: index into `places`
   std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
-  std::size_t remembered = 0;         ///< the first ones, from a model and not from these runs
+  std::vector<int> source;                     ///< of each sample: the recorded one that it shows
+  std::size_t recorded = 0;                    ///< how many show the light of the recording
+  std::size_t remembered = 0;         ///< the first of these, from a model, not from these runs
   std::vector<std::uint64_t> images;  ///< of each place, that it was learnt from in all
   std::vector<std::string> inputs;    ///< names of the runs
   Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
-  std::uint64_t skipped = 0;  ///< frames without label, without picture or without any feature
+  std::uint64_t skipped = 0;          ///< frames without label, picture or any feature
   std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
 };
 
 /// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
-/// one a core); a few frames at most wait in between. The samples are in the order of the runs.
-/// Throws Error if there is no picture, no label, a label that cannot name a place, or if fewer
-/// than `least_places` have samples; Cancelled if `progress` asks for it.
+/// one a core); a few frames at most wait in between. Throws Error if there is no picture, no
+/// label, a label that cannot name a place, or if fewer than `least_places` have samples; Cancelled
+/// if `progress` asks for it.
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                        unsigned threads, const Progress& progress, std::size_t least_places = 2);
 

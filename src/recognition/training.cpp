@@ -45,6 +45,15 @@ std::size_t Model::supportVectorCount() const {
 
 namespace {
 
+/// Blocks of time, which are trained on and tested in every light that there is of them.
+std::vector<Fold> foldsOf(const Samples& samples, const ValidationOptions& validation) {
+  const auto recorded = static_cast<std::ptrdiff_t>(samples.recorded);
+  const std::vector<SampleOrigin> origins(samples.origins.begin(),
+                                          samples.origins.begin() + recorded);
+  return withCopies(timeBlockFolds(origins, validation.folds, validation.gap), samples.source,
+                    true);
+}
+
 /// Support vectors are the hard cases of a run: only fresh samples judge.
 void judgeByFreshSamples(std::size_t remembered, std::vector<TrainedCue>& cues) {
   for (TrainedCue& cue : cues) {
@@ -58,8 +67,7 @@ void judgeByFreshSamples(std::size_t remembered, std::vector<TrainedCue>& cues) 
 Training learn(Samples samples, const TrainingOptions& options, unsigned threads,
                const Progress& progress) {
   const std::size_t places = samples.places.size();
-  const std::vector<Fold> folds =
-      timeBlockFolds(samples.origins, options.validation.folds, options.validation.gap);
+  const std::vector<Fold> folds = foldsOf(samples, options.validation);
   const TrainingTask task{samples.origins, places, folds, options.svm, threads, progress};
 
   const std::vector<ReductionOptions> reductions = reductionsInQuestion(options.reduction);
@@ -98,7 +106,7 @@ Training learn(Samples samples, const TrainingOptions& options, unsigned threads
   model.adjacency = samples.adjacency;
   model.provenance = provenanceOf(samples);
 
-  training.images = samples.origins.size() - samples.remembered;
+  training.images = samples.recorded - samples.remembered;
   training.warnings = samples.warnings;
   warnOfFewImages(samples, options.validation.folds, training.warnings);
   report(progress, "Calibrating", 1);

@@ -62,7 +62,7 @@ std::string gammasOf(const std::vector<CueOptions>& cues) {
 std::vector<std::string> rowOf(const TuningTrial& trial) {
   return {trial.stage + ": " + namesOf(trial.cues), gammasOf(trial.cues),     fixed(trial.c, 0),
           std::to_string(trial.pictures),           fixed(trial.log_loss, 3), percent(trial.rate),
-          percent(trial.changed_light_rate)};
+          percent(trial.other_light_rate)};
 }
 
 /// The trials as a table, those for which `wanted` holds.
@@ -88,8 +88,8 @@ std::string yamlOf(const Tuning& tuning, const std::vector<std::string>& inputs)
   for (const std::string& input : inputs) header += " " + input;
   header += tuning.complete ? ".\n" : "; stopped before its end.\n";
   header += "Held-out pictures: log loss " + fixed(tuning.best.log_loss, 3) + ", " +
-            percent(tuning.best.rate) + " right, " + percent(tuning.best.changed_light_rate) +
-            " in changed light.\n\nEverything that was tried:\n" +
+            percent(tuning.best.rate) + " right, " + percent(tuning.best.other_light_rate) +
+            " in other light.\n\nEverything that was tried:\n" +
             table(tuning.trials, [](const TuningTrial&) { return true; });
   return asComment(header) + "\n" + writeOptions(tuning.options);
 }
@@ -105,7 +105,7 @@ Json jsonOf(const TuningTrial& trial) {
           {"pictures", trial.pictures},
           {"log_loss", trial.log_loss},
           {"rate", trial.rate},
-          {"changed_light_rate", trial.changed_light_rate}};
+          {"other_light_rate", trial.other_light_rate}};
 }
 
 Json figures(const Tuning& tuning, const std::string& path) {
@@ -127,7 +127,7 @@ void printSummary(const Tuning& tuning, const std::string& path, std::ostream& o
 
 void tune(const TuneOptions& options) {
   SearchSpace space = readSpace(options.space);
-  if (options.same_light) space.change_light = false;
+  if (options.same_light) space.other_light = false;
   const TrainingOptions base = readBase(options.configuration);
   requireWritable(options.out);
   const std::vector<RunOpener> runs = options.input.openers(options.inputs);
@@ -163,7 +163,7 @@ void addTune(CLI::App& tool) {
       ->type_name("FILE");
   verb->add_flag("--same-light", options->same_light,
                  "The rooms will only be seen in the light of these runs: do not judge the\n"
-                 "held-out pictures in changed light, too");
+                 "held-out pictures in other light, too");
   options->configuration.addTo(*verb);
   options->input.addTo(*verb);
   verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");

@@ -16,7 +16,7 @@ bool hasGamma(const KernelOptions& kernel) {
 }  // namespace
 
 CueComparison::CueComparison(CueOptions cue, std::vector<Feature> features,
-                             const LitSamples& samples, unsigned threads)
+                             const TuningSamples& samples, unsigned threads)
     : cue_(std::move(cue)), samples_(samples) {
   std::vector<Feature> present;
   std::size_t recorded = 0;

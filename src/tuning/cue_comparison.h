@@ -5,7 +5,7 @@
 
 #include "place_recognition/training_options.h"
 #include "recognition/held_out.h"
-#include "tuning/lit_samples.h"
+#include "tuning/tuning_samples.h"
 
 namespace place_recognition {
 
@@ -14,7 +14,7 @@ namespace place_recognition {
 class CueComparison {
  public:
   /// Compares `features` of all `samples`, which must outlive this.
-  CueComparison(CueOptions cue, std::vector<Feature> features, const LitSamples& samples,
+  CueComparison(CueOptions cue, std::vector<Feature> features, const TuningSamples& samples,
                 unsigned threads);
 
   /// The gamma that stands to reason; 0 for a kernel without.
@@ -29,7 +29,7 @@ class CueComparison {
 
  private:
   CueOptions cue_;
-  const LitSamples& samples_;
+  const TuningSamples& samples_;
   std::vector<int> rows_;     // of each sample in measures_; -1: it lacks the cue
   Eigen::MatrixXd measures_;  // all samples that have the cue x recorded ones that have it
   double neutral_gamma_ = 0;

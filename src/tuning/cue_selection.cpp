@@ -52,7 +52,7 @@ std::vector<HeldOut> heldOutOf(const std::vector<CueChoice>& choices) {
 }  // namespace
 
 std::vector<CueChoice> chooseGammas(const std::vector<CueComparison>& comparisons,
-                                    const LitSamples& samples, Search& search) {
+                                    const TuningSamples& samples, Search& search) {
   search.stage = "gamma";
   search.best.reset();
   std::vector<CueChoice> choices;
@@ -77,7 +77,7 @@ std::vector<CueChoice> chooseGammas(const std::vector<CueComparison>& comparison
   return choices;
 }
 
-std::vector<CueChoice> chooseCues(std::vector<CueChoice> choices, const LitSamples& samples,
+std::vector<CueChoice> chooseCues(std::vector<CueChoice> choices, const TuningSamples& samples,
                                   Search& search) {
   const auto best = std::min_element(
       choices.begin(), choices.end(),
@@ -113,7 +113,7 @@ std::vector<CueChoice> chooseCues(std::vector<CueChoice> choices, const LitSampl
   return chosen;
 }
 
-double chooseC(const std::vector<CueChoice>& chosen, const LitSamples& samples, Search& search) {
+double chooseC(const std::vector<CueChoice>& chosen, const TuningSamples& samples, Search& search) {
   search.stage = "C";
   const std::vector<double> values = nearestFirst(search.space.c, search.base.svm.c);
   std::vector<Score> scores;

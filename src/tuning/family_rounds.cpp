@@ -41,9 +41,8 @@ Progress partOfRound(const Search& search, std::size_t index, std::size_t famili
 std::vector<CueOptions> bestOf(const Family& family, std::size_t count, std::size_t step,
                                const Progress& progress, Search& search) {
   if (family.cues.size() <= count) return family.cues;
-  LitSamples samples =
-      collectLitSamples(search.runs, search.withCues(family.cues), step,
-                        lightsToJudge(search.space.change_light), search.threads, progress);
+  TuningSamples samples = collectTuningSamples(search.runs, search.withCues(family.cues), step,
+                                               search.threads, progress);
   std::vector<Score> scores;
   for (std::size_t c = 0; c < family.cues.size(); ++c) {
     report(progress, "", 1);

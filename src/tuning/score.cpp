@@ -7,7 +7,7 @@ namespace place_recognition {
 namespace {
 
 /// In every light.
-std::vector<int> testedSamples(const LitSamples& samples) {
+std::vector<int> testedSamples(const TuningSamples& samples) {
   std::vector<int> tested;
   for (const Fold& fold : samples.folds) {
     tested.insert(tested.end(), fold.test.begin(), fold.test.end());
@@ -17,7 +17,7 @@ std::vector<int> testedSamples(const LitSamples& samples) {
 
 /// Of the recorded samples that were tested.
 template <typename Value>
-RoomMean meanOfTested(const LitSamples& samples, const Value& value) {
+RoomMean meanOfTested(const TuningSamples& samples, const Value& value) {
   std::vector<int> truth;
   std::vector<double> values;
   for (const int i : testedSamples(samples)) {
@@ -30,21 +30,21 @@ RoomMean meanOfTested(const LitSamples& samples, const Value& value) {
 
 }  // namespace
 
-Score score(const HeldOut& held_out, const LitSamples& samples) {
+Score score(const HeldOut& held_out, const TuningSamples& samples) {
   const std::vector<int> tested = testedSamples(samples);
   const std::vector<double> losses = logLosses(held_out, samples.origins, tested);
   Score result;
   result.losses.assign(samples.recorded, 0);
   std::vector<int> lights(samples.recorded, 0);
-  std::vector<int> truth, answers, changed_truth, changed_answers;
+  std::vector<int> truth, answers, other_truth, other_answers;
   for (std::size_t k = 0; k < tested.size(); ++k) {
     const int i = tested[k];
     const int source = samples.source[i];
     result.losses[source] += losses[k];
     ++lights[source];
     const int answer = held_out.valid[i] ? largest(held_out.margins.row(i)) : -1;
-    (source == i ? truth : changed_truth).push_back(samples.origins[i].place);
-    (source == i ? answers : changed_answers).push_back(answer);
+    (source == i ? truth : other_truth).push_back(samples.origins[i].place);
+    (source == i ? answers : other_answers).push_back(answer);
   }
   for (std::size_t i = 0; i < samples.recorded; ++i) {
     if (lights[i] > 0) result.losses[i] /= lights[i];
@@ -53,11 +53,11 @@ Score score(const HeldOut& held_out, const LitSamples& samples) {
   result.log_loss = mean.mean;
   result.standard_error = mean.standard_error;
   result.rate = averageRate(truth, answers, samples.places.size());
-  result.changed_light_rate = averageRate(changed_truth, changed_answers, samples.places.size());
+  result.other_light_rate = averageRate(other_truth, other_answers, samples.places.size());
   return result;
 }
 
-double differenceError(const Score& a, const Score& b, const LitSamples& samples) {
+double differenceError(const Score& a, const Score& b, const TuningSamples& samples) {
   return meanOfTested(samples, [&](int i) { return a.losses[i] - b.losses[i]; }).standard_error;
 }
 

@@ -3,26 +3,26 @@
 #include <vector>
 
 #include "recognition/held_out.h"
-#include "tuning/lit_samples.h"
+#include "tuning/tuning_samples.h"
 
 namespace place_recognition {
 
 /// How held-out answers fared.
 struct Score {
-  double log_loss = 0;            ///< mean of the rooms' means of `losses`, nats
-  double standard_error = 0;      ///< of log_loss, as if pictures were independent
-  double rate = 0;                ///< mean of the rooms' rates in the light of the recording
-  double changed_light_rate = 0;  ///< the same in all other lights; 0 if there are none
-  std::vector<double> losses;     ///< of each recorded sample, mean over lights; 0: never tested
+  double log_loss = 0;          ///< mean of the rooms' means of `losses`, nats
+  double standard_error = 0;    ///< of log_loss, as if pictures were independent
+  double rate = 0;              ///< mean of the rooms' rates in the light of the recording
+  double other_light_rate = 0;  ///< the same in all other lights; 0 if there are none
+  std::vector<double> losses;   ///< of each recorded sample, mean over lights; 0: never tested
 };
 
 /// Scores margins by -log of the probability that they give to the true room, after calibration on
 /// these very margins (one number, which a few hundred pictures determine well). A sample whose
 /// margins are missing counts as an answer that knows nothing.
-Score score(const HeldOut& held_out, const LitSamples& samples);
+Score score(const HeldOut& held_out, const TuningSamples& samples);
 
 /// Standard error of the difference of two scores' log losses: pictures that are hard for both
 /// cancel out. As if pictures were independent.
-double differenceError(const Score& a, const Score& b, const LitSamples& samples);
+double differenceError(const Score& a, const Score& b, const TuningSamples& samples);
 
 }  // namespace place_recognition

@@ -13,19 +13,20 @@ const Score& leastOf(const std::vector<Score>& scores) {
 }  // namespace
 
 const TuningTrial& Search::note(const std::vector<CueOptions>& cues, double c,
-                                const LitSamples& samples, const Score& score) {
+                                const TuningSamples& samples, const Score& score) {
   trials.push_back(
-      {stage, cues, c, samples.recorded, score.log_loss, score.rate, score.changed_light_rate});
+      {stage, cues, c, samples.recorded, score.log_loss, score.rate, score.other_light_rate});
   return trials.back();
 }
 
 TrainingOptions Search::withCues(const std::vector<CueOptions>& cues) const {
   TrainingOptions options = base;
   options.cues = cues;
+  options.augmentation.other_light = space.other_light;
   return options;
 }
 
-std::size_t firstAsGood(const std::vector<Score>& scores, const LitSamples& samples) {
+std::size_t firstAsGood(const std::vector<Score>& scores, const TuningSamples& samples) {
   const Score& least = leastOf(scores);
   std::size_t i = 0;
   while (scores[i].log_loss - least.log_loss > differenceError(scores[i], least, samples)) ++i;

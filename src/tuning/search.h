@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "place_recognition/tuning.h"
-#include "tuning/lit_samples.h"
 #include "tuning/score.h"
+#include "tuning/tuning_samples.h"
 
 namespace place_recognition {
 
@@ -23,16 +23,16 @@ struct Search {
   std::optional<TuningTrial> best = {};  ///< if the search ended now
 
   /// Notes a trial of the current stage.
-  const TuningTrial& note(const std::vector<CueOptions>& cues, double c, const LitSamples& samples,
-                          const Score& score);
+  const TuningTrial& note(const std::vector<CueOptions>& cues, double c,
+                          const TuningSamples& samples, const Score& score);
 
-  /// `base` with the cues of a family, for extracting their features.
+  /// `base` with other cues, and in the lights that are asked for.
   TrainingOptions withCues(const std::vector<CueOptions>& cues) const;
 };
 
 /// The first of `scores`, which stand in the order of preference, that is as good as the best: its
 /// log loss is less than one standard error of the difference above the least.
-std::size_t firstAsGood(const std::vector<Score>& scores, const LitSamples& samples);
+std::size_t firstAsGood(const std::vector<Score>& scores, const TuningSamples& samples);
 
 /// The same with the standard error of the least log loss itself, which is larger: for what hardly
 /// matters on the same recording, as gamma, and whose extremes often fail on the next one.

@@ -9,14 +9,12 @@ namespace {
 
 class ThinnedRun : public Run {
  public:
-  ThinnedRun(std::unique_ptr<Run> run, std::size_t step, const Light& light)
-      : Run(run->name()), run_(std::move(run)), step_(step), light_(light) {}
+  ThinnedRun(std::unique_ptr<Run> run, std::size_t step)
+      : Run(run->name()), run_(std::move(run)), step_(step) {}
 
   bool next(Frame& frame) override {
     while (run_->next(frame)) {
-      if (frame.place.empty() || seen_[frame.place]++ % step_ != 0) continue;
-      if (!frame.image.empty()) frame.image = inLight(frame.image, light_);
-      return true;
+      if (!frame.place.empty() && seen_[frame.place]++ % step_ == 0) return true;
     }
     return false;
   }
@@ -26,14 +24,13 @@ class ThinnedRun : public Run {
  private:
   std::unique_ptr<Run> run_;
   std::size_t step_;
-  Light light_;
   std::map<std::string, std::size_t> seen_;  // frames of each place so far
 };
 
 }  // namespace
 
-std::unique_ptr<Run> thinOut(std::unique_ptr<Run> run, std::size_t step, const Light& light) {
-  return std::make_unique<ThinnedRun>(std::move(run), step, light);
+std::unique_ptr<Run> thinOut(std::unique_ptr<Run> run, std::size_t step) {
+  return std::make_unique<ThinnedRun>(std::move(run), step);
 }
 
 }  // namespace place_recognition

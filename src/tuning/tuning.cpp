@@ -15,9 +15,8 @@ void look(Search& search, std::uint64_t& pictures) {
   const std::vector<CueOptions> winners =
       bestOfEach(candidateFamilies(search.base, search.space), thinning, search);
 
-  LitSamples samples =
-      collectLitSamples(search.runs, search.withCues(winners), thinning.last,
-                        lightsToJudge(search.space.change_light), search.threads, search.progress);
+  TuningSamples samples = collectTuningSamples(search.runs, search.withCues(winners), thinning.last,
+                                               search.threads, search.progress);
   std::vector<CueComparison> comparisons;
   for (std::size_t c = 0; c < winners.size(); ++c) {
     report(search.progress, "Comparing pictures",

@@ -10,8 +10,8 @@ namespace place_recognition {
 namespace {
 
 /// Three recorded pictures of two rooms and one of the first of them in other light.
-LitSamples fourSamples() {
-  LitSamples samples;
+TuningSamples fourSamples() {
+  TuningSamples samples;
   samples.places = {"a", "b"};
   samples.origins = {{0, 0, 0}, {0, 0, 1}, {1, 0, 2}, {0, 0, 0}};
   samples.recorded = 3;
@@ -31,7 +31,7 @@ HeldOut margins(const std::vector<std::array<double, 2>>& rows) {
 }
 
 TEST(Score, LogLossIsTheMeanOfTheRoomsMeansOverLights) {
-  const LitSamples samples = fourSamples();
+  const TuningSamples samples = fourSamples();
   const HeldOut held_out = margins({{1, 0}, {0.2, 0}, {0.3, 0.5}, {-0.1, 0}});
   const Calibration calibration = fitCalibration(held_out.margins, std::vector<int>{0, 0, 1, 0});
   const auto loss = [&](int i, int place) {
@@ -42,11 +42,11 @@ TEST(Score, LogLossIsTheMeanOfTheRoomsMeansOverLights) {
   EXPECT_NEAR(result.losses[0], first, 1e-12);
   EXPECT_NEAR(result.log_loss, ((first + loss(1, 0)) / 2 + loss(2, 1)) / 2, 1e-12);
   EXPECT_DOUBLE_EQ(result.rate, 1);
-  EXPECT_DOUBLE_EQ(result.changed_light_rate, 0);
+  EXPECT_DOUBLE_EQ(result.other_light_rate, 0);
 }
 
 TEST(Score, MissingMarginsKnowNothing) {
-  const LitSamples samples = fourSamples();
+  const TuningSamples samples = fourSamples();
   HeldOut held_out = margins({{1, 0}, {0, 0}, {0, 1}, {1, 0}});
   held_out.valid[1] = false;
   const Score result = score(held_out, samples);
@@ -55,7 +55,7 @@ TEST(Score, MissingMarginsKnowNothing) {
 }
 
 TEST(Score, ErrorOfADifferenceIsThatOfPairedMeans) {
-  const LitSamples samples = fourSamples();
+  const TuningSamples samples = fourSamples();
   Score a, b;
   a.losses = {0.5, 0.1, 0.7};
   b.losses = {0.2, 0.2, 0.3};

@@ -52,7 +52,7 @@ TEST(Tune, ColourIsChosenWhereOnlyColourTells) {
     cv::merge(channels, frames[i].image);
   }
   SearchSpace space = smallSpace();
-  space.change_light = false;
+  space.other_light = false;
   const Tuning tuning = tune({opener(frames)}, kNone, withoutCues(), space);
   EXPECT_EQ(tuning.options.cues.front().name.substr(0, 5), "R-G-B");
 }

@@ -13,12 +13,11 @@ struct Light {
   double blue = 1;
 };
 
-/// As recorded first; if `change`, then darker, brighter, warmer and colder by about as much as
-/// automatic exposure and white balance leave over.
-std::vector<Light> lightsToJudge(bool change);
+/// Darker, brighter, warmer and colder, by about as much as automatic exposure and white balance
+/// leave over.
+const std::vector<Light>& otherLights();
 
-/// `image` (CV_8UC3 BGR or CV_8UC1 grey) in that light, saturated at white; the image itself if the
-/// light does not change it.
+/// `image` (CV_8UC3 BGR or CV_8UC1 grey) in that light, saturated at white.
 cv::Mat inLight(const cv::Mat& image, const Light& light);
 
 }  // namespace place_recognition

@@ -1,0 +1,72 @@
+#include "tuning/tuning_samples.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "tuning/thinned_run.h"
+
+namespace place_recognition {
+namespace {
+
+std::vector<RunOpener> thinnedOpeners(const TuningRuns& runs, std::size_t step) {
+  std::vector<RunOpener> openers;
+  for (const std::vector<RunOpener>* group : {&runs.runs, &runs.hold_out}) {
+    for (const RunOpener& open : *group) {
+      openers.push_back([open, step] { return thinOut(open(), step); });
+    }
+  }
+  return openers;
+}
+
+/// Reading one of many runs as a part of the whole.
+Progress partOf(const Progress& whole, std::size_t runs, std::size_t& opened) {
+  return [&whole, runs, &opened](const std::string&, double fraction) {
+    if (fraction == 0) ++opened;
+    const double done = static_cast<double>(opened) - 1 + fraction;
+    return !whole || whole("Extracting features", done / static_cast<double>(runs));
+  };
+}
+
+/// Runs that hold every place.
+int completeRuns(const std::vector<SampleOrigin>& origins, std::size_t places) {
+  std::map<int, std::set<int>> places_of_run;
+  for (const SampleOrigin& origin : origins) places_of_run[origin.run].insert(origin.place);
+  return static_cast<int>(
+      std::count_if(places_of_run.begin(), places_of_run.end(),
+                    [&](const auto& run) { return run.second.size() == places; }));
+}
+
+/// Folds of the recorded samples.
+std::vector<Fold> recordedFolds(const Samples& samples, const TuningRuns& runs,
+                                const ValidationOptions& validation) {
+  const std::vector<SampleOrigin> origins(
+      samples.origins.begin(), samples.origins.begin() + static_cast<long>(samples.recorded));
+  if (!runs.hold_out.empty()) {
+    Fold fold;
+    for (std::size_t i = 0; i < origins.size(); ++i) {
+      const bool trained_on = origins[i].run < static_cast<int>(runs.runs.size());
+      (trained_on ? fold.train : fold.test).push_back(static_cast<int>(i));
+    }
+    return {fold};
+  }
+  const int complete = completeRuns(origins, samples.places.size());
+  const int count = complete >= 2 ? std::min(complete, validation.folds) : validation.folds;
+  return timeBlockFolds(origins, count, validation.gap);
+}
+
+}  // namespace
+
+TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
+                                   std::size_t step, unsigned threads, const Progress& progress) {
+  const std::vector<RunOpener> openers = thinnedOpeners(runs, step);
+  std::size_t opened = 0;
+  TuningSamples samples{
+      collectSamples(openers, options, threads, partOf(progress, openers.size(), opened)), {}};
+  samples.folds =
+      withCopies(recordedFolds(samples, runs, options.validation), samples.source, false);
+  return samples;
+}
+
+}  // namespace place_recognition

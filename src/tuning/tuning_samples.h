@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "learning/folds.h"
+#include "place_recognition/training.h"
+#include "recognition/samples.h"
+
+namespace place_recognition {
+
+/// The recordings that a search goes by.
+struct TuningRuns {
+  const std::vector<RunOpener>& runs;
+  const std::vector<RunOpener>& hold_out;  ///< tested on and never trained on; may be empty
+};
+
+/// Samples to judge cues by, and how. Trained on is the light of the recording only: what looks
+/// the same in other light has to show without having been seen there.
+struct TuningSamples : Samples {
+  std::vector<Fold> folds;  ///< tested in every light that there is of a sample
+};
+
+/// Features of every `step`-th labelled picture of each place. See collectSamples() for errors.
+TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
+                                   std::size_t step, unsigned threads, const Progress& progress);
+
+}  // namespace place_recognition

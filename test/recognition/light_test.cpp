@@ -1,0 +1,78 @@
+#include "recognition/light.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "place_recognition/recognizer.h"
+#include "recognition/cue_extraction.h"
+#include "recognition/drawn_run.h"
+#include "recognition/samples.h"
+
+namespace place_recognition {
+namespace {
+
+TEST(Light, GainsMultiplyTheirChannelsAndSaturate) {
+  const cv::Mat image(3, 4, CV_8UC3, cv::Scalar(100, 120, 200));
+  const cv::Mat changed = inLight(image, {1.5, 1, 0.5});
+  EXPECT_EQ(changed.at<cv::Vec3b>(1, 2), cv::Vec3b(50, 120, 255));
+  EXPECT_EQ(image.at<cv::Vec3b>(1, 2), cv::Vec3b(100, 120, 200)) << "the image itself stays";
+}
+
+TEST(Light, GreyImagesTakeTheMeanGain) {
+  const cv::Mat image(3, 4, CV_8UC1, cv::Scalar(100));
+  EXPECT_EQ(inLight(image, {1.2, 0.8, 0.4}).at<uchar>(0, 0), 80);
+}
+
+TEST(Light, SamplesComeInOtherLightBehindThoseAsRecorded) {
+  TrainingOptions options = quickOptions();
+  options.augmentation.other_light = true;
+  std::vector<Frame> frames = drawFrames(2, 5);
+  frames[3].place.clear();
+  const Samples samples = collectSamples({opener(frames)}, options, 2, {});
+  ASSERT_EQ(samples.recorded, 9u);
+  ASSERT_EQ(samples.origins.size(), 18u);
+  EXPECT_EQ(samples.images, (std::vector<std::uint64_t>{4, 5}));
+  CueExtraction extraction(options);
+  std::vector<Feature> feature;
+  std::size_t recorded = 0;
+  for (const Frame& frame : frames) {
+    if (frame.place.empty()) continue;
+    const std::size_t copy = samples.recorded + recorded;
+    EXPECT_EQ(samples.source[copy], static_cast<int>(recorded));
+    EXPECT_EQ(samples.origins[copy].place, samples.origins[recorded].place);
+    const Light& light = otherLights()[(recorded + 1) % otherLights().size()];
+    extraction.extract(inLight(frame.image, light), feature);
+    EXPECT_EQ(std::get<SparseVector>(samples.features[0][copy]).values,
+              std::get<SparseVector>(feature[0]).values);
+    ++recorded;
+  }
+}
+
+TEST(Light, FoldsKeepAPictureAndItsCopyTogether) {
+  const std::vector<Fold> folds = withCopies({{{0, 1}, {2}}}, {0, 1, 2, 0, 2}, true);
+  EXPECT_EQ(folds[0].train, (std::vector<int>{0, 1, 3}));
+  EXPECT_EQ(folds[0].test, (std::vector<int>{2, 4}));
+  EXPECT_EQ(withCopies({{{0, 1}, {2}}}, {0, 1, 2, 0, 2}, false)[0].train, (std::vector<int>{0, 1}));
+}
+
+TEST(Light, ARoomLearntInOtherLightIsKnownInIt) {
+  TrainingOptions options = twoCueOptions();
+  const auto rateInTheDark = [&options] {
+    const auto model =
+        std::make_shared<const Model>(train({opener(drawFrames(3, 16))}, options).model);
+    Recognizer recognizer(model);
+    double right = 0;
+    for (const Frame& frame : drawFrames(3, 8, 900)) {
+      const int place = recognizer.recognize(inLight(frame.image, {0.75, 0.75, 0.75})).place;
+      right += model->places[static_cast<std::size_t>(place)] == frame.place ? 1 : 0;
+    }
+    return right;
+  };
+  const double before = rateInTheDark();
+  options.augmentation.other_light = true;
+  EXPECT_GE(rateInTheDark(), before);
+}
+
+}  // namespace
+}  // namespace place_recognition
