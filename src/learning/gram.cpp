@@ -11,7 +11,7 @@ namespace {
 
 /// Features compared at a time: few enough that their sums stay in the cache, many enough that
 /// looking the bins up is a small part of the work.
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kBlock = 1024;
 
 /// Counts finished rows from any thread and reports them, a percent at a time, from the first.
 class RowProgress {
