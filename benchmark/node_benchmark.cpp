@@ -8,11 +8,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iostream>
 #include <mutex>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "views.h"
@@ -113,11 +115,11 @@ class Offer {
   /// Offers `count` images and waits for the answers.
   void run(std::size_t count, double rate) {
     const std::size_t before = answers_.count();
-    const ros::WallTime start = ros::WallTime::now();
+    const auto start = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < count && ros::ok(); ++i) {
       if (rate > 0) {
-        const ros::WallTime due = start + ros::WallDuration(static_cast<double>(i) / rate);
-        (due - ros::WallTime::now()).sleep();
+        const std::chrono::duration<double> due(static_cast<double>(i) / rate);
+        std::this_thread::sleep_until(start + due);
       }
       sensor_msgs::Image& image = images_[i % images_.size()];
       image.header.stamp = ros::Time::now();

@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 import growth
-from measure import Programs, describe_machine
+from measure import Failed, Programs, describe_machine
 from node_run import measure_node
 from rows import ROWS
 
@@ -38,9 +38,14 @@ class Context:
 
     @functools.lru_cache(maxsize=None)
     def _node(self):
-        return measure_node(self.programs, self.recognizer, self.long_frames)
+        try:
+            return measure_node(self.programs, self.recognizer, self.long_frames)
+        except Failed as failure:
+            return failure
 
     def node_figures(self, run):
+        if isinstance(self._node(), Failed):
+            raise self._node()
         return self._node()[run]
 
 
