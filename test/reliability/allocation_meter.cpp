@@ -7,8 +7,13 @@
 #include <cerrno>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#include <sanitizer/allocator_interface.h>
 #define PLACE_RECOGNITION_SANITIZED
+// The sanitizers' own functions; g++ comes without their header, sanitizer/allocator_interface.h.
+extern "C" {
+int __sanitizer_install_malloc_and_free_hooks(void (*on_taken)(const volatile void*, std::size_t),
+                                              void (*on_given)(const volatile void*));
+std::size_t __sanitizer_get_allocated_size(const volatile void* memory);
+}
 #endif
 
 namespace {
@@ -37,7 +42,7 @@ namespace {
 void onTaken(const volatile void*, std::size_t bytes) { taken(bytes); }
 
 void onGiven(const volatile void* memory) {
-  if (memory) given(__sanitizer_get_allocated_size(const_cast<const void*>(memory)));
+  if (memory) given(__sanitizer_get_allocated_size(memory));
 }
 
 const int installed = __sanitizer_install_malloc_and_free_hooks(onTaken, onGiven);
