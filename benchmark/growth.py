@@ -34,7 +34,7 @@ def curves(programs):
         kind, x = name.split('/')[:2]
         time = programs.milliseconds('growth_benchmark', name)
         points.setdefault(kind, []).append((int(x), time))
-    return points
+    return {kind: sorted(curve) for kind, curve in points.items()}  # they ran in any order
 
 
 def training_curve(programs, most_frames):

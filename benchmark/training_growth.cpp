@@ -23,7 +23,9 @@ int main(int argc, char** argv) {
 
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  const auto processor = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
+  const double processor =
+      static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+      1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
   std::cout << "{\"frames\": " << training.images << ", \"seconds\": " << training.seconds
             << ", \"processor_seconds\": " << processor
             << ", \"megabytes\": " << usage.ru_maxrss / 1024
