@@ -1,7 +1,9 @@
 // Any bytes as an image message: the first tells whether they are a compressed picture, or what the
 // fields of a raw image are, then its pixels.
 
+#include <algorithm>
 #include <cstring>
+#include <opencv2/core.hpp>
 
 #include "place_recognition/error.h"
 #include "ros/conversions.h"
