@@ -6,7 +6,9 @@
 namespace place_recognition {
 namespace {
 
-/// Where every gamma needs its own matrix, it is searched on about this many samples.
+/// Gamma is searched on about this many samples at most: the plateau that it is chosen from does
+/// not move with more. Fewer where every gamma needs a matrix of measures of its own.
+constexpr std::size_t kSamplesForSearch = 2000;
 constexpr std::size_t kSamplesForCostlySearch = 120;
 
 /// The features of every n-th sample of each place, the others missing; about `count` in all.
@@ -106,13 +108,14 @@ TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
                     const std::vector<ReductionOptions>& reductions, const TrainingTask& task) {
   double gamma = cue.kernel.gamma;
   const bool costly = !Kernel(cue.kernel).measureIsFreeOfGamma();
-  if (gammaIsOpen(cue.kernel) && costly) {
-    gamma = CueTrainer(thinnedOut(features, task.samples, task.places, kSamplesForCostlySearch),
-                       cue, task)
+  const std::size_t enough = costly ? kSamplesForCostlySearch : kSamplesForSearch;
+  const bool search_apart = costly || features.size() > enough;
+  if (gammaIsOpen(cue.kernel) && search_apart) {
+    gamma = CueTrainer(thinnedOut(features, task.samples, task.places, enough), cue, task)
                 .searchGamma();
   }
   CueTrainer trainer(std::move(features), cue, task);
-  if (gammaIsOpen(cue.kernel) && !costly) gamma = trainer.searchGamma();
+  if (gammaIsOpen(cue.kernel) && !search_apart) gamma = trainer.searchGamma();
   trainer.setGamma(gamma);
   return trainer.train(reductions);
 }

@@ -7,6 +7,7 @@ namespace place_recognition {
 namespace {
 
 constexpr const char* kMethods[] = {"shared-greedy", "shared-qr", "qr"};
+constexpr std::size_t kMostSamplesForAuto = 4000;
 constexpr double kShares[] = {0.70, 0.50, 0.35, 0.25, 0.15};
 
 /// Log losses of the held-out samples with one reduction, against those with another.
@@ -41,11 +42,13 @@ class LossComparison {
 
 }  // namespace
 
-std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options) {
+std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options,
+                                                   std::size_t samples) {
   if (options.method != "auto") return {options};
   ReductionOptions reduction = options;
   reduction.method = "none";
   std::vector<ReductionOptions> reductions{reduction};
+  if (samples > kMostSamplesForAuto) return reductions;
   for (const char* method : kMethods) {
     reduction.method = method;
     for (const double share : kShares) {

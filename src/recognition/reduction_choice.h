@@ -9,8 +9,10 @@ namespace place_recognition {
 
 /// The reductions that `options` leave to choose from: themselves alone or, for the method auto,
 /// none at all, then each method with falling shares of the support vectors, as reduceEach() likes
-/// them.
-std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options);
+/// them. Of more than 4000 samples, auto keeps every vector: factorising their Gram matrices in
+/// every fold would take far longer than the training itself.
+std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options,
+                                                   std::size_t samples);
 
 /// The index of the one that keeps the fewest vectors at no loss: the log loss of held-out samples
 /// (mean of the rooms, see logLosses()) is not above that of the first reduction, and so it is with

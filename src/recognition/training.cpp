@@ -70,7 +70,8 @@ Training learn(Samples samples, const TrainingOptions& options, unsigned threads
   const std::vector<Fold> folds = foldsOf(samples, options.validation);
   const TrainingTask task{samples.origins, places, folds, options.svm, threads, progress};
 
-  const std::vector<ReductionOptions> reductions = reductionsInQuestion(options.reduction);
+  const std::vector<ReductionOptions> reductions =
+      reductionsInQuestion(options.reduction, samples.origins.size());
   std::vector<TrainedCue> cues;
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
     cues.push_back(trainCue(std::move(samples.features[c]), options.cues[c], reductions, task));

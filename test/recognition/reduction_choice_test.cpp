@@ -34,19 +34,25 @@ std::size_t choice(const std::vector<ReductionOptions>& reductions, const std::v
 }
 
 TEST(ReductionChoice, KeepsToWhatWasAskedFor) {
-  const std::vector<ReductionOptions> one = reductionsInQuestion(reduction("qr", 0.5));
+  const std::vector<ReductionOptions> one = reductionsInQuestion(reduction("qr", 0.5), 40);
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].method, "qr");
   EXPECT_EQ(one[0].share, 0.5);
 }
 
 TEST(ReductionChoice, AutoTriesEveryMethodFromManyVectorsToFew) {
-  const std::vector<ReductionOptions> all = reductionsInQuestion(ReductionOptions());
+  const std::vector<ReductionOptions> all = reductionsInQuestion(ReductionOptions(), 40);
   EXPECT_EQ(all[0].method, "none");
   for (std::size_t i = 1; i < all.size(); ++i) {
     all[i].check();
     EXPECT_TRUE(all[i].method != all[i - 1].method || all[i].share < all[i - 1].share) << i;
   }
+}
+
+TEST(ReductionChoice, AutoKeepsAllOfVeryManySamples) {
+  const std::vector<ReductionOptions> all = reductionsInQuestion(ReductionOptions(), 20000);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].method, "none");
 }
 
 TEST(ReductionChoice, TakesTheFewestVectorsAtNoLossThatCanBeTold) {
