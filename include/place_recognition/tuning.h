@@ -64,7 +64,7 @@ struct TuningTrial {
 
 /// What tune() found.
 struct Tuning {
-  TrainingOptions options;          ///< what `train` is to be given
+  TrainingOptions options;          ///< what `train` is to be given; unreduced, as it was judged
   TuningTrial best;                 ///< how they fared
   std::vector<TuningTrial> trials;  ///< everything that was tried, in order
   bool complete = true;             ///< false: stopped early, and the best so far

@@ -47,6 +47,7 @@ Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& ho
   tuning.trials = std::move(search.trials);
   tuning.options = search.withCues(tuning.best.cues);
   tuning.options.svm.c = tuning.best.c;
+  tuning.options.reduction.method = "none";
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   tuning.seconds = elapsed.count();
   return tuning;

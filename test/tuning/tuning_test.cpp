@@ -33,6 +33,7 @@ TEST(Tune, FindsWhatTrainTakes) {
   EXPECT_TRUE(tuning.complete);
   EXPECT_EQ(tuning.pictures, 36u);
   tuning.options.check();
+  EXPECT_EQ(tuning.options.reduction.method, "none") << "nothing else was judged";
   EXPECT_NO_THROW(train(runs, tuning.options));
   EXPECT_GT(tuning.best.rate, 0.9) << "drawn rooms are easily told apart";
   for (const TuningTrial& trial : tuning.trials) {
