@@ -147,6 +147,12 @@ class AutoLabelers : public testing::Test {
     ros::WallDuration(0.03).sleep();
   }
 
+  /// The last one heard; "none" before.
+  std::string lastLabel() {
+    const auto messages = labels_.messages();
+    return messages.empty() ? "none" : messages.back().data;
+  }
+
   void setDeviation(double metres) {
     geometry_msgs::PoseWithCovarianceStamped pose;
     pose.pose.covariance[0] = pose.pose.covariance[7] = metres * metres;
@@ -168,7 +174,7 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   visit(2, 0, 0);  // before tf has connected, perhaps
   ASSERT_TRUE(eventually([this] {
     visit(2, 0, 0);
-    return !labels_.messages().empty() && labels_.messages().back().data == "room0";
+    return lastLabel() == "room0";
   }));
   labels_.clear();
   const ros::Time begin = ros::Time::now();
@@ -181,16 +187,18 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
     visit(4 * room + 3.8, room, 20);  // the doorway
     expectLabels("", 1);
   }
+  EXPECT_TRUE(eventually([this] { return lastLabel().empty(); }));
   setDeviation(0.8);
   visit(2, 0, 21);
   expectLabels("", 1);
+  ros::WallDuration(0.5).sleep();  // no other label tells that it was seen
   setDeviation(0.1);
   visit(2, 0, 22);
   expectLabels("room0", 1);
+  EXPECT_TRUE(eventually([this] { return lastLabel() == "room0"; }));
   camera_.send(drawRoom(0, 23), ros::Time::now().toSec() + 100);  // no pose of that time
   expectLabels("", 1);
-  EXPECT_TRUE(eventually(
-      [this] { return !labels_.messages().empty() && labels_.messages().back().data.empty(); }));
+  EXPECT_TRUE(eventually([this] { return lastLabel().empty(); }));
   ros::WallDuration(0.5).sleep();
   endNode("/auto_labeler", bag);
 
