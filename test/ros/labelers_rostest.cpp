@@ -170,7 +170,6 @@ class AutoLabelers : public testing::Test {
 
 TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   const std::string bag = home() + "/located.bag";
-  std::vector<std::string> expected;
   visit(2, 0, 0);  // before tf has connected, perhaps
   ASSERT_TRUE(eventually([this] {
     visit(2, 0, 0);
@@ -178,26 +177,21 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   }));
   labels_.clear();
   const ros::Time begin = ros::Time::now();
-  const auto expectLabels = [&expected](const std::string& label, int count) {
-    expected.insert(expected.end(), static_cast<std::size_t>(count), label);
-  };
   for (int room = 0; room < 3; ++room) {
     for (unsigned i = 1; i <= 10; ++i) visit(4 * room + 0.5 + 0.3 * i, room, i);
-    expectLabels("room" + std::to_string(room), 10);
+    EXPECT_TRUE(eventually([&] { return lastLabel() == "room" + std::to_string(room); }));
     visit(4 * room + 3.8, room, 20);  // the doorway
-    expectLabels("", 1);
+    EXPECT_TRUE(eventually([this] { return lastLabel().empty(); }));
   }
-  EXPECT_TRUE(eventually([this] { return lastLabel().empty(); }));
   setDeviation(0.8);
-  visit(2, 0, 21);
-  expectLabels("", 1);
-  ros::WallDuration(0.5).sleep();  // no other label tells that it was seen
+  for (unsigned i = 0; i < 5; ++i) visit(2, 0, 21 + i);
+  EXPECT_TRUE(lastLabel().empty()) << "an uncertain pose labels nothing";
   setDeviation(0.1);
-  visit(2, 0, 22);
-  expectLabels("room0", 1);
-  EXPECT_TRUE(eventually([this] { return lastLabel() == "room0"; }));
-  camera_.send(drawRoom(0, 23), ros::Time::now().toSec() + 100);  // no pose of that time
-  expectLabels("", 1);
+  EXPECT_TRUE(eventually([this] {
+    visit(2, 0, 26);
+    return lastLabel() == "room0";
+  }));
+  camera_.send(drawRoom(0, 27), ros::Time::now().toSec() + 100);  // no pose of that time
   EXPECT_TRUE(eventually([this] { return lastLabel().empty(); }));
   ros::WallDuration(0.5).sleep();
   endNode("/auto_labeler", bag);
@@ -205,11 +199,15 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   BagRunOptions options;
   options.label_topic = "/auto_label";
   const auto run = openBagRun(bag, options);
-  std::vector<std::string> labels;
+  std::vector<std::string> labels;  // one for each stretch of frames
+  std::size_t in_rooms = 0;
   for (Frame frame; run->next(frame);) {
-    if (frame.stamp >= begin.toSec()) labels.push_back(frame.place);
+    if (frame.stamp < begin.toSec()) continue;
+    in_rooms += frame.place.empty() ? 0 : 1;
+    if (labels.empty() || labels.back() != frame.place) labels.push_back(frame.place);
   }
-  EXPECT_EQ(labels, expected);
+  EXPECT_EQ(labels, (std::vector<std::string>{"room0", "", "room1", "", "room2", "", "room0", ""}));
+  EXPECT_GE(in_rooms, 25u) << "a starved machine may lose a frame";
   expectTrains(bag, "/auto_label");
 }
 
