@@ -175,7 +175,6 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
     visit(2, 0, 0);
     return lastLabel() == "room0";
   }));
-  labels_.clear();
   const ros::Time begin = ros::Time::now();
   for (int room = 0; room < 3; ++room) {
     for (unsigned i = 1; i <= 10; ++i) visit(4 * room + 0.5 + 0.3 * i, room, i);
