@@ -22,6 +22,12 @@ class TrainTest(ToolCase):
         model = self.folder / "ros_home/place_recognition/models/home.places"
         self.assertEqual(model.stat().st_size, figures["model_bytes"])
 
+    def test_fewer_vectors_are_kept_on_request(self):
+        self.write_run("monday")
+        figures = self.figures("train", "monday", "--model", "home", *COLOUR, "--set",
+                               "reduction.method=shared-greedy", "--set", "reduction.share=0.5")
+        self.assertLess(figures["support_vectors"], figures["support_vectors_before"])
+
     def test_text_names_rooms_counts_and_file(self):
         self.write_run("monday")
         text = self.succeed("train", "monday", "--model", "./home.places")
