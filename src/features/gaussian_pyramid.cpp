@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/simd.h"
+
 namespace place_recognition {
 
 namespace {
 
 /// Half-width of the smoothing kernels, in sigma: wide, as errors add up from scale to scale.
 constexpr double kHalfWidth = 4;
+
+bool isOdd(int n) { return n % 2 == 1; }
 
 void smooth(const cv::Mat1f& in, GaussianFilter& filter, cv::Mat1f& out) {
   out.create(in.size());
@@ -21,10 +25,25 @@ void smooth(const cv::Mat1f& in, GaussianFilter& filter, cv::Mat1f& out) {
   }
 }
 
-void halve(const cv::Mat1f& in, cv::Mat1f& out) {
-  out.create((in.rows + 1) / 2, (in.cols + 1) / 2);
+/// The values halfway between rows b and c, by the cubic through four rows: its second moment is
+/// zero, so it does not blur.
+PLACE_RECOGNITION_TARGET_CLONES
+void interpolateRows(const float* a, const float* b, const float* c, const float* d, int width,
+                     float* __restrict out) {
+  for (int x = 0; x < width; ++x) out[x] = (9 * (b[x] + c[x]) - (a[x] + d[x])) / 16;
+}
+
+/// Half as many rows, as far from the upper edge as from the lower: of an odd number every other
+/// one, of an even number what lies between two.
+void halveRows(const cv::Mat1f& in, cv::Mat1f& out) {
+  out.create((in.rows + 1) / 2, in.cols);
   for (int y = 0; y < out.rows; ++y) {
-    for (int x = 0; x < out.cols; ++x) out(y, x) = in(2 * y, 2 * x);
+    if (isOdd(in.rows)) {
+      std::copy_n(in[2 * y], in.cols, out[y]);
+    } else {
+      const int before = std::max(2 * y - 1, 0), after = std::min(2 * y + 2, in.rows - 1);
+      interpolateRows(in[before], in[2 * y], in[2 * y + 1], in[after], in.cols, out[y]);
+    }
   }
 }
 
@@ -39,6 +58,7 @@ GaussianPyramid::GaussianPyramid(double finest, int steps, int overlap, int octa
     : finest_(finest),
       steps_(steps),
       overlap_(overlap),
+      origins_(octaves),
       levels_(octaves, std::vector<cv::Mat1f>(steps + overlap)) {
   filters_.push_back(filterBetween(kCameraBlur, finest));
   for (int s = 1; s < steps + overlap; ++s) {
@@ -54,10 +74,20 @@ void GaussianPyramid::build(const cv::Mat1f& image) {
       const cv::Mat1f& finer = levels_[octaves_ - 1][steps_];
       if (std::min(finer.cols, finer.rows) < 2 * kSmallestSide) return;
       halve(finer, octave[0]);
+      const double half_pixel = 0.5 * std::exp2(octaves_ - 1);
+      origins_[octaves_] = origins_[octaves_ - 1] + cv::Point2d(isOdd(finer.cols) ? 0 : half_pixel,
+                                                                isOdd(finer.rows) ? 0 : half_pixel);
     }
     for (int s = 1; s < steps_ + overlap_; ++s) smooth(octave[s - 1], filters_[s], octave[s]);
     ++octaves_;
   }
+}
+
+void GaussianPyramid::halve(const cv::Mat1f& in, cv::Mat1f& out) {
+  halveRows(in, halved_);
+  cv::transpose(halved_, transposed_);
+  halveRows(transposed_, halved_);
+  cv::transpose(halved_, out);
 }
 
 double GaussianPyramid::sigma(int scale) const {

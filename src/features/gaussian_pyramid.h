@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -8,9 +9,9 @@
 namespace place_recognition {
 
 /// A Gaussian scale space (thesis section 4.1) in octaves. Scales are numbered: sigma(n) = finest *
-/// 2^(n / steps), in pixels of the image. Octave o has every 2^o-th pixel of every 2^o-th row at
-/// the `steps` scales from number o * steps on and, overlapping the next octave, at `overlap` more.
-/// Pixel x of octave o lies at x * 2^o in the image; the upper left pixel's centre is (0, 0).
+/// 2^(n / steps), in pixels of the image. Octave o has samples 2^o pixels apart at the `steps`
+/// scales from number o * steps on and, overlapping the next octave, at `overlap` more. The samples
+/// lie symmetrically in the image, so that one turned by 90 degrees, or mirrored, has the same.
 class GaussianPyramid {
  public:
   /// `finest` > kCameraBlur; `octaves` at most: fewer in small images, but at least one.
@@ -28,6 +29,14 @@ class GaussianPyramid {
   int nearestScale(double sigma) const;
   /// The finest octave that has the scale.
   int octaveOf(int scale) const;
+  /// A place of the image in samples of an octave, and back. The centres of the upper left pixel
+  /// and of the upper left sample are at (0, 0).
+  cv::Point2d toOctave(int octave, const cv::Point2d& place) const {
+    return (place - origins_[octave]) * std::exp2(-octave);
+  }
+  cv::Point2d toImage(int octave, const cv::Point2d& place) const {
+    return origins_[octave] + place * std::exp2(octave);
+  }
   /// The image of a scale in an octave that has it.
   const cv::Mat1f& level(int octave, int scale) const {
     return levels_[octave][scale - octave * steps_];
@@ -37,12 +46,17 @@ class GaussianPyramid {
   static constexpr int kSmallestSide = 12;    ///< pixels; smaller octaves are not built
 
  private:
+  void halve(const cv::Mat1f& in, cv::Mat1f& out);
+
   double finest_;
   int steps_;
   int overlap_;
   int octaves_ = 0;
+  std::vector<cv::Point2d> origins_;            ///< upper left sample of each octave, in the image
   std::vector<GaussianFilter> filters_;         ///< of each step, from the step before
   std::vector<std::vector<cv::Mat1f>> levels_;  ///< by octave and step
+  cv::Mat1f halved_;
+  cv::Mat1f transposed_;
 };
 
 }  // namespace place_recognition

@@ -15,8 +15,10 @@ namespace {
 constexpr double kWindowHalfWidth = 3;
 /// No corners this close to the edge, pixels of the octave: what is beyond is only a mirror image.
 constexpr int kBorder = 4;
-// A corner is seen at several differentiation scales. Points closer than this are one.
-constexpr float kSameDistance = 0.5f;  ///< in scales of the smaller
+// A corner is seen at several differentiation scales. Points closer than this are one; at half the
+// distance, the strongest points of a picture are fewer places, and fewer are found again in
+// another light.
+constexpr float kSameDistance = 1;  ///< in scales of the smaller
 constexpr float kSameScaleRatio = 1.3f;
 
 /// Products of the first derivatives (central differences) of row `here`, for eq. 4.25. The
@@ -140,7 +142,7 @@ void HarrisLaplace::findCorners(int octave, int step) {
       if (!is_peak_[x]) continue;
       const cv::Point2d corner(x + peakOffset(here[x - 1], here[x], here[x + 1]),
                                y + peakOffset(above[x], here[x], below[x]));
-      selectScales(corner * std::exp2(octave), octave, step, here[x]);
+      selectScales(pyramid_.toImage(octave, corner), octave, step, here[x]);
     }
   }
 }
@@ -174,7 +176,7 @@ double HarrisLaplace::laplacian(const cv::Point2d& place, int scale) const {
   const cv::Mat1f& image = pyramid_.level(octave, scale);
   const double sigma = pyramid_.sigma(scale - octave * options_.steps);
   return sigma * sigma *
-         std::abs(SubpixelLaplacian(place * std::exp2(-octave), image.size())(image));
+         std::abs(SubpixelLaplacian(pyramid_.toOctave(octave, place), image.size())(image));
 }
 
 void HarrisLaplace::keepStrongest(std::size_t limit) {

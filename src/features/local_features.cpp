@@ -78,17 +78,17 @@ void LocalFeatureExtractor::describe(const InterestPoint& point,
   const int scale = pyramid.nearestScale(point.sigma);
   const int octave = pyramid.octaveOf(scale);
   const cv::Mat1f& level = pyramid.level(octave, scale);
-  const float pixel = std::exp2(static_cast<float>(-octave));
-  const float x = point.x * pixel, y = point.y * pixel, sigma = point.sigma * pixel;
+  const cv::Point2f place = pyramid.toOctave(octave, {point.x, point.y});
+  const float sigma = point.sigma * std::exp2(static_cast<float>(-octave));
   const auto append = [&](float angle) {
     descriptors.resize(descriptors.size() + DescriptorSet::kDimension);
-    sift_.describe(level, x, y, sigma, angle,
+    sift_.describe(level, place.x, place.y, sigma, angle,
                    &descriptors[descriptors.size() - DescriptorSet::kDimension]);
   };
   if (options_.upright) {
     append(0);
   } else {
-    for (const float angle : sift_.orientations(level, x, y, sigma)) append(angle);
+    for (const float angle : sift_.orientations(level, place.x, place.y, sigma)) append(angle);
   }
 }
 

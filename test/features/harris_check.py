@@ -60,7 +60,7 @@ def detect(image):
                     points.append((px, py, sigma(k + peak(m[k - 1], m[k], m[k + 1])), c[y, x]))
     kept = []
     for p in sorted(points, key=lambda p: (-p[3], p[2], p[1], p[0])):
-        if not any(np.hypot(p[0] - q[0], p[1] - q[1]) < 0.5 * min(p[2], q[2]) and
+        if not any(np.hypot(p[0] - q[0], p[1] - q[1]) < min(p[2], q[2]) and
                    max(p[2], q[2]) < 1.3 * min(p[2], q[2]) for q in kept):
             kept.append(p)
     return np.array(kept)

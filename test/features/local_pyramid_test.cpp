@@ -24,11 +24,13 @@ TEST(GaussianPyramid, NumbersScalesThroughTheOctaves) {
   EXPECT_EQ(pyramid.nearestScale(1000), pyramid.scales() - 1);
 }
 
-TEST(GaussianPyramid, OfADotIsAGaussian) {
+class DotTest : public testing::TestWithParam<int> {};
+
+TEST_P(DotTest, IsAGaussian) {
   // The dot is taken as a Gaussian of the camera's blur, which it is not: so each level has the
   // variance sigma^2 less that blur. A wide pyramid leaves nothing at the edges.
-  constexpr int kSize = 257, kMiddle = 128;
-  cv::Mat1f dot(kSize, kSize, 0.0f);
+  constexpr int kMiddle = 128;
+  cv::Mat1f dot(GetParam(), GetParam(), 0.0f);
   dot(kMiddle, kMiddle) = 10000;
   GaussianPyramid pyramid(1.2, 4, 2, 3);
   pyramid.build(dot);
@@ -40,12 +42,37 @@ TEST(GaussianPyramid, OfADotIsAGaussian) {
     double worst = 0;
     for (int y = 0; y < level.rows; ++y) {
       for (int x = 0; x < level.cols; ++x) {
-        const double dx = (x << octave) - kMiddle, dy = (y << octave) - kMiddle;
-        const double expected = peak * std::exp(-(dx * dx + dy * dy) / (2 * variance));
+        const cv::Point2d d =
+            pyramid.toImage(octave, cv::Point2d(x, y)) - cv::Point2d(kMiddle, kMiddle);
+        const double expected = peak * std::exp(-d.dot(d) / (2 * variance));
         worst = std::max(worst, std::abs(level(y, x) - expected));
       }
     }
     EXPECT_LT(worst, 0.01 * peak) << "scale " << n;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OddAndEvenSides, DotTest, testing::Values(257, 256, 250));
+
+TEST(GaussianPyramid, LiesSymmetricallyInTheImage) {
+  for (const cv::Size size : {cv::Size(640, 480), cv::Size(101, 230), cv::Size(97, 99)}) {
+    const cv::Point2d last(size.width - 1, size.height - 1);
+    const cv::Mat1f image = texture(size.width, size.height, 3);
+    cv::Mat1f flipped_image, flipped;
+    cv::flip(image, flipped_image, -1);
+    GaussianPyramid pyramid(1.2, 4, 2, 4), other(1.2, 4, 2, 4);
+    pyramid.build(image);
+    other.build(flipped_image);
+    for (int n = 0; n < pyramid.scales(); ++n) {
+      const int octave = pyramid.octaveOf(n);
+      const cv::Mat1f& level = pyramid.level(octave, n);
+      cv::flip(other.level(octave, n), flipped, -1);
+      EXPECT_EQ(cv::norm(level, flipped, cv::NORM_INF), 0) << size << " scale " << n;
+      const cv::Point2d corner = pyramid.toImage(octave, {0, 0});
+      const cv::Point2d opposite = pyramid.toImage(octave, {level.cols - 1.0, level.rows - 1.0});
+      EXPECT_EQ(corner + opposite, last);
+      EXPECT_EQ(pyramid.toOctave(octave, opposite), cv::Point2d(level.cols - 1, level.rows - 1));
+    }
   }
 }
 
