@@ -5,16 +5,15 @@ namespace place_recognition {
 /// See TemporalFilter; feature_options.h on visit() and check(). Where odometry is given, metres
 /// and radians take the place of seconds.
 struct TemporalFilterOptions {
-  double dwell_time = 8;
+  double dwell_time = 7;
   double dwell_distance = 4;
-  double unknown_share = 0.1;
+  double unknown_share = 0.03;
   double jump_share = 0.01;
-  double decorrelation_time = 0.2;
+  double decorrelation_time = 0.25;
   double decorrelation_distance = 0.1;
   double decorrelation_angle = 0.15;
   double outlier_share = 0.1;
   double minimum_confidence = 0.3;
-  double hysteresis = 0.1;
   double minimum_dwell = 0.5;
   double maximum_gap = 10;
 
@@ -34,8 +33,6 @@ struct TemporalFilterOptions {
             "share of frames that tell nothing, whatever their probabilities say, 0.0001..1");
     visitor("minimum_confidence", self.minimum_confidence,
             "the answer is 'unknown' if no room is as probable as this, 0..1");
-    visitor("hysteresis", self.hysteresis,
-            "how much more probable than the old answer a new one must be, 0..1");
     visitor("minimum_dwell", self.minimum_dwell, "s, an answer stays for at least as long");
     visitor("maximum_gap", self.maximum_gap,
             "s, after a longer time without frames everything is forgotten, > 0");

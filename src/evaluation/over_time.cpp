@@ -10,6 +10,12 @@ void count(int answer, int truth, AnswerCounts& counts) {
   counts.wrong += answer >= 0 && answer != truth ? 1 : 0;
 }
 
+void count(const FrameResult& frame, BothAnswers& answers) {
+  ++answers.frames;
+  count(frame.known ? frame.place : -1, frame.truth, answers.single);
+  count(frame.place_over_time, frame.truth, answers.filtered);
+}
+
 bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places) {
   std::vector<PlaceAt> way;
   for (const FrameResult* frame : run) way.push_back({frame->stamp, frame->truth});
@@ -25,7 +31,8 @@ class Changes {
   void add(const FrameResult& frame, bool learned) {
     if (frame.truth != room_) {
       if (waiting_) ++result_.missed;
-      waiting_ = room_ >= 0 && learned;
+      changed_ = room_ >= 0;
+      waiting_ = changed_ && learned;
       room_ = frame.truth;
       since_ = frame.stamp;
     }
@@ -38,10 +45,15 @@ class Changes {
     if (waiting_) ++result_.missed;
   }
 
+  bool settled(const FrameResult& frame) const {
+    return !changed_ || frame.stamp - since_ >= OverTime::kSettling;
+  }
+
  private:
   OverTime& result_;
   int room_ = -1;
   double since_ = 0;
+  bool changed_ = false;  ///< false in the first room of the run
   bool waiting_ = false;
 };
 
@@ -52,9 +64,8 @@ void addDrive(const std::vector<const FrameResult*>& run, const Evaluation& eval
     const bool learned = evaluation.learned(*frame);
     changes.add(*frame, learned);
     if (!learned) continue;
-    ++result.frames;
-    count(frame->known ? frame->place : -1, frame->truth, result.single);
-    count(frame->place_over_time, frame->truth, result.filtered);
+    count(*frame, result.all);
+    if (changes.settled(*frame)) count(*frame, result.settled);
   }
   changes.finish();
 }
@@ -76,7 +87,7 @@ std::optional<OverTime> overTime(const Evaluation& evaluation) {
     }
     if (isDrive(run, evaluation.places.size())) addDrive(run, evaluation, result);
   }
-  if (result.frames == 0) return std::nullopt;
+  if (result.all.frames == 0) return std::nullopt;
   std::sort(result.delays.begin(), result.delays.end());
   return result;
 }

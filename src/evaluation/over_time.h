@@ -14,12 +14,21 @@ struct AnswerCounts {
   std::uint64_t unknown = 0;
 };
 
-/// The answer over time (TemporalFilter) beside those to single frames, on runs that are drives
-/// through the rooms; pictures of places that the model has learned.
-struct OverTime {
+/// Answers to single frames and over time to the same frames.
+struct BothAnswers {
   std::uint64_t frames = 0;
   AnswerCounts single;
   AnswerCounts filtered;
+};
+
+/// The answer over time (TemporalFilter) beside those to single frames, on runs that are drives
+/// through the rooms; pictures of places that the model has learned.
+struct OverTime {
+  /// Where the robot is in a doorway, two rooms can be seen and an answer over time may lag behind.
+  static constexpr double kSettling = 2;  // s
+
+  BothAnswers all;
+  BothAnswers settled;         ///< without the first kSettling after each change of room
   std::vector<double> delays;  ///< s, from each change of room until it is named, ascending
   std::uint64_t missed = 0;    ///< changes that were not followed before the next one
 

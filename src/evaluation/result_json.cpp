@@ -54,15 +54,20 @@ Json countsJson(const AnswerCounts& counts) {
   return {{"wrong", counts.wrong}, {"unknown", counts.unknown}};
 }
 
+Json answersJson(const BothAnswers& answers) {
+  return {{"frames", answers.frames},
+          {"single", countsJson(answers.single)},
+          {"filtered", countsJson(answers.filtered)}};
+}
+
 Json overTimeJson(const Summary& summary) {
   if (!summary.over_time) return nullptr;
   const OverTime& over_time = *summary.over_time;
-  return {{"frames", over_time.frames},
-          {"single", countsJson(over_time.single)},
-          {"filtered", countsJson(over_time.filtered)},
+  return {{"all", answersJson(over_time.all)},
+          {"settled", answersJson(over_time.settled)},
           {"delays", over_time.delays},
           {"missed", over_time.missed},
-          {"followed_within_2s", over_time.followedWithin(2)}};
+          {"followed_within_2s", over_time.followedWithin(OverTime::kSettling)}};
 }
 
 }  // namespace

@@ -82,12 +82,17 @@ std::string overTimeTable(const Summary& summary) {
     return std::vector<std::string>{name, std::to_string(counts.wrong),
                                     std::to_string(counts.unknown)};
   };
-  TextRows rows{{"over time: " + std::to_string(over_time.frames) + " frames of drives",
-                 "wrong room", "'unknown'"}};
-  rows.push_back(row("frame by frame", over_time.single));
-  rows.push_back(row("filtered, as ~place", over_time.filtered));
-  return alignColumns(rows) +
-         "changes of room followed within 2 s: " + percent(over_time.followedWithin(2)) + " of " +
+  const auto frames = [](const BothAnswers& answers) {
+    return std::to_string(answers.frames) + " frames";
+  };
+  TextRows rows{{"drives, " + frames(over_time.all), "wrong room", "'unknown'"}};
+  rows.push_back(row("frame by frame", over_time.all.single));
+  rows.push_back(row("over time, as ~place", over_time.all.filtered));
+  rows.push_back({"more than 2 s after a change of room, " + frames(over_time.settled), "", ""});
+  rows.push_back(row("frame by frame", over_time.settled.single));
+  rows.push_back(row("over time, as ~place", over_time.settled.filtered));
+  return alignColumns(rows) + "changes of room followed within 2 s: " +
+         percent(over_time.followedWithin(OverTime::kSettling)) + " of " +
          std::to_string(over_time.delays.size() + over_time.missed) + "\n\n";
 }
 

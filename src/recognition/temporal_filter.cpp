@@ -82,13 +82,15 @@ void TemporalFilter::weigh(const Recognition& recognition) {
   if (recognition.place < 0) return;  // no feature, nothing seen: what is new waits for the next
   const Eigen::Index rooms = recognition.probabilities.size();
   assert(rooms + 1 == likelihoods_.size());
-  likelihoods_.head(rooms) = recognition.evidence / unknown_threshold_ *
-                             recognition.probabilities.cwiseQuotient(room_shares_);
-  likelihoods_[rooms] = (1 - recognition.evidence) / (1 - unknown_threshold_);
-
   const double outliers = options_.outlier_share;
-  answer_.probabilities.array() *=
-      ((1 - outliers) * likelihoods_.array() + outliers).pow(new_share_);
+  const auto tempered = [outliers](double ratio) { return (1 - outliers) * ratio + outliers; };
+  const double any_room = tempered(recognition.evidence / unknown_threshold_);
+  auto by_room = likelihoods_.head(rooms).array();
+  by_room = (recognition.probabilities.array() / room_shares_.array()).unaryExpr(tempered);
+  by_room *= any_room / by_room.maxCoeff();
+  likelihoods_[rooms] = tempered((1 - recognition.evidence) / (1 - unknown_threshold_));
+
+  answer_.probabilities.array() *= likelihoods_.array().pow(new_share_);
   answer_.probabilities /= answer_.probabilities.sum();
   new_share_ = 0;
 }
@@ -97,12 +99,10 @@ void TemporalFilter::decide(bool first) {
   const Eigen::RowVectorXd& belief = answer_.probabilities;
   const int unknown = static_cast<int>(belief.size()) - 1;
   int best = largest(belief);
-  const bool in_doubt = belief[best] < options_.minimum_confidence;
-  if (in_doubt) best = unknown;
+  if (belief[best] < options_.minimum_confidence) best = unknown;
 
-  const bool clearly = in_doubt || belief[best] - belief[state_] >= options_.hysteresis;
   const bool long_enough = last_stamp_ - answer_since_ >= options_.minimum_dwell;
-  answer_.changed = first || (best != state_ && clearly && long_enough);
+  answer_.changed = first || (best != state_ && long_enough);
   if (answer_.changed) {
     state_ = best;
     answer_since_ = last_stamp_;

@@ -30,7 +30,6 @@ void TemporalFilterOptions::check() const {
   requirePositive(decorrelation_angle, "decorrelation_angle");
   requireWithin(outlier_share, "outlier_share", 1e-4, 1, "a share, 0.0001 to 1");
   requireWithin(minimum_confidence, "minimum_confidence", 0, 1, "a probability, 0 to 1");
-  requireWithin(hysteresis, "hysteresis", 0, 1, "a difference of probabilities, 0 to 1");
   requireWithin(minimum_dwell, "minimum_dwell", 0, 3600, "seconds, 0 to 3600");
   requirePositive(maximum_gap, "maximum_gap");
 }

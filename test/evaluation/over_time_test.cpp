@@ -29,11 +29,17 @@ TEST(OverTime, CountsWrongAndUnknownFramesAndDelays) {
                                        "0201-10022",    //
                                        "0000110-00"));  //
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->frames, 10u);
-  EXPECT_EQ(result->single.wrong, 1u);
-  EXPECT_EQ(result->single.unknown, 1u);
-  EXPECT_EQ(result->filtered.wrong, 3u);  // one late in the kitchen, two in the office
-  EXPECT_EQ(result->filtered.unknown, 1u);
+  EXPECT_EQ(result->all.frames, 10u);
+  EXPECT_EQ(result->all.single.wrong, 1u);
+  EXPECT_EQ(result->all.single.unknown, 1u);
+  EXPECT_EQ(result->all.filtered.wrong, 3u);  // one late in the kitchen, two in the office
+  EXPECT_EQ(result->all.filtered.unknown, 1u);
+  // Two frames are within 2 s of each of the three changes; the first room was not changed to.
+  EXPECT_EQ(result->settled.frames, 4u);
+  EXPECT_EQ(result->settled.single.wrong, 1u);
+  EXPECT_EQ(result->settled.single.unknown, 0u);
+  EXPECT_EQ(result->settled.filtered.wrong, 0u);
+  EXPECT_EQ(result->settled.filtered.unknown, 0u);
   EXPECT_EQ(result->delays, (std::vector<double>{0, 1}));
   EXPECT_EQ(result->missed, 1u);
   EXPECT_DOUBLE_EQ(result->followedWithin(0.5), 1.0 / 3);

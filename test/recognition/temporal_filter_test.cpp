@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -76,10 +77,14 @@ TEST(TemporalFilter, IsTheForwardAlgorithm) {
   const double shares[] = {0.5, 0.25, 0.25};
   const auto likelihood = [&](std::size_t frame, int state) {
     const Recognition& f = frames[frame];
-    const double plain = state == 3
-                             ? (1 - f.evidence) / (1 - kThreshold)
-                             : f.evidence / kThreshold * f.probabilities[state] / shares[state];
-    return std::pow(0.8 * plain + 0.2, frame == 0 ? 1.0 : kStep / options.decorrelation_time);
+    const auto tempered = [](double ratio) { return 0.8 * ratio + 0.2; };
+    double by_room[3];
+    for (int k = 0; k < 3; ++k) by_room[k] = tempered(f.probabilities[k] / shares[k]);
+    const double best = std::max({by_room[0], by_room[1], by_room[2]});
+    const double whole = state == 3
+                             ? tempered((1 - f.evidence) / (1 - kThreshold))
+                             : tempered(f.evidence / kThreshold) * by_room[state] / best;
+    return std::pow(whole, frame == 0 ? 1.0 : kStep / options.decorrelation_time);
   };
   RoomChain chain(adjacency, options.unknown_share, options.jump_share);
   Eigen::MatrixXd step(4, 4);
