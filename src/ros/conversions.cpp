@@ -162,6 +162,7 @@ PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model&
   }
   message.known = recognition.known;
   message.confidence = recognition.confidence;
+  message.evidence = recognition.evidence;
   message.reason = recognition.reason;
   message.places.resize(model.places.size());
   for (std::size_t i = 0; i < model.places.size(); ++i) {

@@ -62,7 +62,8 @@ class Answers {
  private:
   static bool isSound(const PlaceRecognition& answer) {
     double sum = 0;
-    bool finite = std::isfinite(answer.confidence) && std::isfinite(answer.seconds);
+    bool finite = std::isfinite(answer.confidence) && std::isfinite(answer.evidence) &&
+                  std::isfinite(answer.seconds);
     for (const PlaceScore& score : answer.places) {
       finite = finite && std::isfinite(score.margin) && std::isfinite(score.probability);
       sum += score.probability;

@@ -39,6 +39,7 @@ TEST(RecognitionMessages, CarryHeaderModelAndScores) {
   recognition.place = 1;
   recognition.known = true;
   recognition.confidence = 0.75;
+  recognition.evidence = 0.625;
   recognition.probabilities = Eigen::RowVector2d(0.25, 0.75);
   recognition.margins = Eigen::RowVector2d(-1.5, 0.5);
   std_msgs::Header header;
@@ -53,6 +54,7 @@ TEST(RecognitionMessages, CarryHeaderModelAndScores) {
   EXPECT_EQ(message.place, "kitchen");
   EXPECT_TRUE(message.known);
   EXPECT_EQ(message.confidence, 0.75);
+  EXPECT_EQ(message.evidence, 0.625);
   ASSERT_EQ(message.places.size(), 2u);
   EXPECT_EQ(message.places[0].name, "corridor");
   EXPECT_EQ(message.places[0].probability, 0.25);
