@@ -30,8 +30,8 @@ struct FilteredAnswer {
 /// rooms and 'unknown', followed by the forward algorithm (Rabiner 1989). Between frames the belief
 /// b moves as a chain in continuous time, see RoomChain; a frame multiplies it by likelihoods,
 ///   b_s <- b_s L_s^w / sum.
-/// With the frame's evidence e, its probabilities p, the rooms' shares q of the training images, the
-/// unknown threshold T and a share o of frames that tell nothing, l = (1 - o) p_k / q_k + o,
+/// With the frame's evidence e, its probabilities p, the rooms' shares q of the training images,
+/// the unknown threshold T and a share o of frames that tell nothing, l = (1 - o) p_k / q_k + o,
 ///   L_k = ((1 - o) e / T + o) l_k / max l,    L_unknown = (1 - o) (1 - e) / (1 - T) + o.
 /// Up to a factor that is the same for all, a posterior divided by its prior is the likelihood that
 /// the chain needs (Bourlard and Morgan 1994); T is where the frame is as much for the rooms

@@ -81,9 +81,8 @@ TEST(TemporalFilter, IsTheForwardAlgorithm) {
     double by_room[3];
     for (int k = 0; k < 3; ++k) by_room[k] = tempered(f.probabilities[k] / shares[k]);
     const double best = std::max({by_room[0], by_room[1], by_room[2]});
-    const double whole = state == 3
-                             ? tempered((1 - f.evidence) / (1 - kThreshold))
-                             : tempered(f.evidence / kThreshold) * by_room[state] / best;
+    const double whole = state == 3 ? tempered((1 - f.evidence) / (1 - kThreshold))
+                                    : tempered(f.evidence / kThreshold) * by_room[state] / best;
     return std::pow(whole, frame == 0 ? 1.0 : kStep / options.decorrelation_time);
   };
   RoomChain chain(adjacency, options.unknown_share, options.jump_share);
