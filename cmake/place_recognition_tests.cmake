@@ -26,7 +26,11 @@ function(place_recognition_add_test name)
 endfunction()
 
 function(place_recognition_set_test_environment name)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300 ENVIRONMENT
+  set(timeout 300)
+  if(PLACE_RECOGNITION_SANITIZE)
+    set(timeout 1200)  # a sanitizer makes a test up to ten times slower
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} ENVIRONMENT
     "PLACE_RECOGNITION_TEST_DATA=${PLACE_RECOGNITION_TEST_DATA};PLACE_RECOGNITION_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
 endfunction()
 

@@ -19,14 +19,6 @@ std::vector<std::string> presetFiles() {
   return files;
 }
 
-std::vector<std::string> trainEach() {
-  std::vector<std::string> models;
-  for (const TrainingOptions& options : presets()) {
-    models.push_back(serializeModel(train({opener(drawFrames(3, 8))}, options).model));
-  }
-  return models;
-}
-
 }  // namespace
 
 std::vector<TrainingOptions> presets() {
@@ -37,8 +29,16 @@ std::vector<TrainingOptions> presets() {
   return all;
 }
 
+std::vector<std::string> trainPresets(const std::vector<Frame>& frames) {
+  std::vector<std::string> models;
+  for (const TrainingOptions& options : presets()) {
+    models.push_back(serializeModel(train({opener(frames)}, options).model));
+  }
+  return models;
+}
+
 const std::vector<std::string>& presetModels() {
-  static const std::vector<std::string> models = trainEach();
+  static const std::vector<std::string> models = trainPresets(drawFrames(3, 8));
   return models;
 }
 
