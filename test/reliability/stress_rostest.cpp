@@ -94,9 +94,9 @@ class Stress : public testing::Test {
     return ros::service::call("/" + recognizer + "/load_model", call) && call.response.success;
   }
 
-  /// Calls a service. Of thousands of calls roscpp loses one now and then, also to a server that does
-  /// nothing but answer: it closes a connection that the server has closed before it has read the
-  /// answer from it (ros_comm issue 1976). The next one has to come.
+  /// Calls a service. Of thousands of calls roscpp loses one now and then, also to a server that
+  /// does nothing but answer: it closes a connection that the server has closed before it has read
+  /// the answer from it (ros_comm issue 1976). The next one has to come.
   template <typename Call>
   static bool answers(const std::string& service, Call& call) {
     for (int attempt = 0; attempt < 3; ++attempt) {
