@@ -21,6 +21,8 @@ class Classifier {
   /// vectors that no machine uses are dropped.
   Classifier(const KernelOptions& kernel, Machines machines, std::vector<Feature> vectors,
              const std::vector<int>& vector_places);
+  /// The same of vectors that are laid out already, each used by some machine.
+  Classifier(Machines machines, SupportSet support_set, std::vector<int> vector_places);
   ~Classifier();
   Classifier(Classifier&&) noexcept;
   Classifier& operator=(Classifier&&) noexcept;

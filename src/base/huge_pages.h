@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 namespace place_recognition {
 
@@ -36,6 +37,12 @@ struct HugePages {
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
 
+  /// Numbers that are given no value keep what the memory holds, for whoever overwrites them all.
+  template <typename U>
+  void construct(U* element) {
+    ::new (static_cast<void*>(element)) U;
+  }
+
   template <typename U>
   bool operator==(const HugePages<U>&) const {
     return true;
@@ -45,5 +52,9 @@ struct HugePages {
     return false;
   }
 };
+
+/// HugeVector<T>(n) has n numbers of no value; HugeVector<T>(n, 0) has zeros.
+template <typename T>
+using HugeVector = std::vector<T, HugePages<T>>;
 
 }  // namespace place_recognition

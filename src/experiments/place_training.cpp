@@ -70,7 +70,7 @@ PlaceTraining PlaceSamples::train(int set, const Progress& progress) const {
   TrainedCue trained = trainCue(std::move(training_features), cue, {options_.reduction}, task);
 
   cue.kernel.gamma = trained.gamma;
-  const SupportSet support_set(Kernel(cue.kernel), std::move(trained.vectors));
+  const SupportSet support_set(Kernel(cue.kernel), trained.vectors);
   report(progress, "Testing", 0);
   PlaceTraining training;
   training.gamma = trained.gamma;

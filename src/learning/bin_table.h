@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "base/huge_pages.h"
 
@@ -17,9 +17,12 @@ class BinTable {
     std::uint32_t count = 0;  ///< 0: the slot is empty
   };
 
-  using Slots = std::vector<Slot, HugePages<Slot>>;
+  using Slots = HugeVector<Slot>;
 
-  BinTable() : slots_(1u << kFirstBits), shift_(64 - kFirstBits) {}
+  /// With room for so many bins; more are taken too.
+  explicit BinTable(std::size_t bins = 0) : slots_(1u << kFirstBits), shift_(64 - kFirstBits) {
+    while (2 * bins > slots_.size()) grow();
+  }
 
   /// The slot of `bin`, with a count of 0 if there is none yet; whoever asks must then raise it.
   /// Pointers from earlier calls no longer hold.

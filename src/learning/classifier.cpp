@@ -21,8 +21,16 @@ Classifier::Classifier(const KernelOptions& kernel, Machines machines, std::vect
     vector_places_.push_back(vector_places[vector]);
   }
   machines.weights = std::move(weights);
-  support_set_ = std::make_unique<SupportSet>(Kernel(kernel), std::move(kept));
+  support_set_ = std::make_unique<SupportSet>(Kernel(kernel), kept);
   machines_ = std::make_unique<Machines>(std::move(machines));
+}
+
+Classifier::Classifier(Machines machines, SupportSet support_set, std::vector<int> vector_places)
+    : support_set_(std::make_unique<SupportSet>(std::move(support_set))),
+      machines_(std::make_unique<Machines>(std::move(machines))),
+      vector_places_(std::move(vector_places)) {
+  assert(supportVectors(*machines_).size() == support_set_->size());
+  assert(vector_places_.size() == support_set_->size());
 }
 
 Classifier::~Classifier() = default;

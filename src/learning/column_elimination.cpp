@@ -59,7 +59,7 @@ ColumnElimination::ColumnElimination(Eigen::Index rows, Eigen::Index candidates,
     : rows_(rows),
       padded_rows_((rows + kLanes - 1) / kLanes * kLanes),
       candidates_(candidates),
-      storage_(static_cast<std::size_t>(padded_rows_ * (candidates + targets))),
+      storage_(static_cast<std::size_t>(padded_rows_ * (candidates + targets)), 0),
       squared_norms_(Eigen::VectorXd::Zero(candidates + targets)),
       steps_(static_cast<std::size_t>(candidates + targets), 0),
       r_(Eigen::MatrixXd::Zero(std::min(rows, candidates), candidates + targets)) {}

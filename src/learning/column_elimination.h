@@ -54,7 +54,7 @@ class ColumnElimination {
   Eigen::Index padded_rows_;  ///< with zeros, so that every column starts on a cache line
   Eigen::Index candidates_;
   /// What is left of each column; where it is chosen, the unit vector of Q.
-  std::vector<double, HugePages<double>> storage_;
+  HugeVector<double> storage_;
   Eigen::VectorXd squared_norms_;
   std::vector<Eigen::Index> chosen_;
   std::vector<Eigen::Index> steps_;  ///< how many steps each column has seen

@@ -22,6 +22,10 @@ void DescriptorPanel::set(std::size_t lane, const std::uint8_t* descriptor) {
   sums_by_128[lane] = 128 * std::accumulate(descriptor, descriptor + kDimension, std::int32_t{0});
 }
 
+void DescriptorPanel::get(std::size_t lane, std::uint8_t* descriptor) const {
+  for (std::size_t k = 0; k < kDimension; ++k) descriptor[k] = elements[k / 4][lane][k % 4];
+}
+
 DescriptorBlock::DescriptorBlock() {
   std::fill(squared_norms, squared_norms + kRows, DescriptorPanel::kFar);
 }

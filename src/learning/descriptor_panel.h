@@ -22,6 +22,7 @@ struct alignas(64) DescriptorPanel {
 
   DescriptorPanel();
   void set(std::size_t lane, const std::uint8_t* descriptor);
+  void get(std::size_t lane, std::uint8_t* descriptor) const;
 };
 
 /// kRows descriptors one after the other.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/simd.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -74,8 +75,16 @@ double meanOfBestMatches(const DescriptorSet& x, const DescriptorSet& y, double 
   return sum / static_cast<double>(x.size());
 }
 
-bool hasNegative(const std::vector<float>& values) {
-  return std::any_of(values.begin(), values.end(), [](float value) { return value < 0; });
+PLACE_RECOGNITION_TARGET_CLONES
+bool hasNegative(const float* values, std::size_t size) {
+  std::size_t count = 0;  // of all: looking at some only would be slower
+  for (std::size_t i = 0; i < size; ++i) count += values[i] < 0;
+  return count > 0;
+}
+
+template <typename Values>
+bool hasNegative(const Values& values) {
+  return hasNegative(values.data(), values.size());
 }
 
 bool hasNegative(const Feature& feature) {
@@ -123,17 +132,25 @@ double Kernel::value(double measure) const {
 void Kernel::requireMeaningFor(const Feature& feature) const {
   if (isMissing(feature)) throw Error("An image without this feature cannot be compared; skip it.");
   const auto* set = std::get_if<DescriptorSet>(&feature);
-  if ((set != nullptr) != (type_.measure == Measure::kLocalMatch)) {
-    throw Error("The kernel '" + options_.type + "' has no meaning for " +
-                (set ? "local descriptors" : "vectors") +
-                "; use one of: " + kernelTypeNames(set != nullptr) + ".");
-  }
+  requireMeaningFor(set != nullptr, hasNegative(feature));
   if (set && set->size() == 0) {
     throw Error("A set of no local descriptors cannot be compared; skip such images.");
   }
+}
+
+void Kernel::requireMeaningFor(const PostingLists& lists) const {
+  requireMeaningFor(false, hasNegative(lists.rows) || hasNegative(lists.values));
+}
+
+void Kernel::requireMeaningFor(bool descriptors, bool negative_elements) const {
+  if (descriptors != (type_.measure == Measure::kLocalMatch)) {
+    throw Error("The kernel '" + options_.type + "' has no meaning for " +
+                (descriptors ? "local descriptors" : "vectors") +
+                "; use one of: " + kernelTypeNames(descriptors) + ".");
+  }
   const bool histograms_only =
       type_.measure == Measure::kChiSquared || type_.measure == Measure::kIntersection;
-  if (histograms_only && hasNegative(feature)) {
+  if (histograms_only && negative_elements) {
     throw Error("The kernel '" + options_.type +
                 "' has no meaning for negative elements; use one of: linear, polynomial, gaussian, "
                 "sigmoid.");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "learning/kernel_type.h"
+#include "learning/posting_lists.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/learning_options.h"
 
@@ -35,6 +36,8 @@ class Kernel {
   /// of descriptors have local-match, vectors the others; chi-squared and intersection take
   /// histograms, without negative elements.
   void requireMeaningFor(const Feature& feature) const;
+  /// Likewise, for vectors bin by bin.
+  void requireMeaningFor(const PostingLists& lists) const;
 
   /// Whether measure() is free of gamma, so that one matrix of measures serves every gamma.
   bool measureIsFreeOfGamma() const;
@@ -43,6 +46,8 @@ class Kernel {
   const KernelType& type() const { return type_; }
 
  private:
+  void requireMeaningFor(bool descriptors, bool negative_elements) const;
+
   KernelOptions options_;
   KernelType type_;
 };

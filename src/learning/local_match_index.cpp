@@ -44,6 +44,19 @@ void LocalMatchIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out
   }
 }
 
+std::vector<Feature> LocalMatchIndex::vectors() const {
+  std::vector<Feature> features;
+  for (const Set& set : sets_) {
+    std::vector<std::uint8_t> descriptors(set.size * DescriptorSet::kDimension);
+    for (std::size_t i = 0; i < set.size; ++i) {
+      panels_[set.first_panel + i / kWidth].get(i % kWidth,
+                                                &descriptors[i * DescriptorSet::kDimension]);
+    }
+    features.emplace_back(DescriptorSet{std::move(descriptors)});
+  }
+  return features;
+}
+
 double LocalMatchIndex::measure(const std::vector<DescriptorBlock>& query, std::size_t query_size,
                                 const Set& set) const {
   const std::size_t panel_count = (set.size + kWidth - 1) / kWidth;

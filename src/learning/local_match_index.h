@@ -1,20 +1,28 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "learning/descriptor_panel.h"
 #include "learning/match_panels.h"
-#include "learning/support_index.h"
+#include "place_recognition/feature.h"
 
 namespace place_recognition {
 
 /// Descriptor sets for the local match kernel (eq. 5.39-5.40). K_l falls with the distance, so the
 /// best match of a descriptor is its nearest neighbour, found exactly in integers.
-class LocalMatchIndex : public SupportIndex {
+class LocalMatchIndex {
  public:
   LocalMatchIndex(double gamma, const std::vector<Feature>& sets);
-  void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const override;
+
+  /// Kernel::measure(x, set i) for the first sets, as many as `out` has elements. Throws Error if
+  /// `x` is of another kind. Safe to call from several threads.
+  void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
+
+  std::size_t size() const { return sets_.size(); }
+  /// The sets again.
+  std::vector<Feature> vectors() const;
 
  private:
   /// Where one set stands.

@@ -2,33 +2,45 @@
 
 #include <cassert>
 
-#include "learning/local_match_index.h"
-#include "learning/vector_index.h"
-
 namespace place_recognition {
 namespace {
 
-std::unique_ptr<SupportIndex> makeIndex(const Kernel& kernel, const std::vector<Feature>& vectors) {
+SupportSet::Index makeIndex(const Kernel& kernel, const std::vector<Feature>& vectors) {
   for (const Feature& vector : vectors) kernel.requireMeaningFor(vector);
-  if (kernel.type().measure == Measure::kLocalMatch) {
-    return std::make_unique<LocalMatchIndex>(kernel.options().gamma, vectors);
-  }
-  return std::make_unique<VectorIndex>(kernel.type().measure, vectors);
+  const Measure measure = kernel.type().measure;
+  if (measure == Measure::kLocalMatch) return LocalMatchIndex(kernel.options().gamma, vectors);
+  return VectorIndex(measure, postingLists(vectors));
+}
+
+SupportSet::Index makeIndex(const Kernel& kernel, PostingLists lists) {
+  kernel.requireMeaningFor(lists);
+  return VectorIndex(kernel.type().measure, std::move(lists));
 }
 
 }  // namespace
 
-SupportSet::SupportSet(const Kernel& kernel, std::vector<Feature> vectors)
-    : kernel_(kernel), vectors_(std::move(vectors)), index_(makeIndex(kernel_, vectors_)) {}
+SupportSet::SupportSet(const Kernel& kernel, const std::vector<Feature>& vectors)
+    : kernel_(kernel), index_(makeIndex(kernel_, vectors)) {}
+
+SupportSet::SupportSet(const Kernel& kernel, PostingLists lists)
+    : kernel_(kernel), index_(makeIndex(kernel_, std::move(lists))) {}
 
 void SupportSet::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
   assert(static_cast<std::size_t>(out.size()) <= size());
-  index_->measures(x, out);
+  std::visit([&](const auto& index) { index.measures(x, out); }, index_);
 }
 
 void SupportSet::kernelValues(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
   measures(x, out);
   out = out.unaryExpr([this](double measure) { return kernel_.value(measure); });
+}
+
+std::size_t SupportSet::size() const {
+  return std::visit([](const auto& index) { return index.size(); }, index_);
+}
+
+std::vector<Feature> SupportSet::vectors() const {
+  return std::visit([](const auto& index) { return index.vectors(); }, index_);
 }
 
 }  // namespace place_recognition

@@ -1,6 +1,7 @@
 #include "learning/vector_index.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/simd.h"
 #include "place_recognition/error.h"
@@ -10,9 +11,6 @@ namespace {
 
 /// BinTable::Slot::count of a bin whose values are a row.
 constexpr std::uint32_t kRow = 0xFFFFFFFF;
-/// A bin that at least one vector in kRowShare has is kept as a row: an element of a row costs less
-/// than a posting, in time and in memory, but also stands for the vectors that lack the bin.
-constexpr std::size_t kRowShare = 3;
 /// The memory is asked for what stands so many bins ahead; visiting it is what takes the time.
 constexpr std::size_t kLookupsAhead = 8;
 constexpr std::size_t kPostingsAhead = 3;
@@ -25,6 +23,13 @@ struct ChiSquaredTerm {
 };
 struct MinimumTerm {
   PLACE_RECOGNITION_INLINE double operator()(double x, double y) const { return x < y ? x : y; }
+};
+/// What a vector adds to its total.
+struct ValueTerm {
+  PLACE_RECOGNITION_INLINE double operator()(double, double y) const { return y; }
+};
+struct SquareTerm {
+  PLACE_RECOGNITION_INLINE double operator()(double, double y) const { return y * y; }
 };
 
 /// Asks the memory for the postings of a bin, or as much of a long row as the processor does not
@@ -59,6 +64,16 @@ PLACE_RECOGNITION_INLINE void addTerms(const std::vector<VectorIndex::Postings>&
   }
 }
 
+/// The part of `bin` that is of the first vectors, so many of them.
+VectorIndex::Postings ofFirst(std::size_t vectors, VectorIndex::Postings bin) {
+  const std::uint16_t* first = bin.vectors;
+  const bool row = first == nullptr;
+  bin.count =
+      row ? vectors
+          : static_cast<std::size_t>(std::lower_bound(first, first + bin.count, vectors) - first);
+  return bin;
+}
+
 PLACE_RECOGNITION_TARGET_CLONES
 void addProducts(const std::vector<VectorIndex::Postings>& bins, double* sums) {
   addTerms(bins, ProductTerm(), sums);
@@ -74,89 +89,58 @@ void addMinima(const std::vector<VectorIndex::Postings>& bins, double* sums) {
   addTerms(bins, MinimumTerm(), sums);
 }
 
+PLACE_RECOGNITION_TARGET_CLONES
+void addValues(const std::vector<VectorIndex::Postings>& bins, double* sums) {
+  addTerms(bins, ValueTerm(), sums);
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void addSquares(const std::vector<VectorIndex::Postings>& bins, double* sums) {
+  addTerms(bins, SquareTerm(), sums);
+}
+
 }  // namespace
 
-VectorIndex::VectorIndex(Measure measure, const std::vector<Feature>& vectors) : measure_(measure) {
-  if (vectors.empty()) return;
-  kind_ = vectors.front().index();
-  if (const auto* dense = std::get_if<DenseVector>(&vectors.front())) {
-    dimension_ = dense->values.size();
-  }
-  SparseVector scratch;
-  for (const Feature& vector : vectors) {
-    const SparseVector& sparse = asSparse(vector, scratch);
-    totals_.push_back(total(sparse));
-    for (std::size_t i = 0; i < sparse.size(); ++i) {
-      table_.prefetch(sparse.indices[std::min(i + kLookupsAhead, sparse.size() - 1)]);
-      ++table_.insert(sparse.indices[i]).count;
-    }
-  }
-  layOut();
-  for (std::size_t v = 0; v < vectors.size(); ++v) {
-    const SparseVector& sparse = asSparse(vectors[v], scratch);
-    for (std::size_t i = 0; i < sparse.size(); ++i) {
-      table_.prefetch(sparse.indices[std::min(i + kLookupsAhead, sparse.size() - 1)]);
-      BinTable::Slot& slot = table_.find(sparse.indices[i]);
-      if (slot.count == kRow) {
-        rows_[slot.begin * vectors.size() + v] = sparse.values[i];
-      } else {
-        values_[slot.begin] = sparse.values[i];
-        vectors_[slot.begin++] = static_cast<std::uint32_t>(v);
-      }
-    }
-  }
-  for (BinTable::Slot& slot : table_.slots()) {
-    if (slot.count != kRow) slot.begin -= slot.count;
-  }
-}
-
-void VectorIndex::layOut() {
-  std::uint32_t postings = 0;
+VectorIndex::VectorIndex(Measure measure, PostingLists lists)
+    : measure_(measure), lists_(std::move(lists)), totals_(lists_.vectors) {
+  const std::vector<PostingLists::Bin> bins = binsOf(lists_);
+  table_ = BinTable(bins.size());
+  std::vector<Postings> all;
+  all.reserve(bins.size());
   std::uint32_t rows = 0;
-  for (BinTable::Slot& slot : table_.slots()) {
-    if (slot.count == 0) continue;
-    if (slot.count * kRowShare >= totals_.size()) {
-      slot.begin = rows++;
-      slot.count = kRow;
-    } else {
-      slot.begin = postings;
-      postings += slot.count;
-    }
+  std::uint32_t postings = 0;
+  for (std::size_t b = 0; b < bins.size(); ++b) {
+    table_.prefetch(bins[std::min(b + kLookupsAhead, bins.size() - 1)].index);
+    BinTable::Slot& slot = table_.insert(bins[b].index);
+    const bool common = lists_.isCommon(bins[b].count);
+    slot.count = common ? kRow : bins[b].count;
+    slot.begin = common ? rows++ : postings;
+    if (!common) postings += slot.count;
+    all.push_back(postingsAt(slot, 0));
   }
-  rows_.resize(rows * totals_.size());
-  values_.resize(postings);
-  vectors_.resize(postings);
-}
-
-const SparseVector& VectorIndex::asSparse(const Feature& x, SparseVector& scratch) const {
-  if (x.index() != kind_) {
-    throw Error("Cannot compare features of two kinds; extract both with the same options.");
+  if (measure_ == Measure::kChiSquared) {
+    addValues(all, totals_.data());
+  } else {
+    addSquares(all, totals_.data());
   }
-  if (const auto* sparse = std::get_if<SparseVector>(&x)) return *sparse;
-  const std::vector<float>& values = std::get<DenseVector>(x).values;
-  if (values.size() != dimension_) {
-    throw Error("Cannot compare a vector of " + std::to_string(values.size()) +
-                " elements with vectors of " + std::to_string(dimension_) +
-                "; extract both with the same options.");
+  for (const double total : totals_) {
+    if (!std::isfinite(total)) throw Error("a support vector holds a number that is not finite");
   }
-  scratch.indices.clear();
-  scratch.values.clear();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i] == 0) continue;
-    scratch.indices.push_back(i);
-    scratch.values.push_back(values[i]);
-  }
-  return scratch;
 }
 
 double VectorIndex::total(const SparseVector& x) const {
   double sum = 0;
   if (measure_ == Measure::kChiSquared) {
     for (const double value : x.values) sum += value;
-  } else if (measure_ == Measure::kSquaredDistance) {
+  } else {
     for (const double value : x.values) sum += value * value;
   }
   return sum;
+}
+
+VectorIndex::Postings VectorIndex::postingsAt(const BinTable::Slot& slot, double x) const {
+  if (slot.count == kRow) return {&lists_.rows[slot.begin * size()], nullptr, size(), x};
+  return {&lists_.values[slot.begin], &lists_.numbers[slot.begin], slot.count, x};
 }
 
 std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x,
@@ -166,24 +150,17 @@ std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x
   for (std::size_t i = 0; i < x.size(); ++i) {
     table_.prefetch(x.indices[std::min(i + kLookupsAhead, x.size() - 1)]);
     const BinTable::Slot& slot = table_.find(x.indices[i]);
-    if (slot.count == kRow) {
-      bins.push_back({&rows_[slot.begin * totals_.size()], nullptr, vectors, x.values[i]});
-    } else if (slot.count != 0) {
-      const std::uint32_t* first = &vectors_[slot.begin];
-      std::size_t count = slot.count;  // in ascending order of vectors
-      if (vectors < totals_.size()) {
-        count = static_cast<std::size_t>(std::lower_bound(first, first + count, vectors) - first);
-      }
-      bins.push_back({&values_[slot.begin], first, count, x.values[i]});
-    }
+    if (slot.count == 0) continue;
+    const Postings all = postingsAt(slot, x.values[i]);
+    bins.push_back(vectors < size() ? ofFirst(vectors, all) : all);
   }
   return bins;
 }
 
 void VectorIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
-  if (totals_.empty()) return;
+  if (size() == 0) return;
   SparseVector scratch;
-  const SparseVector& sparse = asSparse(x, scratch);
+  const SparseVector& sparse = asSparse(x, lists_.dimension, scratch);
   const std::vector<Postings> bins = postingsOf(sparse, static_cast<std::size_t>(out.size()));
   out.setZero();
   switch (measure_) {

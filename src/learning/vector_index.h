@@ -1,12 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
-#include "base/huge_pages.h"
 #include "learning/bin_table.h"
 #include "learning/kernel_type.h"
-#include "learning/support_index.h"
+#include "learning/posting_lists.h"
 
 namespace place_recognition {
 
@@ -15,37 +15,38 @@ namespace place_recognition {
 /// min(x, y)) and totals of each vector alone, for example
 /// chi2(x, y) = sum x + sum y - 4 sum_shared xy/(x+y); so one pass over the bins of x serves every
 /// support vector. Terms and sums are in double precision, in ascending order of bins.
-class VectorIndex : public SupportIndex {
+class VectorIndex {
  public:
-  VectorIndex(Measure measure, const std::vector<Feature>& vectors);
-  void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const override;
+  /// Throws Error, a phrase without a source, if `lists` is not that of vectors of finite elements.
+  VectorIndex(Measure measure, PostingLists lists);
 
-  /// The values of one bin: either `count` pairs of (value, vector), or, in a bin that many vectors
-  /// have, a whole row of values, one a vector.
+  /// Kernel::measure(x, vector i) for the first vectors, as many as `out` has elements. Throws
+  /// Error if `x` is of another kind or dimension than the vectors. Safe to call from several
+  /// threads.
+  void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
+
+  std::size_t size() const { return lists_.vectors; }
+  std::vector<Feature> vectors() const { return vectorsOf(lists_); }
+  const PostingLists& lists() const { return lists_; }
+
+  /// The values of one bin: either `count` pairs of (value, vector), or a row of values.
   struct Postings {
     const float* values;
-    const std::uint32_t* vectors;  ///< null: a row
+    const std::uint16_t* vectors;  ///< null: a row
     std::size_t count;
     double x;  ///< of the new vector, in this bin
   };
 
  private:
-  /// `x` itself, or its non-zero elements in `scratch`; Error if it is of a foreign kind.
-  const SparseVector& asSparse(const Feature& x, SparseVector& scratch) const;
   double total(const SparseVector& x) const;
-  /// Gives every bin, counted in the table, its place in values_ or rows_.
-  void layOut();
+  Postings postingsAt(const BinTable::Slot& slot, double x) const;
   /// Of the bins of `x`, of the first `vectors` vectors.
   std::vector<Postings> postingsOf(const SparseVector& x, std::size_t vectors) const;
 
   Measure measure_;
-  std::size_t kind_ = 0;        ///< index of the alternative of Feature
-  std::size_t dimension_ = 0;   ///< of dense vectors
-  std::vector<double> totals_;  ///< one a vector
-  BinTable table_;
-  std::vector<float, HugePages<float>> values_;
-  std::vector<std::uint32_t, HugePages<std::uint32_t>> vectors_;
-  std::vector<float, HugePages<float>> rows_;  ///< as many elements a row as vectors
+  PostingLists lists_;
+  std::vector<double> totals_;  ///< one a vector: its sum for chi-squared, else that of its squares
+  BinTable table_;              ///< where each bin stands in the lists
 };
 
 }  // namespace place_recognition

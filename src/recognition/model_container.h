@@ -1,27 +1,72 @@
 #pragma once
 
-#include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <istream>
 #include <string>
 #include <string_view>
 
 namespace place_recognition {
 
-// The outside of a model file: 8 bytes of magic, then little-endian the format version (4 bytes),
-// the length of the payload (8) and its CRC-32 (4), then the payload. Any change of any byte is
-// noticed before the payload is looked at.
+// The outside of a model file: a header of 32 bytes with two checksums, the message of model.proto,
+// and the numbers: arrays, each as its count (8 bytes) and its elements, as a little-endian machine
+// holds them. Any change of any byte is noticed before what it changes is looked at.
 
-/// Of a model file; protobuf's own limit.
-constexpr std::size_t kMaxModelBytes = std::numeric_limits<int>::max();
+/// Of a model file.
+constexpr std::uint64_t kMaxModelBytes = 0x7fffffff;
 
-/// `payload` with its header.
-std::string packContainer(std::string_view payload);
+/// Collects arrays for packContainer().
+class NumberWriter {
+ public:
+  template <typename Vector>
+  void operator()(const Vector& numbers) {
+    const std::uint64_t count = numbers.size();
+    append(&count, sizeof(count));
+    append(numbers.data(), count * sizeof(numbers[0]));
+  }
+  const std::string& bytes() const { return bytes_; }
 
-/// The payload inside `bytes`, as a part of them. Throws Error naming `where` if they are not a
-/// whole, unchanged model file of the known format version.
-std::string_view unpackContainer(std::string_view bytes, const std::string& where);
+ private:
+  void append(const void* data, std::size_t size) {
+    bytes_.append(static_cast<const char*>(data), size);
+  }
 
-/// The checksum of a packed container as 8 hexadecimal digits.
-std::string containerVersion(std::string_view bytes);
+  std::string bytes_;
+};
+
+/// A model file of this message and these numbers.
+std::string packContainer(std::string_view message, std::string_view numbers);
+
+/// Reads a model file from its start to its end. What does not fit throws Error, a phrase without a
+/// source.
+class ContainerReader {
+ public:
+  /// Reads and checks all but the numbers. `file` must outlive this.
+  explicit ContainerReader(std::istream& file);
+
+  const std::string& message() const { return message_; }
+  /// The checksum that depends on every byte of the file, as 8 hexadecimal digits.
+  std::string version() const;
+
+  /// Reads the next array, straight to where it will be used. It is to be trusted after finish().
+  template <typename Vector>
+  void operator()(Vector& numbers) {
+    numbers = Vector(nextCount(sizeof(numbers[0])));
+    read(numbers.data(), numbers.size() * sizeof(numbers[0]));
+  }
+  /// Checks that there are no more arrays and that those which were read are unchanged.
+  void finish() const;
+
+ private:
+  /// The count of the next array, of elements of so many bytes; they are all there.
+  std::size_t nextCount(std::size_t element_bytes);
+  void read(void* data, std::size_t size);
+
+  std::istream& file_;
+  std::string message_;
+  std::uint32_t version_ = 0;
+  std::uint64_t bytes_left_ = 0;        ///< of the numbers
+  std::uint32_t numbers_checksum_ = 0;  ///< as it should be
+  std::uint32_t checksum_ = 0;          ///< of the numbers read
+};
 
 }  // namespace place_recognition

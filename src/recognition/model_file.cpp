@@ -1,11 +1,15 @@
 #include "place_recognition/model_file.h"
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <system_error>
 
 #include "base/atomic_file.h"
 #include "place_recognition/error.h"
-#include "recognition/message_entries.h"
+#include "recognition/classifier_numbers.h"
 #include "recognition/model_backups.h"
 #include "recognition/model_container.h"
 #include "recognition/model_message.h"
@@ -14,24 +18,52 @@ namespace place_recognition {
 
 namespace fs = std::filesystem;
 
-std::string serializeModel(const Model& model) {
-  const proto::Model message = toMessage(model);
-  if (message.ByteSizeLong() >= kMaxModelBytes) {
-    throw Error("The model would be larger than 2 GB; train on fewer images or reduce it.");
+namespace {
+
+Model readModel(std::istream& file, const std::string& where) {
+  try {
+    ContainerReader reader(file);
+    proto::Model message;
+    if (!message.ParseFromString(reader.message())) {
+      throw Error("it is not of the form that this program writes");
+    }
+    Model model = fromMessage(message);
+    std::vector<ClassifierNumbers> numbers(model.options.cues.size());
+    for (ClassifierNumbers& classifier : numbers) classifier.visit(reader);
+    reader.finish();
+    for (std::size_t c = 0; c < numbers.size(); ++c) {
+      model.classifiers.push_back(classifierOf(std::move(numbers[c]), model, c));
+    }
+    model.version = reader.version();
+    return model;
+  } catch (const Error& e) {
+    throw Error("The model " + where + " cannot be used (" + e.what() +
+                "); restore a backup (place_tool restore) or train the model again.");
   }
-  return packContainer(message.SerializeAsString());
+}
+
+std::ifstream openFile(const std::string& path) {
+  std::error_code failure;
+  const bool is_file = fs::is_regular_file(path, failure);
+  std::ifstream file(path, std::ios::binary);
+  if (!is_file || !file) {
+    const std::string why = is_file || failure ? std::strerror(errno) : "not a file";
+    throw Error("Cannot read " + path + ": " + why + "; check the name.");
+  }
+  return file;
+}
+
+}  // namespace
+
+std::string serializeModel(const Model& model) {
+  NumberWriter writer;
+  for (const Classifier& classifier : model.classifiers) numbersOf(classifier).visit(writer);
+  return packContainer(toMessage(model).SerializeAsString(), writer.bytes());
 }
 
 Model parseModel(const std::string& bytes, const std::string& where) {
-  const std::string_view payload = unpackContainer(bytes, where);
-  proto::Model message;
-  if (payload.size() >= kMaxModelBytes || !hasFewEntries(payload) ||
-      !message.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
-    throw Error("The model " + where +
-                " is not of the form that this program writes; restore a backup (place_tool "
-                "restore) or train the model again.");
-  }
-  return fromMessage(message, where);
+  std::istringstream file(bytes);
+  return readModel(file, where);
 }
 
 std::uint64_t saveModel(const Model& model, const std::string& path) {
@@ -48,10 +80,9 @@ std::uint64_t saveModel(const Model& model, const std::string& path) {
 }
 
 Model loadModel(const std::string& path) {
-  const std::string bytes = readFile(path, kMaxModelBytes);
-  Model model = parseModel(bytes, path);
+  std::ifstream file = openFile(path);
+  Model model = readModel(file, path);
   model.name = fs::path(path).stem().string();
-  model.version = containerVersion(bytes);
   return model;
 }
 

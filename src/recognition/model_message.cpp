@@ -1,20 +1,20 @@
 #include "recognition/model_message.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include "base/options.h"
-#include "learning/machines.h"
-#include "learning/support_set.h"
 #include "place_recognition/error.h"
 #include "recognition/names.h"
-#include "recognition/vectors_message.h"
 
 namespace place_recognition {
 namespace {
 
 /// Far above what a configuration needs; keeps foreign text away from the YAML parser.
 constexpr std::size_t kMaxOptionsBytes = 1 << 16;
+/// More runs than a command line can name.
+constexpr std::size_t kMaxInputs = 100000;
 
 void require(bool condition, const char* otherwise) {
   if (!condition) throw Error(otherwise);
@@ -27,73 +27,37 @@ void requireFinite(const Numbers& numbers, const char* otherwise) {
 
 bool isShare(double number) { return number >= 0 && number <= 1; }
 
-Eigen::RowVectorXd rowVector(const google::protobuf::RepeatedField<double>& numbers) {
-  return Eigen::Map<const Eigen::RowVectorXd>(numbers.data(), numbers.size());
+std::string joined(const std::vector<std::string>& texts) {
+  std::string bytes;
+  for (const std::string& text : texts) bytes.append(text).push_back('\0');
+  return bytes;
 }
 
-void append(const Eigen::RowVectorXd& numbers, google::protobuf::RepeatedField<double>* field) {
-  field->Add(numbers.data(), numbers.data() + numbers.size());
-}
-
-proto::Classifier toMessage(const Classifier& classifier, proto::Vectors::Kind kind) {
-  proto::Classifier message;
-  *message.mutable_support_vectors() = toMessage(classifier.supportSet().vectors(), kind);
-  const Machines& machines = classifier.machines();
-  for (Eigen::Index i = 0; i < machines.weights.rows(); ++i) {
-    append(machines.weights.row(i), message.mutable_weights());
+/// What joined() was given. The texts are counted before memory is taken for them: an empty one has
+/// one byte in a file and many in memory.
+std::vector<std::string> separated(const std::string& bytes, std::size_t most) {
+  require(bytes.empty() || bytes.back() == '\0', "a text has no end");
+  require(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\0')) <= most,
+          "it names too many places or inputs");
+  std::vector<std::string> texts;
+  for (std::size_t begin = 0; begin < bytes.size(); begin += texts.back().size() + 1) {
+    texts.emplace_back(&bytes[begin]);
   }
-  append(machines.biases, message.mutable_biases());
-  for (const int place : classifier.vectorPlaces()) {
-    message.add_vector_places(static_cast<std::uint32_t>(place));
-  }
-  return message;
-}
-
-Classifier classifierFromMessage(const proto::Classifier& message, const CueOptions& cue,
-                                 const Model& model) {
-  Machines machines;
-  machines.places = model.places.size();
-  machines.one_against_one = model.options.svm.multiclass == "one-against-one";
-  require(static_cast<std::uint64_t>(message.biases_size()) ==
-              machineCount(machines.places, machines.one_against_one),
-          "the number of machines is not that of the places");
-  const std::uint64_t vectors = static_cast<std::uint64_t>(message.support_vectors().sizes_size());
-  require(static_cast<std::uint64_t>(message.weights_size()) == vectors * message.biases_size(),
-          "there are not as many weights as support vectors and machines");
-  requireFinite(message.weights(), "a weight is not finite");
-  requireFinite(message.biases(), "a bias is not finite");
-
-  std::vector<int> vector_places;
-  for (const std::uint32_t place : message.vector_places()) {
-    require(place < machines.places, "a support vector is of a place that there is not");
-    vector_places.push_back(static_cast<int>(place));
-  }
-  require(vector_places.size() == vectors,
-          "the places of the support vectors are not as many as these");
-
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  machines.weights = Eigen::Map<const RowMajor>(
-      message.weights().data(), static_cast<Eigen::Index>(vectors), message.biases_size());
-  machines.biases = rowVector(message.biases());
-  return Classifier(cue.kernel, std::move(machines),
-                    fromMessage(message.support_vectors(), vectorForm(cue.feature)), vector_places);
+  return texts;
 }
 
 void readNames(const proto::Model& message, Model& model) {
-  model.places.assign(message.places().begin(), message.places().end());
+  model.places = separated(message.places(), kMaxPlaces);
   require(model.places.size() >= 2, "it knows fewer than two places");
-  require(model.places.size() <= kMaxPlaces, "it knows too many places");
   for (std::size_t k = 0; k < model.places.size(); ++k) {
     require(isPlaceName(model.places[k]), "the name of a place is not printable UTF-8 text");
     require(k == 0 || model.places[k - 1] < model.places[k], "the names of places do not ascend");
   }
 }
 
-void readClassifiers(const proto::Model& message, Model& model) {
-  const std::vector<CueOptions>& cues = model.options.cues;
-  require(static_cast<std::size_t>(message.classifiers_size()) == cues.size() &&
-              static_cast<std::size_t>(message.cue_weights_size()) == cues.size(),
-          "it has not one classifier and one weight a cue");
+void readCueWeights(const proto::Model& message, Model& model) {
+  require(static_cast<std::size_t>(message.cue_weights_size()) == model.options.cues.size(),
+          "it has not one weight a cue");
   double sum = 0;
   for (const double weight : message.cue_weights()) {
     require(isShare(weight), "the weight of a cue is not in 0..1");
@@ -101,10 +65,6 @@ void readClassifiers(const proto::Model& message, Model& model) {
   }
   require(std::abs(sum - 1) < 1e-9, "the weights of the cues do not sum to one");
   model.cue_weights.assign(message.cue_weights().begin(), message.cue_weights().end());
-  for (std::size_t c = 0; c < cues.size(); ++c) {
-    const proto::Classifier& classifier = message.classifiers(static_cast<int>(c));
-    model.classifiers.push_back(classifierFromMessage(classifier, cues[c], model));
-  }
 }
 
 void readCalibration(const proto::Model& message, Model& model) {
@@ -134,7 +94,6 @@ void writeAdjacency(const Adjacency& adjacency, proto::Model& message) {
   }
 }
 
-/// Files of before there was such a map have none.
 void readAdjacency(const proto::Model& message, Model& model) {
   const std::uint64_t places = model.places.size();
   model.adjacency = Adjacency(places);
@@ -154,7 +113,7 @@ void readProvenance(const proto::Provenance& message, Model& model) {
   require(static_cast<std::size_t>(message.place_images_size()) == model.places.size(),
           "the numbers of images are not those of its places");
   Provenance& provenance = model.provenance;
-  provenance.inputs.assign(message.inputs().begin(), message.inputs().end());
+  provenance.inputs = separated(message.inputs(), kMaxInputs);
   provenance.place_images.assign(message.place_images().begin(), message.place_images().end());
   provenance.skipped_images = message.skipped_images();
   provenance.package_version = message.package_version();
@@ -166,23 +125,20 @@ void readProvenance(const proto::Provenance& message, Model& model) {
 proto::Model toMessage(const Model& model) {
   proto::Model message;
   message.set_options(writeOptions(model.options));
-  for (const std::string& place : model.places) message.add_places(place);
-  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
-    *message.add_classifiers() =
-        toMessage(model.classifiers[c], vectorForm(model.options.cues[c].feature).kind);
-    message.add_cue_weights(model.cue_weights[c]);
-  }
+  message.set_places(joined(model.places));
+  for (const double weight : model.cue_weights) message.add_cue_weights(weight);
   message.set_calibration_slope(model.calibration.slope);
   const EvidenceWeights& weights = model.calibration.weights;
-  append(Eigen::RowVector3d(weights.margins, weights.familiarity, weights.offset),
-         message.mutable_evidence_weights());
+  for (const double weight : {weights.margins, weights.familiarity, weights.offset}) {
+    message.add_evidence_weights(weight);
+  }
   message.set_unknown_threshold(model.unknown_threshold);
   message.set_validation_average_rate(model.validation.average_rate);
   message.set_validation_calibration_error(model.validation.calibration_error);
   writeAdjacency(model.adjacency, message);
 
   proto::Provenance& provenance = *message.mutable_provenance();
-  for (const std::string& input : model.provenance.inputs) provenance.add_inputs(input);
+  provenance.set_inputs(joined(model.provenance.inputs));
   for (const std::uint64_t count : model.provenance.place_images) {
     provenance.add_place_images(count);
   }
@@ -191,22 +147,17 @@ proto::Model toMessage(const Model& model) {
   return message;
 }
 
-Model fromMessage(const proto::Model& message, const std::string& where) {
-  try {
-    Model model;
-    require(message.options().size() <= kMaxOptionsBytes, "its options are too long");
-    readOptions(parseYaml(message.options(), "its configuration"), "", model.options);
-    model.options.check();
-    readNames(message, model);
-    readClassifiers(message, model);
-    readCalibration(message, model);
-    readAdjacency(message, model);
-    readProvenance(message.provenance(), model);
-    return model;
-  } catch (const Error& e) {
-    throw Error("The model " + where + " cannot be used (" + e.what() +
-                "); restore a backup (place_tool restore) or train the model again.");
-  }
+Model fromMessage(const proto::Model& message) {
+  Model model;
+  require(message.options().size() <= kMaxOptionsBytes, "its options are too long");
+  readOptions(parseYaml(message.options(), "its configuration"), "", model.options);
+  model.options.check();
+  readNames(message, model);
+  readCueWeights(message, model);
+  readCalibration(message, model);
+  readAdjacency(message, model);
+  readProvenance(message.provenance(), model);
+  return model;
 }
 
 }  // namespace place_recognition

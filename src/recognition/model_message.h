@@ -1,17 +1,15 @@
 #pragma once
 
-#include <string>
-
 #include "model.pb.h"
 #include "place_recognition/model.h"
 
 namespace place_recognition {
 
-/// The protobuf message of a model.
+/// The protobuf message of a model: all of it but the classifiers.
 proto::Model toMessage(const Model& model);
 
-/// The model in `message`; `where` names its source. Every count, range and number is checked
-/// before it is used; throws Error saying what does not fit.
-Model fromMessage(const proto::Model& message, const std::string& where);
+/// The model in `message`, without classifiers. Every count, range and number is checked before it
+/// is used; throws Error, a phrase without a source, saying what does not fit.
+Model fromMessage(const proto::Model& message);
 
 }  // namespace place_recognition

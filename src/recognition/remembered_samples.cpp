@@ -61,12 +61,12 @@ Samples rememberedSamples(const Model& model) {
   samples.features.resize(model.classifiers.size());
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     const Classifier& classifier = model.classifiers[c];
+    std::vector<Feature> vectors = classifier.supportSet().vectors();
     for (std::size_t i = 0; i < classifier.supportVectorCount(); ++i) {
       samples.source.push_back(static_cast<int>(samples.origins.size()));
       samples.origins.push_back({classifier.vectorPlaces()[i], 0, static_cast<double>(i)});
       for (std::size_t other = 0; other < model.classifiers.size(); ++other) {
-        samples.features[other].push_back(other == c ? classifier.supportSet().vectors()[i]
-                                                     : Feature());
+        samples.features[other].push_back(other == c ? std::move(vectors[i]) : Feature());
       }
     }
   }

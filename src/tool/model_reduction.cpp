@@ -74,7 +74,8 @@ ModelReduction::ModelReduction(const Model& model, const Samples* training,
     : model_(model) {
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     const SupportSet& support_set = model.classifiers[c].supportSet();
-    const std::vector<Feature>& rows = training ? training->features[c] : support_set.vectors();
+    const std::vector<Feature> own = training ? std::vector<Feature>() : support_set.vectors();
+    const std::vector<Feature>& rows = training ? training->features[c] : own;
     kernel_values_.push_back(kernelValues(pointers(rows), support_set, progress));
   }
 }

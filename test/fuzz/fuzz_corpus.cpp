@@ -6,7 +6,6 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "recognition/drawn_run.h"
-#include "recognition/model_container.h"
 #include "reliability/preset_models.h"
 
 using namespace place_recognition;
@@ -36,7 +35,7 @@ int main(int argc, char** argv) {
   int number = 0;
   // Of few pictures, for a fuzzer reads small models much faster.
   for (const std::string& model : trainPresets(drawFrames(2, 2))) {
-    write(folder + "/model/" + std::to_string(number++), unpackContainer(model, "made up"));
+    write(folder + "/model/" + std::to_string(number++), model);
   }
   const cv::Mat image = drawRoom(1, 1)(cv::Rect(0, 0, 16, 12));
   writePicture(folder + "/image/png", image, ".png");

@@ -1,10 +1,10 @@
-// Any bytes as the inside of a model file. Its header is made to fit, for it would refuse them all.
+// Any bytes as a model file, but for its header, which is made to fit: it would refuse them all.
 
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/drawn_run.h"
-#include "recognition/model_container.h"
+#include "recognition/fitting_header.h"
 
 using namespace place_recognition;
 
@@ -22,9 +22,9 @@ void use(Model parsed) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view payload(reinterpret_cast<const char*>(data), size);
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
   try {
-    use(parseModel(packContainer(payload), "fuzzed"));
+    use(parseModel(withFittingHeader(bytes), "fuzzed"));
   } catch (const Error&) {
   }
   return 0;

@@ -24,15 +24,28 @@ class SupportSetOf : public testing::TestWithParam<Case> {
  protected:
   /// Kernel::measure is the plain definition.
   void expectPlainMeasures(const SupportSet& set, const Feature& x) {
+    const std::vector<Feature> vectors = set.vectors();
     Eigen::VectorXd measures(set.size());
     Eigen::VectorXd values(set.size());
     set.measures(x, measures);
     set.kernelValues(x, values);
     for (std::size_t i = 0; i < set.size(); ++i) {
-      const double expected = kernel_.measure(x, set.vectors()[i]);
+      const double expected = kernel_.measure(x, vectors[i]);
       const auto row = static_cast<Eigen::Index>(i);
       EXPECT_NEAR(measures[row], expected, 1e-12 * (1 + std::abs(expected))) << "vector " << i;
       EXPECT_EQ(values[row], kernel_.value(measures[row]));
+    }
+  }
+
+  static void expectEqual(const Feature& x, const Feature& y) {
+    ASSERT_EQ(x.index(), y.index());
+    if (const auto* sparse = std::get_if<SparseVector>(&x)) {
+      EXPECT_EQ(sparse->indices, std::get<SparseVector>(y).indices);
+      EXPECT_EQ(sparse->values, std::get<SparseVector>(y).values);
+    } else if (const auto* dense = std::get_if<DenseVector>(&x)) {
+      EXPECT_EQ(dense->values, std::get<DenseVector>(y).values);
+    } else {
+      EXPECT_EQ(std::get<DescriptorSet>(x).descriptors, std::get<DescriptorSet>(y).descriptors);
     }
   }
 
@@ -73,15 +86,25 @@ TEST_P(SupportSetOf, ComparesWithTheFirstVectorsAlone) {
 }
 
 TEST_P(SupportSetOf, OwnMeasureIsExact) {
-  const SupportSet set(kernel_, draw(50));
+  const std::vector<Feature> vectors = draw(50);
+  const SupportSet set(kernel_, vectors);
   Eigen::VectorXd measures(set.size());
   for (std::size_t i = 0; i < set.size(); ++i) {
-    set.measures(set.vectors()[i], measures);
+    set.measures(vectors[i], measures);
     const Measure measure = kernel_.type().measure;
     if (measure == Measure::kChiSquared || measure == Measure::kSquaredDistance) {
       EXPECT_EQ(measures[static_cast<Eigen::Index>(i)], 0);
       EXPECT_GE(measures.minCoeff(), 0);
     }
+  }
+}
+
+TEST_P(SupportSetOf, GivesTheVectorsBack) {
+  for (const std::size_t count : {0, 1, 40}) {
+    const std::vector<Feature> vectors = draw(count);
+    const std::vector<Feature> again = SupportSet(kernel_, vectors).vectors();
+    ASSERT_EQ(again.size(), count);
+    for (std::size_t i = 0; i < count; ++i) expectEqual(again[i], vectors[i]);
   }
 }
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <functional>
 
-#include "model.pb.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/drawn_run.h"
-#include "recognition/model_container.h"
+#include "recognition/fitting_header.h"
+#include "recognition/model_contents.h"
 #include "reliability/allocation_meter.h"
 #include "reliability/damage.h"
 #include "reliability/preset_models.h"
@@ -47,10 +47,6 @@ void expectUsable(const std::string& bytes) {
   }
 }
 
-std::string payloadOf(const std::string& bytes) {
-  return std::string(unpackContainer(bytes, "whole"));
-}
-
 TEST(ModelDamage, EveryPresetIsTrained) {
   EXPECT_GE(presetModels().size(), 6u);
   for (const std::string& bytes : presetModels()) {
@@ -69,14 +65,12 @@ TEST(ModelDamage, NoChangeOfAFilePasses) {
   }
 }
 
-TEST(ModelDamage, APayloadWithAFittingHeaderIsRefusedOrUsable) {
-  std::vector<std::string> payloads;
-  for (const std::string& bytes : presetModels()) payloads.push_back(payloadOf(bytes));
-  Damage damage(payloads, 2);
+TEST(ModelDamage, ContentsWithAFittingHeaderAreRefusedOrUsable) {
+  Damage damage(presetModels(), 2);
   int accepted = 0;
   const int count = rounds(2000, 20000);
   for (int i = 0; i < count; ++i) {
-    const std::string bytes = packContainer(damage.next());
+    const std::string bytes = withFittingHeader(damage.next());
     if (!accepts(bytes)) continue;
     ++accepted;
     if (accepted % 20 == 0) expectUsable(bytes);
@@ -85,38 +79,46 @@ TEST(ModelDamage, APayloadWithAFittingHeaderIsRefusedOrUsable) {
   EXPECT_LT(accepted, count);
 }
 
-/// A crafted model: the message of the first preset, changed, with a fitting header.
-std::string crafted(const std::function<void(proto::Model&)>& change) {
-  proto::Model message;
-  EXPECT_TRUE(message.ParseFromString(payloadOf(presetModels().front())));
-  change(message);
-  return packContainer(message.SerializeAsString());
+/// A crafted model: the contents of the first preset's, changed, with a fitting header.
+std::string crafted(const std::function<void(ModelContents&)>& change) {
+  return tampered(presetModels().front(), change);
 }
 
 constexpr int kMany = 1000000;
 
 TEST(CraftedModel, ManyEmptyPlacesTakeNoMemory) {
-  EXPECT_FALSE(accepts(crafted([](proto::Model& m) {
-    for (int i = 0; i < kMany; ++i) m.add_places();
-  })));
-}
-
-TEST(CraftedModel, ManyEmptyClassifiersTakeNoMemory) {
-  EXPECT_FALSE(accepts(crafted([](proto::Model& m) {
-    for (int i = 0; i < kMany; ++i) m.add_classifiers();
-  })));
+  EXPECT_FALSE(
+      accepts(crafted([](ModelContents& c) { c.message.mutable_places()->append(kMany, '\0'); })));
 }
 
 TEST(CraftedModel, ManyEmptyInputsTakeNoMemory) {
-  EXPECT_FALSE(accepts(crafted([](proto::Model& m) {
-    for (int i = 0; i < kMany; ++i) m.mutable_provenance()->add_inputs();
+  EXPECT_FALSE(accepts(crafted([](ModelContents& c) {
+    c.message.mutable_provenance()->mutable_inputs()->append(kMany, '\0');
   })));
 }
 
 TEST(CraftedModel, ManyUnknownFieldsTakeNoMemory) {
-  std::string payload = payloadOf(presetModels().front());
-  for (int i = 0; i < kMany; ++i) payload += std::string("\xfa\x07\x00", 3);  // field 127, empty
-  accepts(packContainer(payload));
+  std::string fields;
+  for (int i = 0; i < kMany; ++i) fields += std::string("\xfa\x07\x00", 3);  // field 127, empty
+  accepts(crafted([&](ModelContents& c) { c.message.MergeFromString(fields); }));
+}
+
+TEST(CraftedModel, ManyBinsOfNoVectorTakeNoMemory) {
+  EXPECT_FALSE(accepts(crafted([](ModelContents& c) {
+    c.classifiers[0].lists.bins.insert(c.classifiers[0].lists.bins.end(), 2 * kMany, 1);
+  })));
+}
+
+TEST(CraftedModel, ArraysLongerThanTheFileTakeNoMemory) {
+  // The count of the first array, where the message ends.
+  const std::string& model = presetModels().front();
+  std::uint32_t message_size = 0;
+  std::memcpy(&message_size, &model[12], sizeof(message_size));
+  for (const int byte : {3, 5, 7}) {
+    std::string bytes = model;
+    bytes[32 + message_size + byte] = '\x7f';
+    EXPECT_FALSE(accepts(withFittingHeader(bytes)));
+  }
 }
 
 TEST(CraftedModel, ConfigurationsThatRepeatThemselvesAreRefused) {
@@ -124,14 +126,14 @@ TEST(CraftedModel, ConfigurationsThatRepeatThemselvesAreRefused) {
   for (int i = 0; i < 10000; ++i) cue += "L,";
   std::string options = "cues: [" + cue + "L]}}";
   for (int i = 0; i < 8000; ++i) options += ",*c";
-  EXPECT_FALSE(accepts(crafted([&](proto::Model& m) { m.set_options(options + "]"); })));
+  EXPECT_FALSE(accepts(crafted([&](ModelContents& c) { c.message.set_options(options + "]"); })));
 }
 
 TEST(CraftedModel, DeepConfigurationsAreRefused) {
   std::string blocks;
   for (int i = 0; i < 30000; ++i) blocks += "- ";
   for (const std::string& deep : {std::string(60000, '['), std::string(60000, '{'), blocks}) {
-    EXPECT_FALSE(accepts(crafted([&](proto::Model& m) { m.set_options(deep); })));
+    EXPECT_FALSE(accepts(crafted([&](ModelContents& c) { c.message.set_options(deep); })));
   }
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/huge_pages.h"
+#include "learning/posting_lists.h"
+#include "place_recognition/model.h"
+
+namespace place_recognition {
+
+/// The numbers of one classifier as a model file holds them. Support vectors are bin by bin, or, if
+/// they are sets of local descriptors, one after the other; the arrays of the other kind are empty.
+struct ClassifierNumbers {
+  std::vector<std::uint32_t> vector_places;  ///< where each vector was recorded, indices of places
+  std::vector<double> weights;               ///< vectors x machines, row-major
+  std::vector<double> biases;                ///< one a machine
+  PostingLists lists;                        ///< sparse and dense vectors
+  std::vector<std::uint32_t> set_sizes;      ///< descriptors of each set
+  HugeVector<std::uint8_t> descriptors;      ///< DescriptorSet::kDimension bytes each
+
+  /// Calls visitor(array) for each array, in the order of the file.
+  template <typename Visitor>
+  void visit(Visitor& visitor) {
+    visitor(vector_places);
+    visitor(weights);
+    visitor(biases);
+    visitor(lists.bins);
+    visitor(lists.rows);
+    visitor(lists.values);
+    visitor(lists.numbers);
+    visitor(set_sizes);
+    visitor(descriptors);
+  }
+};
+
+ClassifierNumbers numbersOf(const Classifier& classifier);
+
+/// The classifier of the cue with number `cue` of a model that has its options and places. Throws
+/// Error, a phrase without a source, if any count, range or number is not one of such a classifier.
+Classifier classifierOf(ClassifierNumbers numbers, const Model& model, std::size_t cue);
+
+}  // namespace place_recognition

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "model.pb.h"
+#include "place_recognition/error.h"
+#include "recognition/classifier_numbers.h"
+#include "recognition/model_container.h"
+
+namespace place_recognition {
+
+/// What is inside a model file.
+struct ModelContents {
+  proto::Model message;
+  std::vector<ClassifierNumbers> classifiers;
+};
+
+/// The model file `bytes`, changed, with a header that fits.
+inline std::string tampered(const std::string& bytes,
+                            const std::function<void(ModelContents&)>& change) {
+  std::istringstream file(bytes);
+  ContainerReader reader(file);
+  ModelContents contents;
+  if (!contents.message.ParseFromString(reader.message())) throw Error("no model");
+  contents.classifiers.resize(static_cast<std::size_t>(contents.message.cue_weights_size()));
+  for (ClassifierNumbers& classifier : contents.classifiers) classifier.visit(reader);
+  reader.finish();
+
+  change(contents);
+
+  NumberWriter numbers;
+  for (ClassifierNumbers& classifier : contents.classifiers) classifier.visit(numbers);
+  return packContainer(contents.message.SerializeAsString(), numbers.bytes());
+}
+
+}  // namespace place_recognition
