@@ -7,13 +7,14 @@
 
 namespace place_recognition {
 
-/// A model as the bytes of a `.places` file: magic, format version, length and checksum, then the
-/// protobuf message of src/recognition/model.proto. Equal models give equal bytes.
+/// A model as the bytes of a `.places` file: magic, format version, lengths and checksums, then the
+/// protobuf message of src/recognition/model.proto, then the classifiers' numbers as they are used.
+/// Equal models give equal bytes.
 std::string serializeModel(const Model& model);
 
 /// The model in `bytes`; `where` names their source in messages. Throws Error, saying what is
 /// wrong, for anything that serializeModel() did not write: foreign, cut or changed bytes, counts
-/// and ranges that do not agree, numbers that are not finite.
+/// and ranges that do not agree, numbers that are not finite. Sets version.
 Model parseModel(const std::string& bytes, const std::string& where);
 
 /// Saves atomically, also beside others that save to the same path; creates the folder if it is

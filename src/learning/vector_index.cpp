@@ -99,14 +99,19 @@ void addSquares(const std::vector<VectorIndex::Postings>& bins, double* sums) {
   addTerms(bins, SquareTerm(), sums);
 }
 
+/// Adds to each vector's total; see VectorIndex::total().
+void addTotals(Measure measure, const std::vector<VectorIndex::Postings>& bins, double* totals) {
+  measure == Measure::kChiSquared ? addValues(bins, totals) : addSquares(bins, totals);
+}
+
 }  // namespace
 
 VectorIndex::VectorIndex(Measure measure, PostingLists lists)
     : measure_(measure), lists_(std::move(lists)), totals_(lists_.vectors) {
   const std::vector<PostingLists::Bin> bins = binsOf(lists_);
   table_ = BinTable(bins.size());
-  std::vector<Postings> all;
-  all.reserve(bins.size());
+  constexpr std::size_t kBinsAtOnce = 1024;  // few enough to stay in the cache
+  std::vector<Postings> added;
   std::uint32_t rows = 0;
   std::uint32_t postings = 0;
   for (std::size_t b = 0; b < bins.size(); ++b) {
@@ -116,12 +121,10 @@ VectorIndex::VectorIndex(Measure measure, PostingLists lists)
     slot.count = common ? kRow : bins[b].count;
     slot.begin = common ? rows++ : postings;
     if (!common) postings += slot.count;
-    all.push_back(postingsAt(slot, 0));
-  }
-  if (measure_ == Measure::kChiSquared) {
-    addValues(all, totals_.data());
-  } else {
-    addSquares(all, totals_.data());
+    added.push_back(postingsAt(slot, 0));
+    if (added.size() < kBinsAtOnce && b + 1 < bins.size()) continue;
+    addTotals(measure_, added, totals_.data());
+    added.clear();
   }
   for (const double total : totals_) {
     if (!std::isfinite(total)) throw Error("a support vector holds a number that is not finite");

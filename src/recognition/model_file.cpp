@@ -43,12 +43,12 @@ Model readModel(std::istream& file, const std::string& where) {
 }
 
 std::ifstream openFile(const std::string& path) {
-  std::error_code failure;
-  const bool is_file = fs::is_regular_file(path, failure);
   std::ifstream file(path, std::ios::binary);
-  if (!is_file || !file) {
-    const std::string why = is_file || failure ? std::strerror(errno) : "not a file";
-    throw Error("Cannot read " + path + ": " + why + "; check the name.");
+  const std::string failure = file ? "" : std::strerror(errno);
+  std::error_code ignored;
+  if (!file || !fs::is_regular_file(path, ignored)) {
+    throw Error("Cannot read " + path + ": " + (file ? "not a file" : failure) +
+                "; check the name.");
   }
   return file;
 }
