@@ -30,18 +30,17 @@ TrainingOptions withKernel(const std::string& type, const FeatureOptions& featur
   return options;
 }
 
-std::vector<Kind> kinds() {
-  const FeatureOptions crfh = quickOptions().cues[0].feature;
+/// Each kernel with each form of feature that it takes, several cues, and each reduction.
+std::vector<Kind> kindsOfEitherMulticlass() {
+  const FeatureOptions sparse = quickOptions().cues[0].feature;
   std::vector<Kind> kinds;
   for (const char* kernel :
        {"linear", "polynomial", "gaussian", "sigmoid", "chi-squared", "intersection"}) {
-    kinds.push_back({kernel, withKernel(kernel, crfh)});
+    kinds.push_back({std::string("sparse ") + kernel, withKernel(kernel, sparse)});
+    kinds.push_back({std::string("dense ") + kernel, withKernel(kernel, LbpOptions())});
   }
   kinds.push_back({"local-match", withKernel("local-match", localFeature())});
-  kinds.push_back({"lbp", withKernel("chi-squared", LbpOptions())});
   kinds.push_back({"mr8", withKernel("intersection", Mr8Options())});
-  kinds.push_back({"one-against-one", withKernel("chi-squared", crfh)});
-  kinds.back().options.svm.multiclass = "one-against-one";
   kinds.push_back({"several cues", twoCueOptions()});
   kinds.back().options.cues.push_back(withKernel("local-match", localFeature()).cues[0]);
   kinds.back().options.cues.back().name = "local";
@@ -49,6 +48,18 @@ std::vector<Kind> kinds() {
     kinds.push_back({method, twoCueOptions()});
     kinds.back().options.reduction.method = method;
     kinds.back().options.reduction.tau = 0.1;
+  }
+  return kinds;
+}
+
+std::vector<Kind> kinds() {
+  std::vector<Kind> kinds;
+  for (const char* multiclass : {"one-against-all", "one-against-one"}) {
+    for (Kind& kind : kindsOfEitherMulticlass()) {
+      kind.name += std::string(" ") + multiclass;
+      kind.options.svm.multiclass = multiclass;
+      kinds.push_back(std::move(kind));
+    }
   }
   return kinds;
 }
