@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "features/channel_rows.h"
 #include "features/crfh_quantizer.h"
 
 namespace place_recognition {
 
-CrfhBank::CrfhBank(const std::vector<CrfhOptions>& histograms) {
+CrfhBank::CrfhBank(const std::vector<CrfhOptions>& histograms) : responses_(histograms.front()) {
   for (const CrfhOptions& options : histograms) {
     options.check();
     std::vector<Dimension>& dimensions = histograms_.emplace_back();
@@ -22,41 +21,18 @@ CrfhBank::CrfhBank(const std::vector<CrfhOptions>& histograms) {
     }
     border_ = std::max(border_, options.border);
   }
-  for (const Filter& filter : filters_) border_ = std::max(border_, filter.responses.margin());
-}
-
-std::size_t CrfhBank::planeOf(Channel channel) {
-  for (std::size_t i = 0; i < planes_.size(); ++i) {
-    if (planes_[i].channel == channel) return i;
-  }
-  planes_.push_back({channel, {}});
-  return planes_.size() - 1;
-}
-
-std::size_t CrfhBank::filterOf(Channel channel, double t, const CrfhOptions& options) {
-  const std::size_t plane = planeOf(channel);
-  for (std::size_t i = 0; i < filters_.size(); ++i) {
-    if (filters_[i].plane == plane && filters_[i].t == t) return i;
-  }
-  const auto method = options.derivatives == "gaussian" ? DerivativeMethod::kGaussian
-                                                        : DerivativeMethod::kCentralDifference;
-  filters_.push_back({plane, t, ResponseFilter(t, options.half_width, method)});
-  return filters_.size() - 1;
+  border_ = std::max(border_, responses_.margin());
 }
 
 std::size_t CrfhBank::digitsOf(const CrfhDescriptor& descriptor, double t, int bins,
                                const CrfhOptions& options) {
-  const std::size_t filter = filterOf(descriptor.channel, t, options);
+  const CrfhResponses::Response response = responses_.request(descriptor, t);
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const Digits& digits = digits_[i];
-    if (digits.filter == filter && digits.op == descriptor.op && digits.bins == bins) return i;
+    if (digits.response == response && digits.bins == bins) return i;
   }
-  filters_[filter].responses.request(descriptor.op);
-  digits_.push_back({filter,
-                     descriptor.op,
-                     bins,
-                     crfhQuantizer(descriptor, t, options.derivative_range, bins, 1),
-                     {}});
+  digits_.push_back(
+      {response, bins, crfhQuantizer(descriptor, t, options.derivative_range, bins, 1), {}});
   return digits_.size() - 1;
 }
 
@@ -72,21 +48,14 @@ std::vector<Feature> CrfhBank::extract(const cv::Mat& image) {
 }
 
 void CrfhBank::quantise(const cv::Mat& image, int columns, int rows) {
-  for (Plane& plane : planes_) {
-    plane.pixels.create(image.size());
-    for (int y = 0; y < image.rows; ++y) {
-      extractChannelRow(image, plane.channel, y, plane.pixels[y]);
-    }
-  }
   const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (Digits& digits : digits_) digits.pixels.resize(pixels);
+  responses_.start(image.size());
   for (int y = 0; y < rows; ++y) {
-    for (Filter& filter : filters_) {
-      filter.responses.computeRow(planes_[filter.plane].pixels, border_ + y, border_, columns);
-    }
+    responses_.computeRow(image, border_ + y, border_, columns);
     const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns);
     for (Digits& digits : digits_) {
-      quantize(filters_[digits.filter].responses.row(digits.op), digits.quantizer, false, columns,
+      quantize(responses_.row(digits.response), digits.quantizer, false, columns,
                digits.pixels.data() + begin);
     }
   }

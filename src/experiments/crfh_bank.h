@@ -6,7 +6,7 @@
 
 #include "features/bin_counter.h"
 #include "features/crfh_descriptor.h"
-#include "features/response_filter.h"
+#include "features/crfh_responses.h"
 #include "features/row_kernels.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/feature_options.h"
@@ -18,26 +18,16 @@ namespace place_recognition {
 /// use it. One bank a thread.
 class CrfhBank {
  public:
-  /// The histograms must agree in derivatives, derivative_range, half_width and border.
+  /// At least one; they must agree in derivatives, derivative_range, half_width and border.
   explicit CrfhBank(const std::vector<CrfhOptions>& histograms);
 
   /// `image`: CV_8UC3 BGR or CV_8UC1. Missing features if it is too small.
   std::vector<Feature> extract(const cv::Mat& image);
 
  private:
-  struct Plane {
-    Channel channel;
-    cv::Mat_<float> pixels;
-  };
-  struct Filter {
-    std::size_t plane;
-    double t;
-    ResponseFilter responses;
-  };
   /// Digits of one descriptor at one scale in every counted pixel.
   struct Digits {
-    std::size_t filter;
-    Operator op;
+    CrfhResponses::Response response;
     int bins;
     Quantizer quantizer;
     std::vector<std::uint32_t> pixels;
@@ -47,16 +37,13 @@ class CrfhBank {
     std::uint64_t weight;
   };
 
-  std::size_t planeOf(Channel channel);
-  std::size_t filterOf(Channel channel, double t, const CrfhOptions& options);
   std::size_t digitsOf(const CrfhDescriptor& descriptor, double t, int bins,
                        const CrfhOptions& options);
   void quantise(const cv::Mat& image, int columns, int rows);
   void count(const std::vector<Dimension>& histogram, std::size_t pixels, Feature& feature);
 
+  CrfhResponses responses_;
   int border_ = 0;
-  std::vector<Plane> planes_;
-  std::vector<Filter> filters_;
   std::vector<Digits> digits_;
   std::vector<std::vector<Dimension>> histograms_;
   std::vector<std::uint64_t> bins_;

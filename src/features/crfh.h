@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "features/bin_counter.h"
-#include "features/channel_rows.h"
-#include "features/response_filter.h"
+#include "features/crfh_responses.h"
 #include "features/row_kernels.h"
 #include "place_recognition/feature_extractor.h"
 
@@ -24,19 +23,8 @@ class CrfhExtractor : public FeatureExtractor {
   void extract(const cv::Mat& image, Feature& feature) override;
 
  private:
-  struct Plane {
-    Channel channel;
-    cv::Mat_<float> pixels;
-  };
-  /// All operators that are asked of one channel at one scale.
-  struct Filter {
-    std::size_t plane;
-    double t;
-    ResponseFilter responses;
-  };
   struct Dimension {
-    std::size_t filter;
-    Operator op;
+    CrfhResponses::Response response;
     std::size_t word;
     bool first_in_word;
     Quantizer quantizer;
@@ -47,15 +35,10 @@ class CrfhExtractor : public FeatureExtractor {
     std::vector<std::uint32_t> row;
   };
 
-  std::size_t planeOf(Channel channel);
-  std::size_t filterOf(Channel channel, double t, const CrfhOptions& options);
-  void extractRow(const cv::Mat& image, int y);
-  void countRow(int y, int columns);
+  void countRow(int columns);
 
-  int margin_ = 0;  ///< What the filters need on each side of a pixel.
+  CrfhResponses responses_;
   int border_ = 0;  ///< Pixels at each side of the image that are not counted.
-  std::vector<Plane> planes_;
-  std::vector<Filter> filters_;
   std::vector<Dimension> dimensions_;
   std::vector<Word> words_;
   std::vector<std::uint64_t> bins_;  ///< Of the pixels of one row.
