@@ -143,11 +143,7 @@ void Kernel::requireMeaningFor(const PostingLists& lists) const {
 }
 
 void Kernel::requireMeaningFor(bool descriptors, bool negative_elements) const {
-  if (descriptors != (type_.measure == Measure::kLocalMatch)) {
-    throw Error("The kernel '" + options_.type + "' has no meaning for " +
-                (descriptors ? "local descriptors" : "vectors") +
-                "; use one of: " + kernelTypeNames(descriptors) + ".");
-  }
+  requireMeaning(type_, descriptors);
   const bool histograms_only =
       type_.measure == Measure::kChiSquared || type_.measure == Measure::kIntersection;
   if (histograms_only && negative_elements) {

@@ -15,23 +15,33 @@ constexpr KernelType kKernelTypes[] = {
     {"local-match", Measure::kLocalMatch, Response::kIdentity},
 };
 
+bool isForDescriptors(const KernelType& type) { return type.measure == Measure::kLocalMatch; }
+
+/// Separated by commas.
+std::string namesOfTypes(bool for_descriptors) {
+  std::string names;
+  for (const KernelType& type : kKernelTypes) {
+    if (isForDescriptors(type) != for_descriptors) continue;
+    names += (names.empty() ? "" : ", ") + std::string(type.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 const KernelType& kernelType(const std::string& name) {
   for (const KernelType& type : kKernelTypes) {
     if (name == type.name) return type;
   }
-  throw Error("Unknown kernel type '" + name + "'; use one of: " + kernelTypeNames(false) + ", " +
-              kernelTypeNames(true) + ".");
+  throw Error("Unknown kernel type '" + name + "'; use one of: " + namesOfTypes(false) + ", " +
+              namesOfTypes(true) + ".");
 }
 
-std::string kernelTypeNames(bool of_descriptors) {
-  std::string names;
-  for (const KernelType& type : kKernelTypes) {
-    if ((type.measure == Measure::kLocalMatch) != of_descriptors) continue;
-    names += (names.empty() ? "" : ", ") + std::string(type.name);
-  }
-  return names;
+void requireMeaning(const KernelType& type, bool for_descriptors) {
+  if (isForDescriptors(type) == for_descriptors) return;
+  throw Error(std::string("The kernel '") + type.name + "' has no meaning for " +
+              (for_descriptors ? "local descriptors" : "vectors") +
+              "; use one of: " + namesOfTypes(for_descriptors) + ".");
 }
 
 }  // namespace place_recognition

@@ -20,7 +20,7 @@ struct KernelType {
 /// Throws Error, listing the types that exist, if none has this name.
 const KernelType& kernelType(const std::string& name);
 
-/// Names of the types that compare sets of local descriptors (else: vectors), separated by commas.
-std::string kernelTypeNames(bool of_descriptors);
+/// Throws Error, listing the types that have, if `type` has no meaning for such features.
+void requireMeaning(const KernelType& type, bool for_descriptors);
 
 }  // namespace place_recognition

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "learning/kernel_type.h"
 #include "place_recognition/error.h"
 #include "recognition/names.h"
 
@@ -17,6 +18,8 @@ void checkCue(const CueOptions& cue) {
   try {
     std::visit([](const auto& feature) { feature.check(); }, cue.feature);
     cue.kernel.check();
+    requireMeaning(kernelType(cue.kernel.type),
+                   std::holds_alternative<LocalFeatureOptions>(cue.feature));
   } catch (const Error& e) {
     throw Error("Cue '" + cue.name + "': " + e.what());
   }

@@ -176,6 +176,9 @@ TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
   expectRefused("yaml", [](Request& r) { r.yaml = std::string(1 << 20, ' '); });
   expectRefused("alias", [](Request& r) { r.yaml = "svm: &a {c: 1}\nimage: *a"; });
   expectRefused("colour", [](Request& r) { r.yaml = "colour: true"; });
+  expectRefused("use one of: local-match", [](Request& r) {
+    r.yaml = "cues: [{name: a, feature: {type: harris-laplace-sift}, kernel: {type: linear}}]";
+  });
   expectRefused("nosuchpreset", [](Request& r) { r.yaml.clear(), r.preset = "nosuchpreset"; });
   expectRefused("/front", [](Request& r) { r.image_topic = "/front"; });
   expectRefused("everywhere", [](Request& r) { r.label = "everywhere"; });  // a single place

@@ -46,7 +46,11 @@ class ConfigurationTest(ToolCase):
                 (("--set", "svm.c"), "key=value"),
                 (("--set", "svm.c=much"), "'svm.c'"),
                 (("--set", "svm.c=-1"), "svm.c"),
-                (("--set", "cues.sift.kernel.gamma=1"), "'sift'")):
+                (("--set", "cues.sift.kernel.gamma=1"), "'sift'"),
+                (("--config", "sift", "--set", "cues.sift.kernel.type=linear"),
+                 "use one of: local-match"),
+                (("--config", "lbp", "--set", "cues.lbp.kernel.type=local-match"),
+                 "linear, polynomial, gaussian, sigmoid, chi-squared, intersection")):
             self.assertIn(words, self.refuse("train", "nowhere", "--model", "m", *arguments))
 
     def test_document_is_up_to_date(self):
