@@ -97,9 +97,3 @@ BENCHMARK(rooms)->Arg(5)->Arg(20)->Arg(50)->Arg(100)->Arg(200)->Unit(benchmark::
 
 }  // namespace
 }  // namespace place_recognition
-
-int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-}

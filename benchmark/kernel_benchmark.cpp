@@ -6,7 +6,6 @@
 #include <svm.h>
 
 #include <cmath>
-#include <opencv2/core.hpp>
 
 #include "learning/machines.h"
 #include "learning/support_set.h"
@@ -181,9 +180,3 @@ BENCHMARK(decisionOfLibsvm)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace place_recognition
-
-int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-}

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <opencv2/core.hpp>
 
 #include "learning/support_set.h"
 #include "match_peak.h"
@@ -133,9 +132,3 @@ BENCHMARK(peak)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace place_recognition
-
-int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-}

@@ -9,7 +9,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <opencv2/core.hpp>
 
 #include "learning/support_set.h"
 #include "place_recognition/model_file.h"
@@ -101,9 +100,3 @@ BENCHMARK(cat)->Unit(benchmark::kMillisecond)->UseManualTime();
 
 }  // namespace
 }  // namespace place_recognition
-
-int main(int argc, char** argv) {
-  cv::setNumThreads(1);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-}
