@@ -64,13 +64,16 @@ std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
                             const std::vector<SampleOrigin>& samples, std::size_t places) {
   const LossComparison comparison(held_out[0], samples, places);
   if (comparison.empty()) return 0;
+  const double full_rate = averageRate(held_out[0], samples, places);
   std::size_t chosen = 0;
   double chosen_loss = 0;
   bool holds = true;
   for (std::size_t r = 1; r < reductions.size(); ++r) {
     const RoomMean loss = comparison.loss(held_out[r]);
     const bool another_method = reductions[r].method != reductions[r - 1].method;
-    holds = (holds || another_method) && loss.mean <= 0;
+    const bool no_loss =
+        loss.mean <= 0 && averageRate(held_out[r], samples, places) >= full_rate;
+    holds = (holds || another_method) && no_loss;
     const double share = reductions[r].share;
     const double smallest = chosen == 0 ? 1 : reductions[chosen].share;
     if (holds && (share < smallest || (share == smallest && loss.mean < chosen_loss))) {

@@ -73,6 +73,20 @@ TEST(ReductionChoice, OfEqualSharesTakesTheBetterRate) {
   EXPECT_EQ(choice(reductions, {4, 9, 9}), 0u);
 }
 
+TEST(ReductionChoice, LosesNoRateForProbabilitiesThatFitBetter) {
+  // The reduced machines are wrong more often, but less sure of it than the full ones.
+  Answered full(4);
+  Answered reduced(5);
+  for (int i = 0; i < 40; ++i) {
+    const int more = i / 2 < 5 ? 1 : 8;
+    reduced.held_out.margins.row(i) *= more;
+    full.held_out.margins.row(i) *= i / 2 < 4 ? 8 : 1;
+  }
+  EXPECT_EQ(chooseReduction({reduction("none", 0), reduction("qr", 0.3)},
+                            {full.held_out, reduced.held_out}, full.samples, 2),
+            0u);
+}
+
 TEST(ReductionChoice, KeepsAllWhereNothingIsHeldOut) {
   const HeldOut none{Eigen::MatrixXd::Zero(2, 2), {false, false}};
   const std::vector<SampleOrigin> samples{{0, 0, 0}, {1, 0, 1}};
