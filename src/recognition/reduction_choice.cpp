@@ -71,8 +71,7 @@ std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
   for (std::size_t r = 1; r < reductions.size(); ++r) {
     const RoomMean loss = comparison.loss(held_out[r]);
     const bool another_method = reductions[r].method != reductions[r - 1].method;
-    const bool no_loss =
-        loss.mean <= 0 && averageRate(held_out[r], samples, places) >= full_rate;
+    const bool no_loss = loss.mean <= 0 && averageRate(held_out[r], samples, places) >= full_rate;
     holds = (holds || another_method) && no_loss;
     const double share = reductions[r].share;
     const double smallest = chosen == 0 ? 1 : reductions[chosen].share;

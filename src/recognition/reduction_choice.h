@@ -18,8 +18,8 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
 /// (mean of the rooms, see logLosses()) is not above that of the first reduction, their rate is not
 /// below, and so it is with every larger share by the same method. With either alone, or within an
 /// error, it would choose smaller ones that cost several points of rate on another recording. Of
-/// equal shares, the smaller loss decides. `held_out`: one for each of `reductions`, of which the first keeps most; it is the
-/// answer where no sample is valid.
+/// equal shares, the smaller loss decides. `held_out`: one for each of `reductions`, of which the
+/// first keeps most; it is the answer where no sample is valid.
 std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
                             const std::vector<HeldOut>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places);
