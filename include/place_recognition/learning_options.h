@@ -52,14 +52,13 @@ struct ReductionOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("method", self.method,
-            "none; qr: each machine by itself (section 6.3); shared-qr: one basis for all "
-            "machines; shared-greedy: the basis that reproduces all margins best; auto: the method "
-            "and the share (of 15, 25, 35, 50, 70 or all 100 %) of the fewest vectors whose log "
-            "loss on "
-            "held-out blocks of the training runs is not above that of all vectors; all where more "
-            "than "
-            "4000 pictures are learned");
+    visitor(
+        "method", self.method,
+        "none; qr: each machine by itself (section 6.3); shared-qr: one basis for all "
+        "machines; shared-greedy: the basis that reproduces all margins best; auto: the method "
+        "and the share (of 15, 25, 35, 50, 70 or all 100 %) of the fewest vectors that lose "
+        "neither log loss nor rate on held-out blocks of the training runs; all where more than "
+        "4000 pictures are learned");
     visitor("tau", self.tau, "rank threshold, relative to the largest pivot, 0..1");
     visitor("normalise", self.normalise, "scale the columns of the matrix to norm one first");
     visitor("share", self.share,

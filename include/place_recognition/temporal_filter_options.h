@@ -5,11 +5,11 @@ namespace place_recognition {
 /// See TemporalFilter; feature_options.h on visit() and check(). Where odometry is given, metres
 /// and radians take the place of seconds.
 struct TemporalFilterOptions {
-  double dwell_time = 7;
+  double dwell_time = 8;
   double dwell_distance = 4;
   double unknown_share = 0.03;
   double jump_share = 0.01;
-  double decorrelation_time = 0.25;
+  double decorrelation_time = 0.2;
   double decorrelation_distance = 0.1;
   double decorrelation_angle = 0.15;
   double outlier_share = 0.1;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/require.h"
 #include "features/crfh_descriptor.h"
 #include "place_recognition/error.h"
 #include "place_recognition/feature_options.h"
@@ -11,10 +12,6 @@ namespace {
 
 constexpr double kLargestScale = 400;
 constexpr int kMostBins = 65536;
-
-void require(bool condition, const std::string& message) {
-  if (!condition) throw Error(message);
-}
 
 /// Throws unless the bins of all dimensions, the product, can be numbered in 64 bits.
 void checkIndexFits(const CrfhOptions& options) {

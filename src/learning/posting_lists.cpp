@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/require.h"
 #include "base/simd.h"
 #include "learning/bin_table.h"
 #include "place_recognition/error.h"
@@ -11,10 +12,6 @@ namespace {
 
 using Bin = PostingLists::Bin;
 using Slot = BinTable::Slot;
-
-void require(bool condition, const char* otherwise) {
-  if (!condition) throw Error(otherwise);
-}
 
 /// Seven bits a byte, the lowest first; the top bit says that more follow.
 void appendVarint(std::vector<std::uint8_t>& bytes, std::uint64_t value) {

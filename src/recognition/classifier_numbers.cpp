@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "base/require.h"
 #include "learning/machines.h"
 #include "learning/support_set.h"
 #include "place_recognition/error.h"
@@ -12,10 +13,6 @@ namespace place_recognition {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-void require(bool condition, const char* otherwise) {
-  if (!condition) throw Error(otherwise);
-}
 
 bool allFinite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/require.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -37,10 +38,6 @@ std::uint32_t checksum(std::uint32_t before, const void* data, std::size_t size)
 std::uint32_t checksumOf(const Header& header, std::string_view message) {
   const std::uint32_t of_header = checksum(0, &header, offsetof(Header, checksum));
   return checksum(of_header, message.data(), message.size());
-}
-
-void require(bool condition, const std::string& otherwise) {
-  if (!condition) throw Error(otherwise);
 }
 
 void readBytes(std::istream& file, void* data, std::size_t size) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/options.h"
+#include "base/require.h"
 #include "place_recognition/error.h"
 #include "recognition/names.h"
 
@@ -15,10 +16,6 @@ namespace {
 constexpr std::size_t kMaxOptionsBytes = 1 << 16;
 /// More runs than a command line can name.
 constexpr std::size_t kMaxInputs = 100000;
-
-void require(bool condition, const char* otherwise) {
-  if (!condition) throw Error(otherwise);
-}
 
 template <typename Numbers>
 void requireFinite(const Numbers& numbers, const char* otherwise) {
