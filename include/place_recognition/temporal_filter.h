@@ -26,6 +26,14 @@ struct FilteredAnswer {
   bool changed = false;  ///< `place` differs from the last frame's, or this is the first frame
 };
 
+/// What a frame did to the belief.
+struct FilterStep {
+  double stamp = 0;                ///< s
+  bool first = true;               ///< the filter began anew with this frame
+  double changes = 0;              ///< mean number of changes of room since the frame before
+  Eigen::RowVectorXd likelihoods;  ///< L^w, see TemporalFilter; as answer().probabilities
+};
+
 /// Turns the answers to single frames into a steady one: a hidden Markov model whose states are the
 /// rooms and 'unknown', followed by the forward algorithm (Rabiner 1989). Between frames the belief
 /// b moves as a chain in continuous time, see RoomChain; a frame multiplies it by likelihoods,
@@ -60,6 +68,10 @@ class TemporalFilter {
   const FilteredAnswer& update(double stamp, const Recognition& recognition,
                                const std::optional<Motion>& motion = std::nullopt);
 
+  /// Of the frame seen last.
+  const FilterStep& step() const { return step_; }
+  const FilteredAnswer& answer() const { return answer_; }
+
   /// Forgets all frames.
   void reset() { started_ = false; }
 
@@ -70,18 +82,17 @@ class TemporalFilter {
   void start();
   void move(double elapsed, const std::optional<Motion>& motion);
   void weigh(const Recognition& recognition);
-  void decide(bool first);
+  void decide();
 
   TemporalFilterOptions options_;
   std::unique_ptr<RoomChain> chain_;
   double unknown_threshold_;
   bool started_ = false;
-  double last_stamp_ = 0;
   double new_share_ = 1;  // w of the next frame
   int state_ = 0;         // answered; the number of rooms: 'unknown'
   double answer_since_ = 0;
   Eigen::RowVectorXd room_shares_;  // q
-  Eigen::RowVectorXd likelihoods_;  // L
+  FilterStep step_;
   FilteredAnswer answer_;
 };
 

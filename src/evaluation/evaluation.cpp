@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "place_recognition/error.h"
+#include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "place_recognition/temporal_filter.h"
@@ -34,7 +35,10 @@ std::string thumbnail(const cv::Mat& image) {
 class Evaluator {
  public:
   Evaluator(const std::shared_ptr<const Model>& model, std::size_t wrong_pictures)
-      : recognizer_(model), filter_(*model, model->adjacency, {}), wrong_pictures_(wrong_pictures) {
+      : recognizer_(model),
+        filter_(*model, model->adjacency, {}),
+        smoother_(model->adjacency, {}, kSmoothingLag),
+        wrong_pictures_(wrong_pictures) {
     evaluation_.model = model->name;
     evaluation_.places = model->places;
     evaluation_.model_places = model->places.size();
@@ -44,7 +48,7 @@ class Evaluator {
 
   void read(Run& run, const Progress& progress) {
     evaluation_.runs.push_back(run.name());
-    filter_ = TemporalFilter(recognizer_.model(), recognizer_.model().adjacency, {});
+    filter_.reset();
     const std::string stage = "Recognizing " + run.name();
     report(progress, stage, 0);
     std::uint64_t unlabelled = 0, unreadable = 0;
@@ -59,6 +63,8 @@ class Evaluator {
       }
       report(progress, stage, run.fraction());
     }
+    smoother_.finish();
+    takeSmoothed();
     warn(run.name(), unlabelled, "have no label");
     warn(run.name(), unreadable, "cannot be decoded");
   }
@@ -100,7 +106,15 @@ class Evaluator {
     result.seconds = elapsed.count();
     result.place_over_time = filter_.update(frame.stamp, answer).place;
     evaluation_.frames.push_back(result);
+    smoother_.add(filter_);
+    takeSmoothed();
     if (!result.correct() && result.place >= 0) keepIfAmongTheWorst(result, frame.image);
+  }
+
+  void takeSmoothed() {
+    for (; smoother_.ready(); ++smoothed_) {
+      evaluation_.frames[smoothed_].place_smoothed = smoother_.next().place;
+    }
   }
 
   /// Keeps evaluation_.wrong sorted by falling confidence and short.
@@ -139,6 +153,8 @@ class Evaluator {
 
   Recognizer recognizer_;
   TemporalFilter filter_;  // of the current run
+  FixedLagSmoother smoother_;
+  std::size_t smoothed_ = 0;  // frames that have their smoothed answer
   std::size_t wrong_pictures_;
   std::uint64_t pictures_ = 0;
   Evaluation evaluation_;

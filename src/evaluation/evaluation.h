@@ -11,6 +11,9 @@
 
 namespace place_recognition {
 
+/// How long the smoothed answer waits, s.
+constexpr double kSmoothingLag = 1;
+
 /// The answer to one labelled picture.
 struct FrameResult {
   std::string name;       ///< of the picture
@@ -23,6 +26,7 @@ struct FrameResult {
   double evidence = 0;    ///< see Calibration::evidence()
   double seconds = 0;     ///< from the decoded image to the answer
   int place_over_time = -1;  ///< answer of a TemporalFilter that saw the run so far; -1: 'unknown'
+  int place_smoothed = -1;   ///< of a FixedLagSmoother that also saw the kSmoothingLag after it
 
   bool correct() const { return place == truth; }
 };

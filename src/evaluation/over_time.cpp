@@ -1,6 +1,7 @@
 #include "evaluation/over_time.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace place_recognition {
 namespace {
@@ -10,10 +11,11 @@ void count(int answer, int truth, AnswerCounts& counts) {
   counts.wrong += answer >= 0 && answer != truth ? 1 : 0;
 }
 
-void count(const FrameResult& frame, BothAnswers& answers) {
+void count(const FrameResult& frame, AnswersOverTime& answers) {
   ++answers.frames;
   count(frame.known ? frame.place : -1, frame.truth, answers.single);
   count(frame.place_over_time, frame.truth, answers.filtered);
+  count(frame.place_smoothed, frame.truth, answers.smoothed);
 }
 
 bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places) {
@@ -23,16 +25,30 @@ bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places) {
   return learnAdjacency(way, adjacency);
 }
 
+/// Stamps of the first frames after a change of room, ascending.
+std::vector<double> changesIn(const std::vector<const FrameResult*>& run) {
+  std::vector<double> stamps;
+  for (std::size_t i = 1; i < run.size(); ++i) {
+    if (run[i]->truth != run[i - 1]->truth) stamps.push_back(run[i]->stamp);
+  }
+  return stamps;
+}
+
+bool inDoorway(double stamp, const std::vector<double>& changes) {
+  const auto next = std::upper_bound(changes.begin(), changes.end(), stamp);
+  const bool before = next != changes.end() && *next - stamp <= OverTime::kBefore;
+  return before || (next != changes.begin() && stamp - *std::prev(next) < OverTime::kAfter);
+}
+
 /// Follows the changes from one learned room to another in a run.
-class Changes {
+class Followed {
  public:
-  explicit Changes(OverTime& result) : result_(result) {}
+  explicit Followed(OverTime& result) : result_(result) {}
 
   void add(const FrameResult& frame, bool learned) {
     if (frame.truth != room_) {
       if (waiting_) ++result_.missed;
-      changed_ = room_ >= 0;
-      waiting_ = changed_ && learned;
+      waiting_ = room_ >= 0 && learned;
       room_ = frame.truth;
       since_ = frame.stamp;
     }
@@ -45,29 +61,25 @@ class Changes {
     if (waiting_) ++result_.missed;
   }
 
-  bool settled(const FrameResult& frame) const {
-    return !changed_ || frame.stamp - since_ >= OverTime::kSettling;
-  }
-
  private:
   OverTime& result_;
   int room_ = -1;
   double since_ = 0;
-  bool changed_ = false;  ///< false in the first room of the run
   bool waiting_ = false;
 };
 
 void addDrive(const std::vector<const FrameResult*>& run, const Evaluation& evaluation,
               OverTime& result) {
-  Changes changes(result);
+  const std::vector<double> changes = changesIn(run);
+  Followed followed(result);
   for (const FrameResult* frame : run) {
     const bool learned = evaluation.learned(*frame);
-    changes.add(*frame, learned);
+    followed.add(*frame, learned);
     if (!learned) continue;
     count(*frame, result.all);
-    if (changes.settled(*frame)) count(*frame, result.settled);
+    if (!inDoorway(frame->stamp, changes)) count(*frame, result.settled);
   }
-  changes.finish();
+  followed.finish();
 }
 
 }  // namespace

@@ -15,21 +15,24 @@ struct AnswerCounts {
 };
 
 /// Answers to single frames and over time to the same frames.
-struct BothAnswers {
+struct AnswersOverTime {
   std::uint64_t frames = 0;
   AnswerCounts single;
   AnswerCounts filtered;
+  AnswerCounts smoothed;
 };
 
-/// The answer over time (TemporalFilter) beside those to single frames, on runs that are drives
-/// through the rooms; pictures of places that the model has learned.
+/// The answers over time (TemporalFilter, FixedLagSmoother) beside those to single frames, on runs
+/// that are drives through the rooms; pictures of places that the model has learned.
 struct OverTime {
-  /// Where the robot is in a doorway, two rooms can be seen and an answer over time may lag behind.
-  static constexpr double kSettling = 2;  // s
+  /// In a doorway a camera sees the next room before the robot is in it, and an answer over time
+  /// follows late: what is from kBefore before to kAfter after a change of room, s.
+  static constexpr double kBefore = 1;
+  static constexpr double kAfter = 2;
 
-  BothAnswers all;
-  BothAnswers settled;         ///< without the first kSettling after each change of room
-  std::vector<double> delays;  ///< s, from each change of room until it is named, ascending
+  AnswersOverTime all;
+  AnswersOverTime settled;     ///< without those in doorways
+  std::vector<double> delays;  ///< s, until the filter names the room after a change, ascending
   std::uint64_t missed = 0;    ///< changes that were not followed before the next one
 
   /// Share of all changes that are followed within `seconds`.

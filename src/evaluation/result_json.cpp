@@ -54,10 +54,11 @@ Json countsJson(const AnswerCounts& counts) {
   return {{"wrong", counts.wrong}, {"unknown", counts.unknown}};
 }
 
-Json answersJson(const BothAnswers& answers) {
+Json answersJson(const AnswersOverTime& answers) {
   return {{"frames", answers.frames},
           {"single", countsJson(answers.single)},
-          {"filtered", countsJson(answers.filtered)}};
+          {"filtered", countsJson(answers.filtered)},
+          {"smoothed", countsJson(answers.smoothed)}};
 }
 
 Json overTimeJson(const Summary& summary) {
@@ -67,7 +68,7 @@ Json overTimeJson(const Summary& summary) {
           {"settled", answersJson(over_time.settled)},
           {"delays", over_time.delays},
           {"missed", over_time.missed},
-          {"followed_within_2s", over_time.followedWithin(OverTime::kSettling)}};
+          {"followed_within_2s", over_time.followedWithin(OverTime::kAfter)}};
 }
 
 }  // namespace

@@ -78,21 +78,21 @@ std::string otherFigures(const Evaluation& evaluation, const Summary& summary) {
 std::string overTimeTable(const Summary& summary) {
   if (!summary.over_time) return "";
   const OverTime& over_time = *summary.over_time;
-  const auto row = [&](const std::string& name, const AnswerCounts& counts) {
-    return std::vector<std::string>{name, std::to_string(counts.wrong),
-                                    std::to_string(counts.unknown)};
+  TextRows rows;
+  const auto add = [&](const std::string& which, const AnswersOverTime& answers) {
+    const auto row = [&](const std::string& name, const AnswerCounts& counts) {
+      rows.push_back({name, std::to_string(counts.wrong), std::to_string(counts.unknown)});
+    };
+    const std::string title = which + ", " + std::to_string(answers.frames) + " frames";
+    rows.push_back({title, rows.empty() ? "wrong room" : "", rows.empty() ? "'unknown'" : ""});
+    row("frame by frame", answers.single);
+    row("over time, as ~place", answers.filtered);
+    row("with a second to come, as ~smoothed", answers.smoothed);
   };
-  const auto frames = [](const BothAnswers& answers) {
-    return std::to_string(answers.frames) + " frames";
-  };
-  TextRows rows{{"drives, " + frames(over_time.all), "wrong room", "'unknown'"}};
-  rows.push_back(row("frame by frame", over_time.all.single));
-  rows.push_back(row("over time, as ~place", over_time.all.filtered));
-  rows.push_back({"more than 2 s after a change of room, " + frames(over_time.settled), "", ""});
-  rows.push_back(row("frame by frame", over_time.settled.single));
-  rows.push_back(row("over time, as ~place", over_time.settled.filtered));
+  add("drives", over_time.all);
+  add("not within 1 s before or 2 s after a change of room", over_time.settled);
   return alignColumns(rows) + "changes of room followed within 2 s: " +
-         percent(over_time.followedWithin(OverTime::kSettling)) + " of " +
+         percent(over_time.followedWithin(OverTime::kAfter)) + " of " +
          std::to_string(over_time.delays.size() + over_time.missed) + "\n\n";
 }
 

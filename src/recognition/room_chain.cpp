@@ -36,19 +36,29 @@ RoomChain::RoomChain(const Adjacency& adjacency, double unknown_share, double ju
 }
 
 void RoomChain::advance(double changes, Eigen::RowVectorXd& belief) {
+  step(changes, jump_, belief);
+}
+
+void RoomChain::goBack(double changes, Eigen::RowVectorXd& likelihood) {
+  step(changes, jump_.transpose(), likelihood);
+}
+
+/// weights exp(changes (jump - I)), to the sum 1.
+template <typename Matrix>
+void RoomChain::step(double changes, const Matrix& jump, Eigen::RowVectorXd& weights) {
   constexpr double kMany = 100;  // so many rooms on, it no longer matters where it all began
   constexpr double kNegligible = 1e-15;
   const double mean = std::min(changes, kMany);
   double weight = std::exp(-mean);
-  term_ = belief;
-  belief *= weight;
+  term_ = weights;
+  weights *= weight;
   for (int n = 1; n < mean || weight > kNegligible; ++n) {
-    next_.noalias() = term_ * jump_;
+    next_.noalias() = term_ * jump;
     term_.swap(next_);
     weight *= mean / n;
-    belief += weight * term_;
+    weights += weight * term_;
   }
-  belief /= belief.sum();
+  weights /= weights.sum();
 }
 
 }  // namespace place_recognition

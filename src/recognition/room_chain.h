@@ -25,7 +25,14 @@ class RoomChain {
   /// distribution of n, a sum of positive terms. Two steps are as good as one of their sum.
   void advance(double changes, Eigen::RowVectorXd& belief);
 
+  /// The other way: what `likelihood` of a later time, by state, says about the states `changes`
+  /// before, exp(changes (J - I)) likelihood, up to a factor.
+  void goBack(double changes, Eigen::RowVectorXd& likelihood);
+
  private:
+  template <typename Matrix>
+  void step(double changes, const Matrix& jump, Eigen::RowVectorXd& weights);
+
   Eigen::RowVectorXd prior_;
   Eigen::MatrixXd jump_;  // J, each row sums to 1
   Eigen::RowVectorXd term_, next_;

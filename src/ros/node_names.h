@@ -11,6 +11,7 @@ constexpr const char* kImage = "image";
 constexpr const char* kCompressedSuffix = "/compressed";
 constexpr const char* kRecognition = "recognition";
 constexpr const char* kPlace = "place";
+constexpr const char* kSmoothed = "smoothed";
 constexpr const char* kModelInfo = "model_info";
 constexpr const char* kDebugImage = "debug_image";
 constexpr const char* kMarker = "marker";

@@ -1,5 +1,6 @@
 #include "ros/place_over_time.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "place_recognition/error.h"
@@ -7,6 +8,9 @@
 
 namespace place_recognition {
 namespace {
+
+/// s; images are of no use to anybody who has to wait longer.
+constexpr double kLongestLag = 10;
 
 OdometryPose toPose(const nav_msgs::Odometry& odometry) {
   const geometry_msgs::Point& position = odometry.pose.pose.position;
@@ -18,7 +22,8 @@ OdometryPose toPose(const nav_msgs::Odometry& odometry) {
 }  // namespace
 
 PlaceOverTime::PlaceOverTime(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : adjacency_path_(private_node.param<std::string>("adjacency", "")) {
+    : adjacency_path_(private_node.param<std::string>("adjacency", "")),
+      smoothed_(std::clamp(private_node.param("smoothing_lag", 1.0), 0.0, kLongestLag)) {
   if (private_node.param("use_odometry", false)) {
     odometry_subscriber_ = ros::NodeHandle(node).subscribe(names::kOdometry, names::kOdometryQueue,
                                                            &PlaceOverTime::onOdometry, this);
@@ -54,10 +59,12 @@ void PlaceOverTime::setSmoothing(double smoothing) {
 }
 
 void PlaceOverTime::makeFilter() {
+  filter_.reset();
+  if (smoothing_ <= 0) return;
   TemporalFilterOptions options;
   options.decorrelation_time = smoothing_;
-  filter_ =
-      smoothing_ > 0 ? std::make_unique<TemporalFilter>(*model_, adjacency_, options) : nullptr;
+  filter_ = std::make_unique<TemporalFilter>(*model_, adjacency_, options);
+  smoothed_.follow(adjacency_, options);
 }
 
 void PlaceOverTime::setUnknownThreshold(double threshold) {
@@ -70,6 +77,11 @@ const std::string& PlaceOverTime::update(double stamp, const Recognition& recogn
   const int frame_place = recognition.known ? recognition.place : -1;
   const int place = filter_ ? filter_->update(stamp, recognition, motion).place : frame_place;
   return place < 0 ? kUnknown : model_->places[static_cast<std::size_t>(place)];
+}
+
+std::vector<PlaceRecognition> PlaceOverTime::smooth(const PlaceRecognition& message) {
+  if (filter_) smoothed_.add(*filter_, message);
+  return smoothed_.take();
 }
 
 void PlaceOverTime::reset() {

@@ -8,13 +8,15 @@
 
 #include "place_recognition/temporal_filter.h"
 #include "ros/driven_way.h"
+#include "ros/smoothed_answers.h"
 
 namespace place_recognition {
 
 /// What the answers to single frames amount to over time: a TemporalFilter with what the node knows
 /// beside them, which rooms adjoin (the file that the parameter `~adjacency` names, else what the
-/// model has learnt) and how far the robot has driven (the topic `odom`, if `~use_odometry`). Not
-/// thread-safe, but for odometry, which may come at any time.
+/// model has learnt) and how far the robot has driven (the topic `odom`, if `~use_odometry`); and
+/// what they amount to when one waits a little (SmoothedAnswers). Not thread-safe, but for
+/// odometry, which may come at any time.
 class PlaceOverTime {
  public:
   PlaceOverTime(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
@@ -28,6 +30,13 @@ class PlaceOverTime {
   /// The place after the frame of `stamp`, s, or names::kUnknown; valid until the next call.
   const std::string& update(double stamp, const Recognition& recognition);
 
+  /// `message` answers the frame of the last update(). The messages of frames before it, whose time
+  /// to wait (`~smoothing_lag`) is over, with the places that they have in the light of what came
+  /// since; none where the smoothing is 0.
+  std::vector<PlaceRecognition> smooth(const PlaceRecognition& message);
+  /// Nobody is interested: messages that wait are forgotten.
+  void dropSmoothed() { smoothed_.clear(); }
+
   void reset();
 
  private:
@@ -40,6 +49,7 @@ class PlaceOverTime {
   Adjacency adjacency_{0};
   double smoothing_ = 0;
   std::unique_ptr<TemporalFilter> filter_;  // none: not smoothed
+  SmoothedAnswers smoothed_;
   DrivenWay way_;
   ros::Subscriber odometry_subscriber_;
 };

@@ -72,6 +72,8 @@ void PlaceRecognizer::advertise() {
       names::kRecognition, names::kAnswerQueue, changed, changed);
   place_publisher_ = private_node_.advertise<std_msgs::String>(names::kPlace, names::kAnswerQueue,
                                                                changed, changed, nullptr, true);
+  smoothed_publisher_ = private_node_.advertise<PlaceRecognition>(
+      names::kSmoothed, names::kAnswerQueue, changed, changed);
   model_info_publisher_ = private_node_.advertise<ModelInfo>(names::kModelInfo, 1, true);
   marker_publisher_ = private_node_.advertise<visualization_msgs::Marker>(
       names::kMarker, names::kAnswerQueue, changed, changed);
@@ -101,7 +103,8 @@ void PlaceRecognizer::loadFirstModel() {
 bool PlaceRecognizer::isWanted() const {
   return enabled_ &&
          (!lazy_ || recognition_publisher_.getNumSubscribers() > 0 ||
-          place_publisher_.getNumSubscribers() > 0 || marker_publisher_.getNumSubscribers() > 0 ||
+          place_publisher_.getNumSubscribers() > 0 || smoothed_publisher_.getNumSubscribers() > 0 ||
+          marker_publisher_.getNumSubscribers() > 0 ||
           debug_image_publisher_.getNumSubscribers() > 0);
 }
 
@@ -237,9 +240,11 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   }
   const Model& model = recognizer_->model();
   const std_msgs::Header& header = arrived.message.header();
-  recognition_publisher_.publish(toPlaceRecognition(recognition, model, header, seconds));
+  const PlaceRecognition message = toPlaceRecognition(recognition, model, header, seconds);
+  recognition_publisher_.publish(message);
   const std::string& place = place_over_time_.update(last_stamp_, recognition);
   publishPlace(place);
+  publishSmoothed(message);
   if (marker_publisher_.getNumSubscribers() > 0) {
     marker_publisher_.publish(placeMarker(place, header));
   }
@@ -255,6 +260,16 @@ void PlaceRecognizer::publishPlace(const std::string& place) {
   std_msgs::String message;
   message.data = place;
   place_publisher_.publish(message);
+}
+
+void PlaceRecognizer::publishSmoothed(const PlaceRecognition& message) {
+  if (smoothed_publisher_.getNumSubscribers() == 0) {
+    place_over_time_.dropSmoothed();
+    return;
+  }
+  for (const PlaceRecognition& answer : place_over_time_.smooth(message)) {
+    smoothed_publisher_.publish(answer);
+  }
 }
 
 void PlaceRecognizer::publishModelInfo() {

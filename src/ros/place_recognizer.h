@@ -59,6 +59,7 @@ class PlaceRecognizer {
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
                double seconds);
   void publishPlace(const std::string& place);
+  void publishSmoothed(const PlaceRecognition& message);
   void publishModelInfo();
   void reset();
 
@@ -84,6 +85,7 @@ class PlaceRecognizer {
 
   ros::Publisher recognition_publisher_;
   ros::Publisher place_publisher_;
+  ros::Publisher smoothed_publisher_;
   ros::Publisher model_info_publisher_;
   ros::Publisher marker_publisher_;
   image_transport::Publisher debug_image_publisher_;

@@ -26,8 +26,10 @@ std::string numbered(const char* format, Numbers... numbers) {
   return text;
 }
 
+using Points = std::vector<cv::Point2f>;
+
 /// Where the robot is to pass, in rooms in which it turns round as in corridors.
-const std::vector<cv::Point2f> kWaypoints = {
+const Points kWaypoints = {
     {1.2f, 1.1f},  {2.6f, 1.1f},  {3.3f, 1.6f},  {3.3f, 2.6f},  {3.2f, 3.6f},   {2.9f, 4.6f},
     {2.5f, 5.5f},  {2.0f, 5.8f},  {1.7f, 5.2f},  {1.8f, 4.2f},  {2.3f, 3.5f},   {3.1f, 3.0f},
     {3.3f, 2.3f},  {3.5f, 1.5f},  {4.5f, 1.1f},  {5.8f, 1.1f},  {6.9f, 1.5f},   {7.05f, 2.3f},
@@ -49,14 +51,14 @@ cv::Point2f spline(const cv::Point2f* p, float t) {
 }
 
 /// Points `step` metres apart along the way.
-std::vector<cv::Point2f> walk(float step) {
-  std::vector<cv::Point2f> way;
+Points walk(const Points& waypoints, float step) {
+  Points way;
   float left = 0.0f;
-  cv::Point2f last = spline(kWaypoints.data(), 0.0f);
+  cv::Point2f last = spline(waypoints.data(), 0.0f);
   way.push_back(last);
-  for (std::size_t i = 0; i + 3 < kWaypoints.size(); ++i) {
+  for (std::size_t i = 0; i + 3 < waypoints.size(); ++i) {
     for (int k = 1; k <= 1000; ++k) {
-      const cv::Point2f next = spline(&kWaypoints[i], static_cast<float>(k) / 1000.0f);
+      const cv::Point2f next = spline(&waypoints[i], static_cast<float>(k) / 1000.0f);
       left += std::hypot(next.x - last.x, next.y - last.y);
       last = next;
       if (left >= step) {
@@ -66,6 +68,14 @@ std::vector<cv::Point2f> walk(float step) {
     }
   }
   return way;
+}
+
+Points strayed(Points waypoints, float stray, Random random) {
+  for (cv::Point2f& point : waypoints) {
+    point.x += random.uniform(-stray, stray);
+    point.y += random.uniform(-stray, stray);
+  }
+  return waypoints;
 }
 
 float wrapped(float angle) { return std::remainder(angle, 2.0f * kPi); }
@@ -118,10 +128,10 @@ std::vector<Pose> tripodRun(const std::vector<Marker>& markers, double rate, Ran
   return run;
 }
 
-std::vector<cv::Point2f> driveWay() { return walk(0.1f); }
+std::vector<cv::Point2f> driveWay() { return walk(kWaypoints, 0.1f); }
 
-std::vector<Pose> driveRun(double rate, Random random) {
-  const std::vector<cv::Point2f> way = walk(kStep);
+std::vector<Pose> driveRun(double rate, float stray, Random random) {
+  const Points way = walk(strayed(kWaypoints, stray, random), kStep);
   const auto heading = [&](std::size_t i) {
     return std::atan2(way[i + 1].y - way[i].y, way[i + 1].x - way[i].x);
   };

@@ -36,7 +36,8 @@ std::vector<Pose> tripodRun(const std::vector<Marker>& markers, double rate, Ran
 /// The way of the robot: through all rooms and back through the corridor, 0.1 m a step.
 std::vector<cv::Point2f> driveWay();
 
-/// Pictures on that way, `rate` a second, at 0.5 m/s and slower in turns.
-std::vector<Pose> driveRun(double rate, Random random);
+/// Pictures on that way, `rate` a second, at 0.5 m/s and slower in turns. The robot passes where
+/// the way does, give or take `stray` (m) along each axis.
+std::vector<Pose> driveRun(double rate, float stray, Random random);
 
 }  // namespace place_recognition::simulation

@@ -20,6 +20,11 @@ using namespace simulation;
 /// Frames that are rendered at a time, whatever the number of threads.
 constexpr std::size_t kBatch = 8;
 
+/// How far the robot strays from its way on a later visit, m.
+constexpr float kStray = 0.1f;
+
+constexpr unsigned kMostVisits = 1000;
+
 enum Stream : std::uint64_t {
   kFurnitureStream = 1000,
   kChangesStream = 2000,
@@ -27,9 +32,10 @@ enum Stream : std::uint64_t {
   kNoiseStream = 4000
 };
 
-/// The generator of what differs from one condition to the next.
+/// The generator of what differs from one condition, and one visit, to the next.
 Random randomOf(const SimulationOptions& options, std::uint64_t stream) {
-  return Random(options.seed, stream + static_cast<std::uint64_t>(options.condition));
+  const auto condition = static_cast<std::uint64_t>(options.condition);
+  return Random(options.seed, stream + condition + 10000 * (options.visit - 1));
 }
 
 /// Builds and furnishes the scene; returns what the camera is to take of it.
@@ -46,8 +52,9 @@ std::vector<Pose> prepare(const SimulationOptions& options, Scene& scene) {
   addChanges(furniture, options.condition, keep_clear);
 
   const Random jitter = randomOf(options, kPathStream);
+  const float stray = options.visit > 1 ? kStray : 0.0f;
   return options.protocol == Protocol::kIndecs ? tripodRun(crosses, options.rate, jitter)
-                                               : driveRun(options.rate, jitter);
+                                               : driveRun(options.rate, stray, jitter);
 }
 
 SimulatedFrame frameOf(const Pose& pose) {
@@ -95,6 +102,9 @@ void SimulationOptions::check() const {
   if (std::min(size.width, size.height) < 16 || std::max(size.width, size.height) > 4096) {
     throw Error("Simulation size " + std::to_string(size.width) + "x" +
                 std::to_string(size.height) + " is out of range; give sides of 16 to 4096 pixels.");
+  }
+  if (visit < 1 || visit > kMostVisits) {
+    throw Error("Simulation visit " + std::to_string(visit) + " is out of range; give 1 to 1000.");
   }
   if (!(rate >= 0.1 && rate <= 100.0)) {
     throw Error("Simulation rate " + std::to_string(rate) +

@@ -29,6 +29,9 @@ struct SimulationOptions {
   /// The building: its colours, materials, posters and books. With the condition: what has been
   /// moved since. Same options and same build, same pixels, whatever the number of threads.
   std::uint64_t seed = 1;
+  /// From 1 (..1000): what has been moved, who walks about and, but for the first, how the robot
+  /// strays from its way.
+  unsigned visit = 1;
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
   unsigned threads = 0;     ///< 0: one a core
   double rate = 5.0;        ///< frames a second (0.1..100); indecs: one picture every 1/rate s

@@ -112,6 +112,8 @@ void addSimulate(CLI::App& tool) {
                    "indecs: markers, twelve angles each; drive: a path through the rooms")
       ->check(CLI::IsMember({"indecs", "drive"}));
   verb->add_option("--seed", options->simulation.seed, "Another building; same seed, same pixels");
+  verb->add_option("--visit", options->simulation.visit,
+                   "The same building another day: other things moved, from 1 (default)");
   verb->add_option("--format", options->format,
                    "bag: DIR/cloudy.bag; images: DIR/cloudy/ROOM/NAME.png")
       ->check(CLI::IsMember({"bag", "images"}));

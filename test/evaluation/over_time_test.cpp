@@ -5,9 +5,9 @@
 namespace place_recognition {
 namespace {
 
-/// Frames a second apart; truth, answer to the frame, answer over time: a digit each, '-': unknown.
-Evaluation driveOf(const std::string& truth, const std::string& single,
-                   const std::string& filtered) {
+/// Frames a second apart; truth and answers: a digit each, '-': unknown.
+Evaluation driveOf(const std::string& truth, const std::string& single, const std::string& filtered,
+                   const std::string& smoothed) {
   Evaluation evaluation;
   evaluation.places = {"hall", "kitchen", "office"};
   evaluation.model_places = 3;
@@ -19,6 +19,7 @@ Evaluation driveOf(const std::string& truth, const std::string& single,
     frame.known = single[i] != '-';
     frame.place = frame.known ? single[i] - '0' : 0;
     frame.place_over_time = filtered[i] == '-' ? -1 : filtered[i] - '0';
+    frame.place_smoothed = smoothed[i] == '-' ? -1 : smoothed[i] - '0';
     evaluation.frames.push_back(frame);
   }
   return evaluation;
@@ -27,27 +28,38 @@ Evaluation driveOf(const std::string& truth, const std::string& single,
 TEST(OverTime, CountsWrongAndUnknownFramesAndDelays) {
   const auto result = overTime(driveOf("0001110022",    //
                                        "0201-10022",    //
-                                       "0000110-00"));  //
+                                       "0000110-00",    //
+                                       "0001112-22"));  //
   ASSERT_TRUE(result);
   EXPECT_EQ(result->all.frames, 10u);
   EXPECT_EQ(result->all.single.wrong, 1u);
   EXPECT_EQ(result->all.single.unknown, 1u);
   EXPECT_EQ(result->all.filtered.wrong, 3u);  // one late in the kitchen, two in the office
   EXPECT_EQ(result->all.filtered.unknown, 1u);
-  // Two frames are within 2 s of each of the three changes; the first room was not changed to.
-  EXPECT_EQ(result->settled.frames, 4u);
-  EXPECT_EQ(result->settled.single.wrong, 1u);
-  EXPECT_EQ(result->settled.single.unknown, 0u);
-  EXPECT_EQ(result->settled.filtered.wrong, 0u);
-  EXPECT_EQ(result->settled.filtered.unknown, 0u);
+  EXPECT_EQ(result->all.smoothed.wrong, 1u);
+  EXPECT_EQ(result->all.smoothed.unknown, 1u);
   EXPECT_EQ(result->delays, (std::vector<double>{0, 1}));
   EXPECT_EQ(result->missed, 1u);
   EXPECT_DOUBLE_EQ(result->followedWithin(0.5), 1.0 / 3);
   EXPECT_DOUBLE_EQ(result->followedWithin(2), 2.0 / 3);
 }
 
+TEST(OverTime, CountsTheDoorwaysApart) {
+  // Frames of a second: one before and two from a change on are in a doorway.
+  const auto result = overTime(driveOf("000011110000",    //
+                                       "01122---2212",    //
+                                       "011111100221",    //
+                                       "222222222222"));  //
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->settled.frames, 6u);  // three at the start, one in the kitchen, two at the end
+  EXPECT_EQ(result->settled.single.wrong, 4u);
+  EXPECT_EQ(result->settled.single.unknown, 1u);
+  EXPECT_EQ(result->settled.filtered.wrong, 4u);
+  EXPECT_EQ(result->settled.smoothed.wrong, 6u);
+}
+
 TEST(OverTime, PicturesSortedByRoomAreNoDrive) {
-  EXPECT_FALSE(overTime(driveOf("000111222", "000111222", "000111222")));
+  EXPECT_FALSE(overTime(driveOf("000111222", "000111222", "000111222", "000111222")));
 }
 
 }  // namespace

@@ -51,6 +51,21 @@ TEST(RoomChain, ManyStepsAreOne) {
   EXPECT_TRUE(same.isApprox(one, 1e-15));
 }
 
+TEST(RoomChain, GoesBackByTheTransposeOfTheWayForward) {
+  RoomChain chain(row(), 0.2, 0.1);
+  Eigen::Matrix4d forward;
+  for (int state = 0; state < 4; ++state) {
+    Eigen::RowVectorXd belief = certain(state, 4);
+    chain.advance(0.7, belief);
+    forward.row(state) = belief;
+  }
+  const Eigen::Vector4d later(0.1, 0.6, 0.05, 0.9);
+  Eigen::RowVectorXd likelihood = later.transpose();
+  chain.goBack(0.7, likelihood);
+  const Eigen::RowVectorXd expected = (forward * later).transpose();
+  EXPECT_TRUE(likelihood.isApprox(expected / expected.sum(), 1e-12));
+}
+
 TEST(RoomChain, EndsAtTheShareOfUnknown) {
   RoomChain chain(row(), 0.1, 0.01);
   for (const double changes : {50.0, 1e9}) {

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "ros/inbox.h"
 #include "ros/place_over_time.h"
@@ -83,6 +84,77 @@ TEST_F(PlacesOverTime, DoWithoutAMapThatCannotBeUsed) {
   }
   node_.setParam("adjacency", "/no/such/map.yaml");
   EXPECT_EQ(afterTheHall(threeRooms()), "lab");
+}
+
+/// The message of a frame at `stamp` that a model of that name has answered.
+PlaceRecognition messageOf(double stamp, const std::string& model = "rooms") {
+  PlaceRecognition message;
+  message.header.stamp = ros::Time(stamp);
+  message.model_name = model;
+  message.places.resize(3);
+  message.places[0].name = "hall";
+  message.places[1].name = "kitchen";
+  message.places[2].name = "lab";
+  return message;
+}
+
+TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
+  node_.setParam("smoothing_lag", 0.5);
+  PlaceOverTime places(node_, node_);
+  places.setModel(threeRooms(), 0.2);
+  std::vector<PlaceRecognition> all;
+  for (int i = 0; i < 40; ++i) {
+    const double stamp = 0.1 * i;
+    // Two frames in the hall show the lab; from the 20th on it is the kitchen.
+    places.update(stamp, i == 8 || i == 9 ? frameOf(0.2, 0.1, 0.7)
+                         : i < 20         ? frameOf(0.9, 0.05, 0.05)
+                                          : frameOf(0.05, 0.9, 0.05));
+    for (const PlaceRecognition& message : places.smooth(messageOf(stamp))) {
+      EXPECT_GT(stamp - message.header.stamp.toSec(), 0.5);
+      EXPECT_LT(stamp - message.header.stamp.toSec(), 0.7);
+      all.push_back(message);
+    }
+  }
+  ASSERT_GT(all.size(), 32u);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(all[i].header.stamp.toSec(), 0.1 * static_cast<double>(i), 1e-6);
+    EXPECT_EQ(all[i].place, i < 20 ? "hall" : "kitchen") << i;
+    EXPECT_TRUE(all[i].known);
+    double sum = 0;
+    for (const PlaceScore& score : all[i].places) sum += score.probability;
+    EXPECT_NEAR(sum, 1, 1e-9);
+    EXPECT_EQ(all[i].confidence, all[i].places[i < 20 ? 0 : 1].probability);
+    EXPECT_GT(all[i].evidence, 0.5);
+  }
+}
+
+TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
+  PlaceOverTime places(node_, node_);
+  places.setModel(threeRooms(), 0.2);
+  std::vector<PlaceRecognition> all;
+  for (int i = 0; i < 60; ++i) {
+    if (i == 15) places.setModel(threeRooms(), 0.2);
+    if (i == 30) places.setSmoothing(0.3);
+    const double stamp = 0.1 * i;
+    places.update(stamp, frameOf(0.9, 0.05, 0.05));
+    for (const auto& done : places.smooth(messageOf(stamp, i < 15 ? "old" : "new"))) {
+      all.push_back(done);
+    }
+  }
+  ASSERT_GT(all.size(), 45u);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(all[i].header.stamp.toSec(), 0.1 * static_cast<double>(i), 1e-6);
+    EXPECT_EQ(all[i].model_name, i < 15 ? "old" : "new");
+  }
+}
+
+TEST_F(PlacesOverTime, NothingIsSmoothedWithoutSmoothing) {
+  PlaceOverTime places(node_, node_);
+  places.setModel(threeRooms(), 0);
+  for (int i = 0; i < 30; ++i) {
+    places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
+    EXPECT_TRUE(places.smooth(messageOf(0.1 * i)).empty());
+  }
 }
 
 class PlacesWithOdometry : public PlacesOverTime {

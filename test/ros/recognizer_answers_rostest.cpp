@@ -45,6 +45,28 @@ INSTANTIATE_TEST_SUITE_P(All, EveryTransport,
                          testing::Values("/recognizer", "/compressed_recognizer",
                                          "/nodelet_recognizer"));
 
+TEST_F(RecognizerNode, SmoothedAnswersComeALagLaterWithTheHeadersOfTheirFrames) {
+  Inbox<PlaceRecognition> smoothed(node_, name_ + "/smoothed");
+  ASSERT_TRUE(eventually([this] { return listeners() > 0; }));
+  const ros::Time start = nextStamp();
+  for (int i = 0; i < 20; ++i) {
+    camera_.send(drawRoom(i == 5 ? 0 : 1, 3), (start + ros::Duration(0.1 * i)).toSec());
+    ros::WallDuration(0.1).sleep();
+  }
+  nextStamp();
+  const ros::Time stray = start + ros::Duration(0.5);
+  const auto answer =
+      smoothed.find([&](const auto& message) { return message.header.stamp == stray; });
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->place, "room1");
+  EXPECT_EQ(answer->header.frame_id, "camera_optical");
+  EXPECT_EQ(answer->model_name, "three");
+  for (const PlaceRecognition& message : smoothed.messages()) {
+    EXPECT_LE(message.header.stamp, start + ros::Duration(0.95));  // the others still wait
+  }
+  EXPECT_TRUE(trigger("reset").success);
+}
+
 TEST_F(RecognizerNode, NamesThePlaceLatchedAndOnceAChange) {
   Inbox<std_msgs::String> places(node_, name_ + "/place");
   ASSERT_TRUE(eventually([this] { return listeners() > 0; }));

@@ -33,6 +33,7 @@ TEST_F(RecognizerNode, UnusableImagesAreReportedAndSurvived) {
 TEST_F(RecognizerNode, ListensOnlyWhileSomebodyListensToIt) {
   EXPECT_TRUE(eventually([this] { return listeners() == 0; }));
   expectListensWith<PlaceRecognition>("/recognition");
+  expectListensWith<PlaceRecognition>("/smoothed");
   expectListensWith<std_msgs::String>("/place");
   expectListensWith<sensor_msgs::Image>("/debug_image");
   expectListensWith<visualization_msgs::Marker>("/marker");

@@ -56,7 +56,7 @@ TEST(TripodRun, TurnsClockwiseByThirtyDegrees) {
 
 TEST(DriveRun, IsContinuousAndNoFasterThanTheRobot) {
   const double rate = 5.0;
-  const std::vector<Pose> run = driveRun(rate, Random(1));
+  const std::vector<Pose> run = driveRun(rate, 0.0f, Random(1));
   for (std::size_t i = 1; i < run.size(); ++i) {
     const Vec3 step = run[i].view.eye - run[i - 1].view.eye;
     EXPECT_LT(cv::norm(step), 1.02 * 0.5 / rate) << run[i].name;
@@ -67,20 +67,37 @@ TEST(DriveRun, IsContinuousAndNoFasterThanTheRobot) {
 }
 
 TEST(DriveRun, VisitsEveryRoomAndReturnsToTheCorridor) {
-  std::map<std::string, int> visits;
-  std::string last;
-  for (const Pose& pose : driveRun(5.0, Random(1))) {
-    if (pose.room != last) ++visits[pose.room];
-    last = pose.room;
-    const cv::Rect2f& floor = room(pose.room).floor;
-    const float dx =
-        std::max({floor.x - pose.view.eye[0], 0.0f, pose.view.eye[0] - floor.x - floor.width});
-    const float dy =
-        std::max({floor.y - pose.view.eye[1], 0.0f, pose.view.eye[1] - floor.y - floor.height});
-    EXPECT_LE(std::hypot(dx, dy), 0.11f) << pose.name;  // half a wall, in a door
+  for (const float stray : {0.0f, 0.1f}) {
+    std::map<std::string, int> visits;
+    std::string last;
+    for (const Pose& pose : driveRun(5.0, stray, Random(1))) {
+      if (pose.room != last) ++visits[pose.room];
+      last = pose.room;
+      const cv::Rect2f& floor = room(pose.room).floor;
+      const float dx =
+          std::max({floor.x - pose.view.eye[0], 0.0f, pose.view.eye[0] - floor.x - floor.width});
+      const float dy =
+          std::max({floor.y - pose.view.eye[1], 0.0f, pose.view.eye[1] - floor.y - floor.height});
+      EXPECT_LE(std::hypot(dx, dy), 0.11f) << pose.name;  // half a wall, in a door
+    }
+    EXPECT_EQ(visits.size(), 5u);
+    EXPECT_GE(visits["corridor"], 4);
   }
-  EXPECT_EQ(visits.size(), 5u);
-  EXPECT_GE(visits["corridor"], 4);
+}
+
+TEST(DriveRun, StraysByNoMoreThanItIsTold) {
+  const std::vector<cv::Point2f> way = driveWay();
+  double farthest = 0;
+  for (const Pose& pose : driveRun(5.0, 0.1f, Random(1))) {
+    double nearest = 1;
+    for (const cv::Point2f& point : way) {
+      nearest = std::min<double>(
+          nearest, std::hypot(point.x - pose.view.eye[0], point.y - pose.view.eye[1]));
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  EXPECT_LT(farthest, 0.15);
+  EXPECT_GT(farthest, 0.03);
 }
 
 TEST(DriveWay, KeepsClearOfTheFurniture) {

@@ -48,6 +48,22 @@ TEST(Simulation, SameSeedSamePixelsWhateverTheNumberOfThreads) {
   EXPECT_FALSE(sameImages(one, firstFrames(options, 12)));
 }
 
+TEST(Simulation, AnotherVisitIsToTheSameBuildingOnAnotherDay) {
+  SimulationOptions options = small(Condition::kNight);  // all lamps are on, whatever the day
+  const auto first = firstFrames(options, 12);
+  options.visit = 2;
+  const auto second = firstFrames(options, 12);
+  EXPECT_FALSE(sameImages(first, second));
+  options.seed = 2;
+  const auto elsewhere = firstFrames(options, 12);
+  double moved = 0, another = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    moved += cv::norm(first[i].image, second[i].image, cv::NORM_L1);
+    another += cv::norm(first[i].image, elsewhere[i].image, cv::NORM_L1);
+  }
+  EXPECT_LT(moved, 0.7 * another);
+}
+
 TEST(Simulation, EachConditionGivesItsOwnWellExposedPictures) {
   std::vector<std::vector<SimulatedFrame>> runs;
   for (const Condition condition : {Condition::kCloudy, Condition::kNight, Condition::kSunny}) {
@@ -112,6 +128,9 @@ TEST(Simulation, OptionsOutOfRangeAreRefused) {
   SimulationOptions options;
   EXPECT_NO_THROW(options.check());
   options.size = {512, 8};
+  EXPECT_THROW(options.check(), Error);
+  options = {};
+  options.visit = 0;
   EXPECT_THROW(options.check(), Error);
   options = {};
   options.rate = 0.0;
