@@ -21,7 +21,9 @@
 #include "reliability/image_messages.h"
 #include "reliability/other_process.h"
 #include "ros/conversions.h"
+#include "ros/drawn_model.h"
 #include "ros/inbox.h"
+#include "ros/rostest_main.h"
 #include "rounds.h"
 
 namespace place_recognition {
@@ -235,12 +237,8 @@ TEST_F(Stress, LoadAndASubscriberThatNeverReads) {
 
 int main(int argc, char** argv) {
   using namespace place_recognition;
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "stress_rostest");
-  ros::NodeHandle node;
-  ros::AsyncSpinner spinner(2);
-  spinner.start();
-  saveModel(train({opener(drawFrames(2, 10))}, quickOptions()).model, namedModelPath("two"));
-  saveModel(train({opener(drawFrames(3, 10))}, quickOptions()).model, namedModelPath("three"));
-  return RUN_ALL_TESTS();
+  return runRostest(argc, argv, "stress_rostest", [] {
+    saveRooms("two", 2);
+    saveRooms("three", 3);
+  });
 }

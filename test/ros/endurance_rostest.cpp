@@ -10,6 +10,7 @@
 
 #include "ros/node_process.h"
 #include "ros/recognizer_fixture.h"
+#include "ros/rostest_main.h"
 
 namespace place_recognition {
 namespace {
@@ -74,12 +75,9 @@ TEST_F(Endurance, OfEightHoursTakesNoMemory) {
 }  // namespace place_recognition
 
 int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "endurance_rostest");
-  ros::NodeHandle node;
-  ros::AsyncSpinner spinner(2);
-  spinner.start();
-  place_recognition::saveRooms("two", 2);
-  place_recognition::saveRooms("three", 3);
-  return RUN_ALL_TESTS();
+  using namespace place_recognition;
+  return runRostest(argc, argv, "endurance_rostest", [] {
+    saveRooms("two", 2);
+    saveRooms("three", 3);
+  });
 }

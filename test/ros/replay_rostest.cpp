@@ -20,6 +20,7 @@
 #include "ros/inbox.h"
 #include "ros/labelled_bag_writer.h"
 #include "ros/node_process.h"
+#include "ros/rostest_main.h"
 
 namespace place_recognition {
 namespace {
@@ -199,13 +200,10 @@ TEST_F(Replay, TwoRecognizersInTwoNamespacesHaveEachTheirModel) {
 }  // namespace place_recognition
 
 int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "replay_rostest");
-  ros::NodeHandle node;
-  ros::AsyncSpinner spinner(2);
-  spinner.start();
-  place_recognition::saveRooms("two", 2);
-  place_recognition::saveRooms("three", 3);
-  place_recognition::writeBag();
-  return RUN_ALL_TESTS();
+  using namespace place_recognition;
+  return runRostest(argc, argv, "replay_rostest", [] {
+    saveRooms("two", 2);
+    saveRooms("three", 3);
+    writeBag();
+  });
 }

@@ -16,6 +16,7 @@
 #include "recognition/drawn_run.h"
 #include "ros/inbox.h"
 #include "ros/labelled_bag_writer.h"
+#include "ros/rostest_main.h"
 
 namespace place_recognition {
 namespace {
@@ -188,13 +189,10 @@ TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
 }  // namespace place_recognition
 
 int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "trainer_rostest");
-  ros::NodeHandle node;
-  ros::AsyncSpinner spinner(2);
-  spinner.start();
-  std::filesystem::create_directories(place_recognition::modelFolder());
-  place_recognition::writeBag(place_recognition::home() + "/short.bag", 20);
-  place_recognition::writeBag(place_recognition::home() + "/long.bag", 1500);
-  return RUN_ALL_TESTS();
+  using namespace place_recognition;
+  return runRostest(argc, argv, "trainer_rostest", [] {
+    std::filesystem::create_directories(modelFolder());
+    writeBag(home() + "/short.bag", 20);
+    writeBag(home() + "/long.bag", 1500);
+  });
 }
