@@ -162,6 +162,14 @@ class Evaluator {
 
 }  // namespace
 
+std::vector<const FrameResult*> Evaluation::framesOf(int run) const {
+  std::vector<const FrameResult*> of_run;
+  for (const FrameResult& frame : frames) {
+    if (frame.run == run) of_run.push_back(&frame);
+  }
+  return of_run;
+}
+
 Evaluation evaluate(const std::shared_ptr<const Model>& model, const std::vector<RunOpener>& runs,
                     std::size_t wrong_pictures, const Progress& progress) {
   Evaluator evaluator(model, wrong_pictures);

@@ -53,6 +53,9 @@ struct Evaluation {
   bool learned(const FrameResult& frame) const {
     return static_cast<std::size_t>(frame.truth) < model_places;
   }
+
+  /// Those of one run, in their order.
+  std::vector<const FrameResult*> framesOf(int run) const;
 };
 
 /// Shows every labelled picture of the runs to the model, one at a time in this thread, and keeps

@@ -18,13 +18,6 @@ void count(const FrameResult& frame, AnswersOverTime& answers) {
   count(frame.place_smoothed, frame.truth, answers.smoothed);
 }
 
-bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places) {
-  std::vector<PlaceAt> way;
-  for (const FrameResult* frame : run) way.push_back({frame->stamp, frame->truth});
-  Adjacency adjacency(places);
-  return learnAdjacency(way, adjacency);
-}
-
 /// Stamps of the first frames after a change of room, ascending.
 std::vector<double> changesIn(const std::vector<const FrameResult*>& run) {
   std::vector<double> stamps;
@@ -84,6 +77,13 @@ void addDrive(const std::vector<const FrameResult*>& run, const Evaluation& eval
 
 }  // namespace
 
+bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places) {
+  std::vector<PlaceAt> way;
+  for (const FrameResult* frame : run) way.push_back({frame->stamp, frame->truth});
+  Adjacency adjacency(places);
+  return learnAdjacency(way, adjacency);
+}
+
 double OverTime::followedWithin(double seconds) const {
   const auto all = delays.size() + missed;
   const auto in_time = std::upper_bound(delays.begin(), delays.end(), seconds) - delays.begin();
@@ -93,10 +93,7 @@ double OverTime::followedWithin(double seconds) const {
 std::optional<OverTime> overTime(const Evaluation& evaluation) {
   OverTime result;
   for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
-    std::vector<const FrameResult*> run;
-    for (const FrameResult& frame : evaluation.frames) {
-      if (frame.run == static_cast<int>(r)) run.push_back(&frame);
-    }
+    const std::vector<const FrameResult*> run = evaluation.framesOf(static_cast<int>(r));
     if (isDrive(run, evaluation.places.size())) addDrive(run, evaluation, result);
   }
   if (result.all.frames == 0) return std::nullopt;

@@ -39,6 +39,9 @@ struct OverTime {
   double followedWithin(double seconds) const;
 };
 
+/// Whether the frames of a run, of one of so many places each, can have been taken on the way.
+bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places);
+
 /// Nothing if no run is a drive: pictures that are sorted by room have no order in time.
 std::optional<OverTime> overTime(const Evaluation& evaluation);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "evaluation/svg.h"
 #include "evaluation/text_table.h"
@@ -38,30 +37,6 @@ class SharePlot {
  private:
   Svg svg_;
 };
-
-/// Frames of one run in order of time.
-std::vector<const FrameResult*> framesOf(const Evaluation& evaluation, int run) {
-  std::vector<const FrameResult*> frames;
-  for (const FrameResult& frame : evaluation.frames) {
-    if (frame.run == run) frames.push_back(&frame);
-  }
-  return frames;
-}
-
-/// Draws a strip of one rectangle for each stretch of equal frames. `same` compares neighbours.
-void drawStrip(Svg& svg, const std::vector<const FrameResult*>& frames, double top,
-               const std::function<bool(const FrameResult&, const FrameResult&)>& same,
-               const std::function<std::string(const FrameResult&)>& colour,
-               const std::function<std::string(const FrameResult&)>& tooltip) {
-  constexpr double kLeft = 60, kWidth = 830, kHeight = 26;
-  const double step = kWidth / static_cast<double>(frames.size());
-  for (std::size_t first = 0, last = 0; first < frames.size(); first = last) {
-    while (last < frames.size() && same(*frames[first], *frames[last])) ++last;
-    svg.rectangle(kLeft + step * static_cast<double>(first), top,
-                  step * static_cast<double>(last - first), kHeight, colour(*frames[first]),
-                  tooltip(*frames[first]));
-  }
-}
 
 }  // namespace
 
@@ -168,44 +143,6 @@ std::string sharesPlot(const std::string& x_label, const std::string& y_label,
     y -= 16;
   }
   return plot.svg().str();
-}
-
-std::string timelinePlot(const Evaluation& evaluation, int run) {
-  const std::vector<const FrameResult*> frames = framesOf(evaluation, run);
-  if (frames.empty()) return "";
-  const std::size_t places = evaluation.places.size();
-  const auto colourOf = [places](int place) {
-    return place < 0 ? std::string("#fff") : placeColour(static_cast<std::size_t>(place), places);
-  };
-  const auto nameOf = [&evaluation](int place) {
-    return place < 0 ? std::string("no answer")
-                     : evaluation.places[static_cast<std::size_t>(place)];
-  };
-  constexpr double kTruthTop = 4, kAnswerTop = 36, kMarkTop = 68;
-  Svg svg(900, 98);
-  svg.text(52, kTruthTop + 18, "truth", "end");
-  svg.text(52, kAnswerTop + 18, "answer", "end");
-  svg.text(52, kMarkTop + 18, "wrong", "end");
-  drawStrip(
-      svg, frames, kTruthTop,
-      [](const FrameResult& a, const FrameResult& b) { return a.truth == b.truth; },
-      [&](const FrameResult& f) { return colourOf(f.truth); },
-      [&](const FrameResult& f) { return nameOf(f.truth); });
-  drawStrip(
-      svg, frames, kAnswerTop,
-      [](const FrameResult& a, const FrameResult& b) {
-        return a.place == b.place && a.known == b.known;
-      },
-      [&](const FrameResult& f) { return f.known ? colourOf(f.place) : "#eee"; },
-      [&](const FrameResult& f) {
-        return f.known ? nameOf(f.place) : "unknown (" + nameOf(f.place) + ")";
-      });
-  drawStrip(
-      svg, frames, kMarkTop,
-      [](const FrameResult& a, const FrameResult& b) { return a.correct() == b.correct(); },
-      [](const FrameResult& f) { return f.correct() ? "#fff" : kRed; },
-      [](const FrameResult& f) { return f.correct() ? "right" : "wrong"; });
-  return svg.str();
 }
 
 }  // namespace place_recognition

@@ -36,7 +36,4 @@ struct Curve {
 std::string sharesPlot(const std::string& x_label, const std::string& y_label,
                        const std::vector<Curve>& curves);
 
-/// One run from left to right: the true place above, the answer below, 'unknown' pale.
-std::string timelinePlot(const Evaluation& evaluation, int run);
-
 }  // namespace place_recognition

@@ -8,6 +8,7 @@
 #include "evaluation/result_table.h"
 #include "evaluation/svg.h"
 #include "evaluation/text_table.h"
+#include "evaluation/timeline.h"
 
 namespace place_recognition {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "evaluation/result_json.h"
 #include "evaluation/result_table.h"
 #include "evaluation/svg.h"
+#include "evaluation/timeline.h"
 
 namespace place_recognition {
 namespace {
@@ -81,6 +83,30 @@ TEST(Report, ShowsUnknownPlacesIfThereAre) {
   EXPECT_NE(htmlReport(evaluation, summarize(evaluation)).find(kTitle), std::string::npos);
   evaluation.frames.resize(6);  // without the lift
   EXPECT_EQ(htmlReport(evaluation, summarize(evaluation)).find(kTitle), std::string::npos);
+}
+
+TEST(Timeline, ShowsAnswersOverTimeOfDrivesOnly) {
+  Evaluation evaluation = madeUpEvaluation();
+  evaluation.frames.clear();
+  for (int i = 0; i < 100; ++i) {  // twenty seconds here, twenty there, and so on
+    FrameResult frame;
+    frame.stamp = i;
+    frame.truth = frame.place_over_time = i / 20 % 2;
+    frame.place = i % 7 == 0 ? 1 - frame.truth : frame.truth;
+    frame.known = i % 7 != 0;
+    evaluation.frames.push_back(frame);
+  }
+  const std::string drive = timelinePlot(evaluation, 0);
+  EXPECT_TRUE(isWellFormed(drive));
+  for (const char* text : {">truth<", ">single<", ">~place<", ">~smoothed<", "unknown (office)"}) {
+    EXPECT_NE(drive.find(text), std::string::npos) << text;
+  }
+  std::stable_sort(evaluation.frames.begin(), evaluation.frames.end(),
+                   [](const FrameResult& a, const FrameResult& b) { return a.truth < b.truth; });
+  const std::string sorted = timelinePlot(evaluation, 0);
+  EXPECT_EQ(sorted.find("~place"), std::string::npos);
+  EXPECT_NE(sorted.find(">wrong<"), std::string::npos);
+  EXPECT_EQ(timelinePlot(evaluation, 1), "");
 }
 
 TEST(Report, EscapesNames) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "evaluation/evaluation.h"
+
+namespace place_recognition {
+
+/// One run from left to right, an <svg> element: the true place, the answer and where it is wrong;
+/// of a drive the answers over time instead. 'unknown' is pale. Empty if the run has no pictures.
+std::string timelinePlot(const Evaluation& evaluation, int run);
+
+}  // namespace place_recognition
