@@ -20,9 +20,7 @@ class BinTable {
   using Slots = HugeVector<Slot>;
 
   /// With room for so many bins; more are taken too.
-  explicit BinTable(std::size_t bins = 0) : slots_(1u << kFirstBits), shift_(64 - kFirstBits) {
-    while (2 * bins > slots_.size()) grow();
-  }
+  explicit BinTable(std::size_t bins = 0) : bits_(bitsFor(bins)), slots_(std::size_t{1} << bits_) {}
 
   /// The slot of `bin`, with a count of 0 if there is none yet; whoever asks must then raise it.
   /// Pointers from earlier calls no longer hold.
@@ -46,10 +44,14 @@ class BinTable {
   Slots& slots() { return slots_; }
 
  private:
-  static constexpr unsigned kFirstBits = 10;
+  static unsigned bitsFor(std::size_t bins) {
+    unsigned bits = 10;
+    while (2 * bins > std::size_t{1} << bits) ++bits;
+    return bits;
+  }
 
   /// Fibonacci hashing: the high bits of a product with 2^64 / golden ratio.
-  std::size_t home(std::uint64_t bin) const { return (bin * 0x9E3779B97F4A7C15u) >> shift_; }
+  std::size_t home(std::uint64_t bin) const { return (bin * 0x9E3779B97F4A7C15u) >> (64 - bits_); }
 
   std::size_t position(std::uint64_t bin) const {
     std::size_t i = home(bin);
@@ -60,15 +62,15 @@ class BinTable {
   void grow() {
     Slots old(2 * slots_.size());
     old.swap(slots_);
-    --shift_;
+    ++bits_;
     for (const Slot& slot : old) {
       if (slot.count != 0) slots_[position(slot.bin)] = slot;
     }
   }
 
+  unsigned bits_;  ///< of the number of slots
   Slots slots_;
   std::size_t used_ = 0;
-  unsigned shift_;
 };
 
 }  // namespace place_recognition

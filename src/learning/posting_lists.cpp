@@ -1,6 +1,9 @@
 #include "learning/posting_lists.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 
 #include "base/require.h"
 #include "base/simd.h"
@@ -10,26 +13,7 @@
 namespace place_recognition {
 namespace {
 
-using Bin = PostingLists::Bin;
 using Slot = BinTable::Slot;
-
-/// Seven bits a byte, the lowest first; the top bit says that more follow.
-void appendVarint(std::vector<std::uint8_t>& bytes, std::uint64_t value) {
-  for (; value >= 0x80; value >>= 7) bytes.push_back(static_cast<std::uint8_t>(value | 0x80));
-  bytes.push_back(static_cast<std::uint8_t>(value));
-}
-
-/// The varint at `position`, which moves on behind it.
-std::uint64_t readVarint(const std::vector<std::uint8_t>& bytes, std::size_t& position) {
-  std::uint64_t value = 0;
-  for (int shift = 0; shift < 64 && position < bytes.size(); shift += 7) {
-    const std::uint64_t byte = bytes[position++];
-    if (shift == 63 && byte > 1) break;
-    value |= (byte & 0x7f) << shift;
-    if (byte < 0x80) return value;
-  }
-  throw Error("the bins of the support vectors are cut or too large");
-}
 
 /// Calls visit(v, bin, value) for each element of each vector v, after asking the memory for the
 /// bin's slot in `table`; visiting the memory is what takes the time.
@@ -61,15 +45,13 @@ std::vector<Slot*> inAscendingOrder(BinTable& table) {
 void layOut(BinTable& table, PostingLists& lists) {
   std::uint32_t rows = 0;
   std::uint32_t postings = 0;
-  std::uint64_t before = 0;
   for (Slot* slot : inAscendingOrder(table)) {
-    appendVarint(lists.bins, slot->bin - before);
-    appendVarint(lists.bins, slot->count);
-    before = slot->bin;
+    lists.bins.push_back(slot->bin);
+    lists.counts.push_back(slot->count);
     slot->begin = lists.isCommon(slot->count) ? rows++ : postings;
     if (!lists.isCommon(slot->count)) postings += slot->count;
   }
-  lists.rows.assign(rows * lists.vectors, 0);
+  lists.rows.assign(rows * lists.vectors(), 0);
   lists.values.resize(postings);
   lists.numbers.resize(postings);
 }
@@ -81,89 +63,112 @@ DenseVector asDense(const SparseVector& x, std::size_t dimension) {
 }
 
 PLACE_RECOGNITION_TARGET_CLONES
-std::size_t countNonZero(const float* values, std::size_t size) {
+std::size_t countZeros(const float* values, std::size_t size) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < size; ++i) count += values[i] != 0;
+  for (std::size_t i = 0; i < size; ++i) count += values[i] == 0;
+  return count;
+}
+
+/// How many values are finite and not zero.
+PLACE_RECOGNITION_TARGET_CLONES
+std::size_t countElements(const float* values, std::size_t size) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const float magnitude = std::abs(values[i]);
+    count += (magnitude > 0) & (magnitude < kInfinity);
+  }
   return count;
 }
 
 /// How many numbers are not above the one before.
 PLACE_RECOGNITION_TARGET_CLONES
-std::size_t countDescents(const HugeVector<std::uint16_t>& numbers) {
+std::size_t countDescents(const std::uint16_t* numbers, std::size_t size) {
   std::size_t count = 0;
-  for (std::size_t i = 1; i < numbers.size(); ++i) count += numbers[i] <= numbers[i - 1];
+  for (std::size_t i = 1; i < size; ++i) count += numbers[i] <= numbers[i - 1];
   return count;
 }
 
-/// As lists.bins has them, in ascending order.
-std::vector<Bin> decodeBins(const PostingLists& lists) {
-  std::vector<Bin> bins;
-  bins.reserve(lists.bins.size() / 2);  // each has two bytes at least
-  std::uint64_t index = 0;
-  for (std::size_t position = 0; position < lists.bins.size();) {
-    const std::uint64_t step = readVarint(lists.bins, position);
-    const std::uint64_t count = readVarint(lists.bins, position);
-    require((step > 0 || bins.empty()) && step <= ~index,
-            "the bins of the support vectors do not ascend");
-    require(count > 0 && count <= lists.vectors, "a bin is of none or of too many support vectors");
-    index += step;
-    bins.push_back({index, static_cast<std::uint32_t>(count)});
+void requireTotalsFit(const PostingLists& lists) {
+  require(lists.vectors() <= PostingLists::kMaxVectors, "there are too many support vectors");
+  for (const double total : lists.totals) {
+    require(total >= 0 && std::isfinite(total), "the total of a support vector is out of range");
   }
-  require(lists.dimension == 0 || bins.empty() || index < lists.dimension,
-          "a support vector has not the dimension of the extractor's");
-  return bins;
 }
 
-/// That rows and postings are as many as `bins` says.
-void requireSizesFit(const PostingLists& lists, const std::vector<Bin>& bins) {
+void requireBinsAscend(const PostingLists& lists) {
+  const std::vector<std::uint64_t>& bins = lists.bins;
+  require(std::adjacent_find(bins.begin(), bins.end(), std::greater_equal<>()) == bins.end(),
+          "the bins of the support vectors do not ascend");
+  require(lists.dimension == 0 || bins.empty() || bins.back() < lists.dimension,
+          "a support vector has not the dimension of the extractor's");
+}
+
+/// That rows and postings are as many as the counts say.
+void requireSizesFit(const PostingLists& lists) {
   std::uint64_t rows = 0;
   std::uint64_t postings = 0;
-  for (const Bin& bin : bins) {
-    if (lists.isCommon(bin.count)) {
-      ++rows;
-    } else {
-      postings += bin.count;
-    }
+  for (const std::uint32_t count : lists.counts) {
+    require(count > 0 && count <= lists.vectors(),
+            "a bin is of none or of too many support vectors");
+    const bool common = lists.isCommon(count);
+    rows += common;
+    postings += common ? 0 : count;
   }
-  require(lists.rows.size() == rows * lists.vectors && lists.values.size() == postings &&
-              lists.numbers.size() == postings,
+  require(lists.counts.size() == lists.bins.size() && lists.rows.size() == rows * lists.vectors() &&
+              lists.values.size() == postings && lists.numbers.size() == postings,
           "the sizes of the support vectors do not add up");
 }
 
 /// That every bin has as many vectors as it says, in ascending order.
-void requireVectorsFit(const PostingLists& lists, const std::vector<Bin>& bins) {
-  require(countNonZero(lists.values.data(), lists.values.size()) == lists.values.size(),
-          "a support vector holds a zero element");
+void requireVectorsFit(const PostingLists& lists) {
+  require(countElements(lists.values.data(), lists.values.size()) == lists.values.size(),
+          "a support vector holds an element that is zero or not finite");
+  const std::size_t vectors = lists.vectors();
   const float* row = lists.rows.data();
   const std::uint16_t* number = lists.numbers.data();
   std::size_t descents = 0;  // from one bin to the next, the only ones that may be
-  for (const Bin& bin : bins) {
-    if (lists.isCommon(bin.count)) {
-      require(countNonZero(row, lists.vectors) == bin.count,
-              "a bin has not as many support vectors as it says");
-      row += lists.vectors;
+  for (const std::uint32_t count : lists.counts) {
+    if (lists.isCommon(count)) {
+      require(countElements(row, vectors) == count && countZeros(row, vectors) == vectors - count,
+              "a bin has not as many support vectors as it says, or not finite ones");
+      row += vectors;
     } else {
       if (number != lists.numbers.data()) descents += number[0] <= number[-1];
-      number += bin.count;
-      require(number[-1] < lists.vectors, "a bin is of a support vector that there is not");
+      number += count;
+      require(number[-1] < vectors, "a bin is of a support vector that there is not");
     }
   }
-  require(countDescents(lists.numbers) == descents, "the support vectors of a bin do not ascend");
+  require(countDescents(lists.numbers.data(), lists.numbers.size()) == descents,
+          "the support vectors of a bin do not ascend");
 }
 
 }  // namespace
 
-PostingLists postingLists(const std::vector<Feature>& vectors) {
+double total(Measure measure, const SparseVector& x) {
+  double sum = 0;
+  if (measure == Measure::kChiSquared) {
+    for (const double value : x.values) sum += value;
+  } else {
+    for (const double value : x.values) sum += value * value;
+  }
+  return sum;
+}
+
+PostingLists postingLists(Measure measure, const std::vector<Feature>& vectors) {
   if (vectors.size() > PostingLists::kMaxVectors) {
     throw Error("There are " + std::to_string(vectors.size()) + " support vectors, more than the " +
                 std::to_string(PostingLists::kMaxVectors) +
                 " that can be compared; train on fewer images.");
   }
   PostingLists lists;
-  lists.vectors = vectors.size();
   if (vectors.empty()) return lists;
   const auto* dense = std::get_if<DenseVector>(&vectors.front());
   if (dense) lists.dimension = dense->values.size();
+  SparseVector scratch;
+  for (const Feature& vector : vectors) {
+    lists.totals.push_back(total(measure, asSparse(vector, lists.dimension, scratch)));
+  }
 
   BinTable table;
   forEachElement(vectors, lists.dimension, table,
@@ -172,7 +177,7 @@ PostingLists postingLists(const std::vector<Feature>& vectors) {
   const auto fill = [&](std::size_t v, std::uint64_t bin, float value) {
     Slot& slot = table.find(bin);
     if (lists.isCommon(slot.count)) {
-      lists.rows[slot.begin * lists.vectors + v] = value;
+      lists.rows[slot.begin * lists.vectors() + v] = value;
     } else {
       lists.numbers[slot.begin] = static_cast<std::uint16_t>(v);
       lists.values[slot.begin++] = value;
@@ -183,22 +188,22 @@ PostingLists postingLists(const std::vector<Feature>& vectors) {
 }
 
 std::vector<Feature> vectorsOf(const PostingLists& lists) {
-  std::vector<SparseVector> vectors(lists.vectors);
+  std::vector<SparseVector> vectors(lists.vectors());
   const auto append = [&vectors](std::size_t v, std::uint64_t bin, float value) {
     vectors[v].indices.push_back(bin);
     vectors[v].values.push_back(value);
   };
   const float* row = lists.rows.data();
   std::size_t posting = 0;
-  for (const Bin& bin : binsOf(lists)) {
-    if (lists.isCommon(bin.count)) {
-      for (std::size_t v = 0; v < lists.vectors; ++v) {
-        if (row[v] != 0) append(v, bin.index, row[v]);
+  for (std::size_t b = 0; b < lists.bins.size(); ++b) {
+    if (lists.isCommon(lists.counts[b])) {
+      for (std::size_t v = 0; v < lists.vectors(); ++v) {
+        if (row[v] != 0) append(v, lists.bins[b], row[v]);
       }
-      row += lists.vectors;
+      row += lists.vectors();
     } else {
-      for (const std::size_t end = posting + bin.count; posting < end; ++posting) {
-        append(lists.numbers[posting], bin.index, lists.values[posting]);
+      for (const std::size_t end = posting + lists.counts[b]; posting < end; ++posting) {
+        append(lists.numbers[posting], lists.bins[b], lists.values[posting]);
       }
     }
   }
@@ -213,12 +218,11 @@ std::vector<Feature> vectorsOf(const PostingLists& lists) {
   return features;
 }
 
-std::vector<Bin> binsOf(const PostingLists& lists) {
-  require(lists.vectors <= PostingLists::kMaxVectors, "there are too many support vectors");
-  std::vector<Bin> bins = decodeBins(lists);
-  requireSizesFit(lists, bins);
-  requireVectorsFit(lists, bins);
-  return bins;
+void PostingLists::check() const {
+  requireTotalsFit(*this);
+  requireBinsAscend(*this);
+  requireSizesFit(*this);
+  requireVectorsFit(*this);
 }
 
 const SparseVector& asSparse(const Feature& x, std::size_t dimension, SparseVector& scratch) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/huge_pages.h"
+#include "learning/kernel_type.h"
 #include "place_recognition/feature.h"
 
 namespace place_recognition {
@@ -17,31 +18,32 @@ namespace place_recognition {
 struct PostingLists {
   static constexpr std::size_t kMaxVectors = 65536;  ///< what 16 bits can number
 
-  struct Bin {
-    std::uint64_t index;
-    std::uint32_t count;  ///< of vectors that have it; at least one
-  };
-
-  std::size_t vectors = 0;         ///< how many there are
-  std::size_t dimension = 0;       ///< of dense vectors; 0: the vectors are sparse
-  std::vector<std::uint8_t> bins;  ///< each bin's step from the one before and its count: varints
-  HugeVector<float> rows;          ///< of the common bins, one after the other
-  HugeVector<float> values;        ///< of the rare bins' postings: not zero
+  std::size_t dimension = 0;          ///< of dense vectors; 0: the vectors are sparse
+  std::vector<double> totals;         ///< total() of each vector
+  std::vector<std::uint64_t> bins;    ///< their indices, ascending
+  std::vector<std::uint32_t> counts;  ///< of the vectors that have each bin; at least one
+  HugeVector<float> rows;             ///< of the common bins, one after the other
+  HugeVector<float> values;           ///< of the rare bins' postings: not zero
   HugeVector<std::uint16_t> numbers;  ///< of the postings: of the vector; ascending in each bin
 
-  bool isCommon(std::uint32_t count) const { return 2 * std::size_t{count} >= vectors; }
+  std::size_t vectors() const { return totals.size(); }
+  bool isCommon(std::uint32_t count) const { return 2 * std::size_t{count} >= vectors(); }
+
+  /// Throws Error, a phrase without a source, unless this is what postingLists() makes of some
+  /// vectors of finite elements; whether the totals are theirs is not looked at.
+  void check() const;
 };
+
+/// What a measure has to know of each vector alone: its sum for chi-squared, else that of its
+/// squares; in double precision, in ascending order of bins.
+double total(Measure measure, const SparseVector& x);
 
 /// `vectors` (sparse, or dense of one dimension) bin by bin. Throws Error if there are more than
 /// kMaxVectors or if they are of several kinds.
-PostingLists postingLists(const std::vector<Feature>& vectors);
+PostingLists postingLists(Measure measure, const std::vector<Feature>& vectors);
 
 /// The vectors again, as they were given.
 std::vector<Feature> vectorsOf(const PostingLists& lists);
-
-/// What `lists.bins` says. Throws Error, a phrase without a source, unless `lists` is what
-/// postingLists() makes of some vectors; whether their elements are finite is not looked at.
-std::vector<PostingLists::Bin> binsOf(const PostingLists& lists);
 
 /// `x` itself, or its non-zero elements in `scratch`. Throws Error if it is not a sparse vector
 /// (`dimension` 0) or a dense one of this dimension.

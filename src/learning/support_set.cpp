@@ -9,7 +9,7 @@ SupportSet::Index makeIndex(const Kernel& kernel, const std::vector<Feature>& ve
   for (const Feature& vector : vectors) kernel.requireMeaningFor(vector);
   const Measure measure = kernel.type().measure;
   if (measure == Measure::kLocalMatch) return LocalMatchIndex(kernel.options().gamma, vectors);
-  return VectorIndex(measure, postingLists(vectors));
+  return VectorIndex(measure, postingLists(measure, vectors));
 }
 
 SupportSet::Index makeIndex(const Kernel& kernel, PostingLists lists) {

@@ -1,10 +1,8 @@
 #include "learning/vector_index.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/simd.h"
-#include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
@@ -23,13 +21,6 @@ struct ChiSquaredTerm {
 };
 struct MinimumTerm {
   PLACE_RECOGNITION_INLINE double operator()(double x, double y) const { return x < y ? x : y; }
-};
-/// What a vector adds to its total.
-struct ValueTerm {
-  PLACE_RECOGNITION_INLINE double operator()(double, double y) const { return y; }
-};
-struct SquareTerm {
-  PLACE_RECOGNITION_INLINE double operator()(double, double y) const { return y * y; }
 };
 
 /// Asks the memory for the postings of a bin, or as much of a long row as the processor does not
@@ -89,56 +80,24 @@ void addMinima(const std::vector<VectorIndex::Postings>& bins, double* sums) {
   addTerms(bins, MinimumTerm(), sums);
 }
 
-PLACE_RECOGNITION_TARGET_CLONES
-void addValues(const std::vector<VectorIndex::Postings>& bins, double* sums) {
-  addTerms(bins, ValueTerm(), sums);
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void addSquares(const std::vector<VectorIndex::Postings>& bins, double* sums) {
-  addTerms(bins, SquareTerm(), sums);
-}
-
-/// Adds to each vector's total; see VectorIndex::total().
-void addTotals(Measure measure, const std::vector<VectorIndex::Postings>& bins, double* totals) {
-  measure == Measure::kChiSquared ? addValues(bins, totals) : addSquares(bins, totals);
-}
-
 }  // namespace
 
 VectorIndex::VectorIndex(Measure measure, PostingLists lists)
-    : measure_(measure), lists_(std::move(lists)), totals_(lists_.vectors) {
-  const std::vector<PostingLists::Bin> bins = binsOf(lists_);
+    : measure_(measure), lists_(std::move(lists)) {
+  lists_.check();
+  const std::vector<std::uint64_t>& bins = lists_.bins;
   table_ = BinTable(bins.size());
-  constexpr std::size_t kBinsAtOnce = 1024;  // few enough to stay in the cache
-  std::vector<Postings> added;
   std::uint32_t rows = 0;
   std::uint32_t postings = 0;
   for (std::size_t b = 0; b < bins.size(); ++b) {
-    table_.prefetch(bins[std::min(b + kLookupsAhead, bins.size() - 1)].index);
-    BinTable::Slot& slot = table_.insert(bins[b].index);
-    const bool common = lists_.isCommon(bins[b].count);
-    slot.count = common ? kRow : bins[b].count;
+    table_.prefetch(bins[std::min(b + kLookupsAhead, bins.size() - 1)]);
+    const std::uint32_t count = lists_.counts[b];
+    const bool common = lists_.isCommon(count);
+    BinTable::Slot& slot = table_.insert(bins[b]);
+    slot.count = common ? kRow : count;
     slot.begin = common ? rows++ : postings;
-    if (!common) postings += slot.count;
-    added.push_back(postingsAt(slot, 0));
-    if (added.size() < kBinsAtOnce && b + 1 < bins.size()) continue;
-    addTotals(measure_, added, totals_.data());
-    added.clear();
+    postings += common ? 0 : count;
   }
-  for (const double total : totals_) {
-    if (!std::isfinite(total)) throw Error("a support vector holds a number that is not finite");
-  }
-}
-
-double VectorIndex::total(const SparseVector& x) const {
-  double sum = 0;
-  if (measure_ == Measure::kChiSquared) {
-    for (const double value : x.values) sum += value;
-  } else {
-    for (const double value : x.values) sum += value * value;
-  }
-  return sum;
 }
 
 VectorIndex::Postings VectorIndex::postingsAt(const BinTable::Slot& slot, double x) const {
@@ -179,8 +138,8 @@ void VectorIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) co
   if (measure_ != Measure::kChiSquared && measure_ != Measure::kSquaredDistance) return;
   // What rounding leaves of the distance of equal vectors must not become negative.
   const double shared_weight = measure_ == Measure::kChiSquared ? 4 : 2;
-  const Eigen::Map<const Eigen::VectorXd> totals(totals_.data(), out.size());
-  out = (total(sparse) + totals.array() - shared_weight * out.array()).max(0).matrix();
+  const Eigen::Map<const Eigen::VectorXd> totals(lists_.totals.data(), out.size());
+  out = (total(measure_, sparse) + totals.array() - shared_weight * out.array()).max(0).matrix();
 }
 
 }  // namespace place_recognition

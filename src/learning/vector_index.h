@@ -25,7 +25,7 @@ class VectorIndex {
   /// threads.
   void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
 
-  std::size_t size() const { return lists_.vectors; }
+  std::size_t size() const { return lists_.vectors(); }
   std::vector<Feature> vectors() const { return vectorsOf(lists_); }
   const PostingLists& lists() const { return lists_; }
 
@@ -38,15 +38,13 @@ class VectorIndex {
   };
 
  private:
-  double total(const SparseVector& x) const;
   Postings postingsAt(const BinTable::Slot& slot, double x) const;
   /// Of the bins of `x`, of the first `vectors` vectors.
   std::vector<Postings> postingsOf(const SparseVector& x, std::size_t vectors) const;
 
   Measure measure_;
   PostingLists lists_;
-  std::vector<double> totals_;  ///< one a vector: its sum for chi-squared, else that of its squares
-  BinTable table_;              ///< where each bin stands in the lists
+  BinTable table_;  ///< where each bin stands in the lists
 };
 
 }  // namespace place_recognition

@@ -88,13 +88,15 @@ std::vector<Feature> descriptorSets(const ClassifierNumbers& numbers) {
 
 SupportSet supportSetOf(ClassifierNumbers& numbers, const CueOptions& cue) {
   const bool local = std::holds_alternative<LocalFeatureOptions>(cue.feature);
-  const bool no_lists = numbers.lists.bins.empty() && numbers.lists.rows.empty() &&
-                        numbers.lists.values.empty() && numbers.lists.numbers.empty();
+  const PostingLists& lists = numbers.lists;
+  const bool no_lists = lists.totals.empty() && lists.bins.empty() && lists.counts.empty() &&
+                        lists.rows.empty() && lists.values.empty() && lists.numbers.empty();
   require(local ? no_lists : numbers.set_sizes.empty() && numbers.descriptors.empty(),
           "the support vectors are not what the extractor gives");
   const Kernel kernel(cue.kernel);
   if (local) return SupportSet(kernel, descriptorSets(numbers));
-  numbers.lists.vectors = numbers.vector_places.size();
+  require(lists.vectors() == numbers.vector_places.size(),
+          "there are not as many totals as support vectors");
   numbers.lists.dimension = dimensionOf(cue.feature);
   return SupportSet(kernel, std::move(numbers.lists));
 }

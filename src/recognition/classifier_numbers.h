@@ -25,7 +25,9 @@ struct ClassifierNumbers {
     visitor(vector_places);
     visitor(weights);
     visitor(biases);
+    visitor(lists.totals);
     visitor(lists.bins);
+    visitor(lists.counts);
     visitor(lists.rows);
     visitor(lists.values);
     visitor(lists.numbers);

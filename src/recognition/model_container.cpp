@@ -28,7 +28,7 @@ static_assert(sizeof(Header) == 32, "without gaps");
 
 // The line end shows at once if a transfer "as text" changed the file.
 constexpr char kMagic[] = "PLACES\r\n";
-constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormat = 3;
 
 /// CRC-32 of bytes that follow others of the checksum `before`.
 std::uint32_t checksum(std::uint32_t before, const void* data, std::size_t size) {

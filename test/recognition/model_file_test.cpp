@@ -91,6 +91,17 @@ TEST(ModelFile, RefusesEveryChangedByteAndEveryCut) {
   EXPECT_THROW(parseModel("", "empty"), Error);
 }
 
+TEST(ModelFile, RefusesOtherFormats) {
+  std::string bytes = smallModelBytes();
+  --bytes[8];
+  try {
+    parseModel(bytes, "old");
+    FAIL() << "accepted";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("its format version is 2"), std::string::npos) << e.what();
+  }
+}
+
 TEST(ModelFile, RefusesSplicedFiles) {
   const std::string& bytes = smallModelBytes();
   std::mt19937 generator(5);
@@ -121,7 +132,9 @@ TEST_P(TamperedModel, IsRefusedByName) {
 }
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 // What is tampered with; the second cue has common and rare bins.
 proto::Model& message(ModelContents& c) { return c.message; }
@@ -181,19 +194,26 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{"VectorWithoutPlace", [](auto& c) { classifier(c).vector_places.pop_back(); }},
         Tampering{"SetsOfDescriptorsToo", [](auto& c) { classifier(c).set_sizes = {0}; }},
         Tampering{"DescriptorsToo", [](auto& c) { classifier(c).descriptors = {0}; }},
-        Tampering{"BinRepeated", [](auto& c) { lists(c).bins[2] = 0; }},
-        Tampering{"BinTooLarge",
-                  [](auto& c) { lists(c).bins.insert(lists(c).bins.begin(), 5000, 0xff); }},
-        Tampering{"BinOfNoVector", [](auto& c) { lists(c).bins[1] = 0; }},
-        Tampering{"BinOfTooManyVectors", [](auto& c) { lists(c).bins[1] = 100; }},
-        Tampering{"BinOfOtherVectors", [](auto& c) { lists(c).bins[1] -= 1; }},
+        Tampering{"TotalMissing", [](auto& c) { lists(c).totals.pop_back(); }},
+        Tampering{"TotalAdded", [](auto& c) { lists(c).totals.push_back(1); }},
+        Tampering{"TotalNan", [](auto& c) { lists(c).totals[0] = kNan; }},
+        Tampering{"TotalInfinite", [](auto& c) { lists(c).totals[0] = kInfinity; }},
+        Tampering{"TotalNegative", [](auto& c) { lists(c).totals[0] = -1; }},
+        Tampering{"BinRepeated", [](auto& c) { lists(c).bins[1] = lists(c).bins[0]; }},
+        Tampering{"BinsDescend", [](auto& c) { std::swap(lists(c).bins[0], lists(c).bins[1]); }},
         Tampering{"BinsCut", [](auto& c) { lists(c).bins.pop_back(); }},
-        Tampering{"BinsAdded", [](auto& c) { lists(c).bins.push_back(1); }},
+        Tampering{"BinsAdded", [](auto& c) { lists(c).bins.push_back(~std::uint64_t{0}); }},
+        Tampering{"BinOfNoVector", [](auto& c) { lists(c).counts[0] = 0; }},
+        Tampering{"BinOfTooManyVectors", [](auto& c) { lists(c).counts[0] = 100; }},
+        Tampering{"BinOfOtherVectors", [](auto& c) { lists(c).counts[0] -= 1; }},
+        Tampering{"CountsOfBinsCut", [](auto& c) { lists(c).counts.pop_back(); }},
         Tampering{"RowCut", [](auto& c) { lists(c).rows.pop_back(); }},
         Tampering{"RowNan", [](auto& c) { lists(c).rows[0] = kFloatNan; }},
+        Tampering{"RowInfinite", [](auto& c) { lists(c).rows[0] = kFloatInfinity; }},
         Tampering{"RowNegative", [](auto& c) { lists(c).rows[0] = -1; }},
         Tampering{"ValueMissing", [](auto& c) { lists(c).values.pop_back(); }},
         Tampering{"ValueNan", [](auto& c) { lists(c).values[0] = kFloatNan; }},
+        Tampering{"ValueInfinite", [](auto& c) { lists(c).values[0] = kFloatInfinity; }},
         Tampering{"ValueZero", [](auto& c) { lists(c).values[0] = 0; }},
         Tampering{"ValueNegative", [](auto& c) { lists(c).values[0] = -1; }},
         Tampering{"PostingMissing", [](auto& c) { lists(c).numbers.pop_back(); }},

@@ -105,7 +105,9 @@ TEST(CraftedModel, ManyUnknownFieldsTakeNoMemory) {
 
 TEST(CraftedModel, ManyBinsOfNoVectorTakeNoMemory) {
   EXPECT_FALSE(accepts(crafted([](ModelContents& c) {
-    c.classifiers[0].lists.bins.insert(c.classifiers[0].lists.bins.end(), 2 * kMany, 1);
+    PostingLists& lists = c.classifiers[0].lists;
+    for (int i = 0; i < kMany; ++i) lists.bins.push_back(lists.bins.back() + 1);
+    lists.counts.resize(lists.bins.size(), 0);
   })));
 }
 
