@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <iostream>
+#include <limits>
 #include <string>
 
 #include "sample_model.h"
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   }
   TrainingOptions options;
   options.cues.front().feature = CrfhOptions();
+  options.sampling.most = std::numeric_limits<int>::max();
   if (argc > 2) options.cues.front().kernel.gamma = std::stod(argv[2]);
   if (argc > 3) options.reduction.method = argv[3];
   const Training training = train({viewRun(std::stoul(argv[1]))}, options);

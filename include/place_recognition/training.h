@@ -16,6 +16,7 @@ namespace place_recognition {
 struct Training {
   Model model;
   std::uint64_t images = 0;                      ///< trained on
+  std::uint64_t passed_over = 0;                 ///< others that could have been, SamplingOptions
   std::vector<std::uint64_t> unreduced_vectors;  ///< [cue]: support vectors before reduction
   std::vector<std::string> warnings;  ///< for a person: skipped images and why, few images, ...
   double seconds = 0;

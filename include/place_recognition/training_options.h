@@ -20,6 +20,24 @@ struct ImageOptions {
   void check() const;
 };
 
+/// Which pictures of the runs are learned: neighbouring ones are nearly copies of one another, and
+/// memory grows with the square of their number.
+struct SamplingOptions {
+  double rate = 0;
+  int most = 10000;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("rate", self.rate,
+            "pictures that are learned of each second of a run, at most, by their stamps; 0: all");
+    visitor(
+        "most", self.most,
+        "pictures that are learned at most, those in other light included, 10 or more; of more, "
+        "the same share of each room; memory is 16 bytes times the square");
+  }
+  void check() const;
+};
+
 /// One cue: a feature and the kernel that compares it.
 struct CueOptions {
   std::string name = "crfh";
@@ -74,6 +92,7 @@ struct UnknownOptions {
 /// Everything that `train` can be told; read from YAML (config/), stored in the model.
 struct TrainingOptions {
   ImageOptions image;
+  SamplingOptions sampling;
   AugmentationOptions augmentation;
   std::vector<CueOptions> cues{CueOptions()};
   SvmOptions svm;
@@ -85,6 +104,7 @@ struct TrainingOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("image", self.image, "preparation of the image");
+    visitor("sampling", self.sampling, "which pictures of the runs are learned");
     visitor("augmentation", self.augmentation, "further pictures made of those of the runs");
     visitor("cues", self.cues, "one or more cues; their margins are combined");
     visitor("svm", self.svm, "the machines");

@@ -46,6 +46,7 @@ void append(Samples part, int first_run, Samples& samples) {
   }
   samples.inputs.insert(samples.inputs.end(), part.inputs.begin(), part.inputs.end());
   samples.skipped += part.skipped;
+  samples.passed_over += part.passed_over;
   samples.warnings.insert(samples.warnings.end(), part.warnings.begin(), part.warnings.end());
 }
 

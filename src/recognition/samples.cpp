@@ -8,6 +8,7 @@
 #include "recognition/extraction_pool.h"
 #include "recognition/light.h"
 #include "recognition/names.h"
+#include "recognition/sampling.h"
 
 namespace place_recognition {
 namespace {
@@ -60,12 +61,15 @@ std::string warningOf(const std::string& run, const Skipped& skipped) {
 class Collector {
  public:
   Collector(const TrainingOptions& options, unsigned threads)
-      : other_light_(options.augmentation.other_light), pool_(options, threads) {}
+      : sampling_(options.sampling),
+        other_light_(options.augmentation.other_light),
+        pool_(options, threads) {}
 
   void read(Run& run, const Progress& progress) {
     inputs_.push_back(run.name());
     skipped_.emplace_back();
     seen_.emplace_back();
+    rate_ = FrameRate(sampling_.rate);
     const std::string stage = "Reading " + run.name();
     report(progress, stage, 0);
     for (Frame frame; run.next(frame);) {
@@ -80,6 +84,7 @@ class Collector {
     samples.inputs = inputs_;
     dropFeatureless();
     requirePlaces(least_places);
+    thinOut(samples);
     fill(samples, cues);
     learnRooms(samples);
     for (std::size_t r = 0; r < inputs_.size(); ++r) {
@@ -105,6 +110,8 @@ class Collector {
                   "place, or leave its pictures unlabelled.");
     } else if (frame.image.empty()) {
       skipped_.back().add(frame.name, frame.problem);
+    } else if (!rate_.admits(frame.stamp)) {
+      ++passed_over_;
     } else {
       const int run = static_cast<int>(inputs_.size()) - 1;
       records_.push_back({frame.place, run, frame.stamp, frame.name, {}, {}});
@@ -149,6 +156,30 @@ class Collector {
     }
     return "None of the " + std::to_string(frames_) + " pictures in " + runs +
            " has a label; say which place each of them shows.";
+  }
+
+  /// Leaves no more records than may be learned.
+  void thinOut(Samples& samples) {
+    const std::size_t most = static_cast<std::size_t>(sampling_.most) / (other_light_ ? 2 : 1);
+    const std::size_t count = records_.size();
+    std::vector<int> rooms;
+    for (const Record& record : records_) {
+      rooms.push_back(static_cast<int>(std::distance(places_.begin(), places_.find(record.place))));
+    }
+    const std::vector<bool> kept = evenShare(rooms, most);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!kept[i]) continue;
+      if (next != i) records_[next] = std::move(records_[i]);
+      ++next;
+    }
+    records_.resize(next);
+    samples.passed_over = passed_over_ + (count - next);
+    if (next == count) return;
+    samples.warnings.push_back(
+        "Of " + std::to_string(count) + " pictures " + std::to_string(next) +
+        " are learned, the same share of each room (sampling.most); of a fast "
+        "camera sampling.rate=5 passes over more as it is read.");
   }
 
   void fill(Samples& samples, std::size_t cues) {
@@ -200,6 +231,9 @@ class Collector {
   std::deque<Record> records_;           // stay where they are while threads fill them
   std::set<std::string> places_;
   std::uint64_t frames_ = 0;
+  SamplingOptions sampling_;
+  FrameRate rate_{0};  // of the current run
+  std::uint64_t passed_over_ = 0;
   bool other_light_;
   ExtractionPool pool_;  // the last member: its threads end first
 };

@@ -23,6 +23,7 @@ struct Samples {
   std::vector<std::string> inputs;    ///< names of the runs
   Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
   std::uint64_t skipped = 0;          ///< frames without label, picture or any feature
+  std::uint64_t passed_over = 0;      ///< usable ones, see SamplingOptions
   std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
 };
 

@@ -108,6 +108,7 @@ Training learn(Samples samples, const TrainingOptions& options, unsigned threads
   model.provenance = provenanceOf(samples);
 
   training.images = samples.recorded - samples.remembered;
+  training.passed_over = samples.passed_over;
   training.warnings = samples.warnings;
   warnOfFewImages(samples, options.validation.folds, training.warnings);
   report(progress, "Calibrating", 1);

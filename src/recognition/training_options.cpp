@@ -34,6 +34,17 @@ void ImageOptions::check() const {
   }
 }
 
+void SamplingOptions::check() const {
+  if (!(rate >= 0 && rate <= 1000)) {
+    throw Error("Option 'sampling.rate' is " + std::to_string(rate) +
+                "; give 0 to 1000 pictures a second.");
+  }
+  if (most < 10) {
+    throw Error("Option 'sampling.most' is " + std::to_string(most) +
+                "; give 10 pictures or more.");
+  }
+}
+
 void ValidationOptions::check() const {
   if (folds < 2 || folds > 20) {
     throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to 20.");
@@ -52,6 +63,7 @@ void UnknownOptions::check() const {
 
 void TrainingOptions::check() const {
   image.check();
+  sampling.check();
   if (cues.empty()) throw Error("Option 'cues' is empty; give at least one cue.");
   std::set<std::string> names;
   for (const CueOptions& cue : cues) {

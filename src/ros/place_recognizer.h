@@ -14,13 +14,13 @@
 #include <string>
 #include <thread>
 
+#include "base/rate_limit.h"
 #include "place_recognition/recognizer.h"
 #include "ros/diagnostics.h"
 #include "ros/image_input.h"
 #include "ros/model_slot.h"
 #include "ros/newest_image.h"
 #include "ros/place_over_time.h"
-#include "ros/rate_limit.h"
 
 namespace place_recognition {
 

@@ -48,6 +48,7 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
             {"calibration_error", model.validation.calibration_error}}},
           {"model", path},
           {"gamma", gamma},
+          {"passed_over", training.passed_over},
           {"skipped_images", model.provenance.skipped_images},
           {"warnings", training.warnings}};
 }
@@ -55,8 +56,9 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
 void printSummary(const Training& training, const std::string& path, std::uint64_t bytes,
                   std::ostream& out) {
   const Model& model = training.model;
-  out << "Learned " << model.places.size() << " places from " << training.images << " images in "
-      << std::fixed << std::setprecision(1) << training.seconds << " s:\n";
+  out << "Learned " << model.places.size() << " places from " << training.images << " images";
+  if (training.passed_over > 0) out << " of " << training.images + training.passed_over;
+  out << " in " << std::fixed << std::setprecision(1) << training.seconds << " s:\n";
   for (std::size_t i = 0; i < model.places.size(); ++i) {
     out << std::setw(8) << model.provenance.place_images[i] << "  " << model.places[i] << "\n";
   }

@@ -6,9 +6,9 @@
 #include <opencv2/core.hpp>
 #include <thread>
 
+#include "base/rate_limit.h"
 #include "ros/debug_image.h"
 #include "ros/newest_image.h"
-#include "ros/rate_limit.h"
 
 namespace place_recognition {
 namespace {
