@@ -28,6 +28,7 @@ class Endurance : public RecognizerNode {
 
   void driveAnHour(int hour) {
     Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+    const Inbox<PlaceRecognition> smoothed(node_, name_ + "/smoothed");
     const Inbox<visualization_msgs::Marker> markers(node_, name_ + "/marker");
     ASSERT_TRUE(eventually([&] {  // until everybody listens to everybody
       camera_.send(toImageMessage(drawRoom(0, 0), headerAt(kStart + hour * kHour)));
@@ -49,6 +50,8 @@ class Endurance : public RecognizerNode {
           << hour << ", frame " << i;
       answers.clear();
     }
+    EXPECT_TRUE(eventually(
+        [&] { return static_cast<int>(smoothed.messages().size()) >= kFramesAnHour - 2; }));
   }
 
   ros::Publisher odometry_ = node_.advertise<nav_msgs::Odometry>("/odom", 10);
