@@ -15,6 +15,13 @@
 /// For the small functions that those functions call.
 #define PLACE_RECOGNITION_INLINE inline __attribute__((always_inline))
 
+/// Before a loop over the parts of a sum: left whole, so that the vectoriser sees it.
+#if defined(__clang__)
+#define PLACE_RECOGNITION_LANES
+#else
+#define PLACE_RECOGNITION_LANES _Pragma("GCC unroll 1")
+#endif
+
 /// Before a loop: no iteration reads what another writes.
 #if defined(__clang__)
 #define PLACE_RECOGNITION_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")

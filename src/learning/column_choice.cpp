@@ -25,8 +25,8 @@ Eigen::Index findPivot(ColumnElimination& elimination) {
   }
 }
 
-/// Columns of Q that fit the second-level cache together.
-constexpr Eigen::Index kStepsAtOnce = 64;
+/// After so many choices all columns are settled: few, so that teams stay full.
+constexpr Eigen::Index kChoicesOfTeams = 16;
 
 void reportChoice(const Progress& progress, Eigen::Index chosen, Eigen::Index max_count) {
   report(progress, "Reducing", static_cast<double>(chosen) / static_cast<double>(max_count));
@@ -40,7 +40,7 @@ Eigen::VectorXd chooseByPivot(ColumnElimination& elimination, const ChoiceLimits
   std::vector<double> pivots;
   for (Eigen::Index count = 0; count < limits.max_count; ++count) {
     reportChoice(progress, count, limits.max_count);
-    if (count % kStepsAtOnce == 0) elimination.settleAll();
+    if (count % kChoicesOfTeams == 0) elimination.settleAll();
     const Eigen::Index best = findPivot(elimination);
     const double pivot = std::sqrt(elimination.squaredNorms()[best]);
     if (!(pivot > 0) || (count > 0 && !(pivot > least * pivots.front()))) break;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "base/simd.h"
 
@@ -11,45 +12,12 @@ namespace place_recognition {
 namespace {
 
 /// Columns are padded to a multiple of this: two registers of the widest instruction set.
-constexpr Eigen::Index kLanes = 16;
+constexpr Eigen::Index kPadding = 16;
+constexpr std::size_t kTeam = ColumnTeam::kMost;
 
-/// Sum of term(i) over i in 0..n-1, a multiple of kLanes, in an order that is the same for every
-/// instruction set.
-template <typename Term>
-PLACE_RECOGNITION_INLINE double sumOver(Eigen::Index n, Term term) {
-  double lanes[kLanes] = {};
-  for (Eigen::Index i = 0; i < n; i += kLanes) {
-    for (Eigen::Index k = 0; k < kLanes; ++k) lanes[k] += term(i + k);
-  }
-  for (Eigen::Index half = kLanes / 2; half > 0; half /= 2) {
-    for (Eigen::Index k = 0; k < half; ++k) lanes[k] += lanes[k + half];
-  }
-  return lanes[0];
-}
-
-/// q'a.
 PLACE_RECOGNITION_TARGET_CLONES
-double multiply(const double* q, const double* a, Eigen::Index n) {
-  return sumOver(n, [=](Eigen::Index i) { return q[i] * a[i]; });
-}
-
-/// a -= product * q; returns next'a. One pass serves two steps.
-PLACE_RECOGNITION_TARGET_CLONES
-double subtractAndMultiply(double product, const double* q, const double* next,
-                           double* __restrict a, Eigen::Index n) {
-  return sumOver(n, [=](Eigen::Index i) {
-    a[i] -= product * q[i];
-    return next[i] * a[i];
-  });
-}
-
-/// a -= product * q; returns a'a.
-PLACE_RECOGNITION_TARGET_CLONES
-double subtractAndSquare(double product, const double* q, double* __restrict a, Eigen::Index n) {
-  return sumOver(n, [=](Eigen::Index i) {
-    a[i] -= product * q[i];
-    return a[i] * a[i];
-  });
+void multiply(const double* x, double factor, Eigen::Index n, double* out) {
+  for (Eigen::Index i = 0; i < n; ++i) out[i] = factor * x[i];
 }
 
 }  // namespace
@@ -57,51 +25,82 @@ double subtractAndSquare(double product, const double* q, double* __restrict a, 
 ColumnElimination::ColumnElimination(Eigen::Index rows, Eigen::Index candidates,
                                      Eigen::Index targets)
     : rows_(rows),
-      padded_rows_((rows + kLanes - 1) / kLanes * kLanes),
+      padded_rows_((rows + kPadding - 1) / kPadding * kPadding),
       candidates_(candidates),
       storage_(static_cast<std::size_t>(padded_rows_ * (candidates + targets)), 0),
       squared_norms_(Eigen::VectorXd::Zero(candidates + targets)),
       steps_(static_cast<std::size_t>(candidates + targets), 0),
-      r_(Eigen::MatrixXd::Zero(std::min(rows, candidates), candidates + targets)) {}
+      left_(steps_.size()),
+      places_(steps_.size()),
+      overlaps_(ColumnSteps::kMost, std::min(rows, candidates)),
+      r_(Eigen::MatrixXd::Zero(std::min(rows, candidates), candidates + targets)) {
+  std::iota(left_.begin(), left_.end(), Eigen::Index{0});
+  std::iota(places_.begin(), places_.end(), std::size_t{0});
+}
 
 void ColumnElimination::set(Eigen::Index column, const Eigen::Ref<const Eigen::VectorXd>& values,
                             double scale) {
-  auto stored = columns().col(column);
-  stored.head(rows_) = values / scale;
-  squared_norms_[column] = multiply(stored.data(), stored.data(), padded_rows_);
+  double* stored = columns().col(column).data();
+  multiply(values.data(), 1 / scale, rows_, stored);
+  squared_norms_[column] = innerProduct(stored, stored, padded_rows_);
 }
 
 void ColumnElimination::choose(Eigen::Index column) {
   assert(column < candidates_ && isSettled(column) && squared_norms_[column] > 0);
   const double norm = std::sqrt(squared_norms_[column]);
-  columns().col(column) /= norm;
+  double* q = columns().col(column).data();
+  multiply(q, 1 / norm, padded_rows_, q);
   squared_norms_[column] = 0;
   r_(rank(), column) = norm;
+  for (int back = 1; back < ColumnSteps::kMost && back <= rank(); ++back) {
+    overlaps_(back, rank()) = innerProduct(chosenColumn(rank() - back), q, padded_rows_);
+  }
   chosen_.push_back(column);
 }
 
-bool ColumnElimination::isSettled(Eigen::Index column) const {
-  return squared_norms_[column] == 0 || steps_[static_cast<std::size_t>(column)] == rank();
-}
-
 void ColumnElimination::settle(Eigen::Index column) {
-  Eigen::Index& step = steps_[static_cast<std::size_t>(column)];
   if (isSettled(column)) return;
-  const auto q = [this](Eigen::Index k) {
-    return columns().col(chosen_[static_cast<std::size_t>(k)]).data();
-  };
-  double* a = columns().col(column).data();
-  double product = multiply(q(step), a, padded_rows_);
-  for (; step + 1 < rank(); ++step) {
-    r_(step, column) = product;
-    product = subtractAndMultiply(product, q(step), q(step + 1), a, padded_rows_);
+  Eigen::Index step = steps_[static_cast<std::size_t>(column)];
+  Eigen::Index members[ColumnTeam::kMost];
+  ColumnTeam team;
+  const std::size_t begin = places_[static_cast<std::size_t>(column)] / kTeam * kTeam;
+  for (std::size_t i = begin; i < std::min(begin + kTeam, left_.size()); ++i) {
+    if (isSettled(left_[i])) continue;
+    members[team.count] = left_[i];
+    team.values[team.count] = columns().col(left_[i]).data();
+    team.products[team.count++] = &r_(step, left_[i]);
   }
-  r_(step, column) = product;
-  squared_norms_[column] = subtractAndSquare(product, q(step++), a, padded_rows_);
+  while (step < rank()) {
+    const ColumnSteps steps = stepsFrom(step);
+    takeOut(steps, team, padded_rows_);
+    for (int c = 0; c < team.count; ++c) team.products[c] += steps.count;
+    step += steps.count;
+  }
+  for (int c = 0; c < team.count; ++c) {
+    const double* a = team.values[c];
+    squared_norms_[members[c]] = innerProduct(a, a, padded_rows_);
+    steps_[static_cast<std::size_t>(members[c])] = step;
+  }
 }
 
 void ColumnElimination::settleAll() {
   for (Eigen::Index column = 0; column < squared_norms_.size(); ++column) settle(column);
+  left_.clear();
+  for (Eigen::Index column = 0; column < squared_norms_.size(); ++column) {
+    if (squared_norms_[column] == 0) continue;
+    places_[static_cast<std::size_t>(column)] = left_.size();
+    left_.push_back(column);
+  }
+}
+
+ColumnSteps ColumnElimination::stepsFrom(Eigen::Index first) {
+  ColumnSteps steps;
+  steps.count = static_cast<int>(std::min<Eigen::Index>(ColumnSteps::kMost, rank() - first));
+  for (int s = 0; s < steps.count; ++s) {
+    steps.q[s] = chosenColumn(first + s);
+    for (int t = 0; t < s; ++t) steps.overlaps[s][t] = overlaps_(s - t, first + s);
+  }
+  return steps;
 }
 
 Eigen::MatrixXd ColumnElimination::targetProducts() {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/huge_pages.h"
+#include "learning/column_steps.h"
 
 namespace place_recognition {
 
@@ -11,7 +12,8 @@ namespace place_recognition {
 /// (eq. 6.9: K P = Q R), by modified Gram-Schmidt: each step takes out of the other columns their
 /// part along the chosen one, so that their norms are known afresh; R is as accurate as by
 /// Householder's transformations (Bjorck 1967). What a step does to a column may wait until that
-/// column is settled, for its norm can only fall; many steps at once need less of the memory.
+/// column is settled, for its norm can only fall; many steps at once need less of the memory. For
+/// the same reason columns are settled in teams.
 ///
 /// Behind the candidates stand targets, right-hand sides F: never chosen, carried along, so that
 /// the last columns of R become Q'F.
@@ -26,11 +28,14 @@ class ColumnElimination {
   /// Makes candidate `column`, settled and with something left of it, the next one of Q.
   void choose(Eigen::Index column);
 
-  /// Brings a column, or all of them, up to the last step.
+  /// Brings a column, with its team, up to the last step; or all of them, and makes new teams of
+  /// those that are not chosen yet.
   void settle(Eigen::Index column);
   void settleAll();
   /// Also if nothing is left of it, or it is chosen.
-  bool isSettled(Eigen::Index column) const;
+  bool isSettled(Eigen::Index column) const {
+    return squared_norms_[column] == 0 || steps_[static_cast<std::size_t>(column)] == rank();
+  }
 
   /// Squared norms of what is left of each column; of one that is not settled, what was left when
   /// it was. 0 for those chosen.
@@ -49,6 +54,11 @@ class ColumnElimination {
  private:
   using Columns = Eigen::Map<Eigen::MatrixXd>;
   Columns columns() { return {storage_.data(), padded_rows_, squared_norms_.size()}; }
+  const double* chosenColumn(Eigen::Index step) {
+    return columns().col(chosen_[static_cast<std::size_t>(step)]).data();
+  }
+  /// Steps from the one with number `first` on.
+  ColumnSteps stepsFrom(Eigen::Index first);
 
   Eigen::Index rows_;
   Eigen::Index padded_rows_;  ///< with zeros, so that every column starts on a cache line
@@ -58,6 +68,10 @@ class ColumnElimination {
   Eigen::VectorXd squared_norms_;
   std::vector<Eigen::Index> chosen_;
   std::vector<Eigen::Index> steps_;  ///< how many steps each column has seen
+  /// Columns, team after team; the members of a team that are not settled have seen the same steps.
+  std::vector<Eigen::Index> left_;
+  std::vector<std::size_t> places_;  ///< of each column in left_
+  Eigen::MatrixXd overlaps_;         ///< (i, k): the product of column k of Q and the i-th before
   Eigen::MatrixXd r_;
 };
 
