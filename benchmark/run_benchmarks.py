@@ -27,7 +27,9 @@ class Context:
     def __init__(self, options, pictures):
         self.source, self.python = SOURCE, sys.executable
         environment = dict(os.environ, PLACE_RECOGNITION_PICTURES=str(pictures),
-                           PLACE_RECOGNITION_TEST_DATA=str(options.data))
+                           PLACE_RECOGNITION_TEST_DATA=str(options.data),
+                           # One core: idle threads of OpenBLAS, which wait in a loop, would count.
+                           OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
         self.programs = Programs(options.build / 'benchmark/bin', environment, options.rounds)
         self.recognizer = options.build / 'devel/lib/place_recognition/place_recognizer'
         self.long_frames = options.long_frames

@@ -5,12 +5,8 @@ usage: training_peer.py FOLDER    after `training_benchmark run FOLDER`
 
 Prints seconds of processor; exits with 1, saying so, where the results differ.
 """
-import os
 import sys
 import time
-
-os.environ.setdefault('OMP_NUM_THREADS', '1')  # one core, as the other
-os.environ.setdefault('OPENBLAS_NUM_THREADS', '1')
 
 import numpy as np
 import scipy.optimize
