@@ -5,6 +5,17 @@
 #include "features/row_kernels.h"
 
 namespace place_recognition {
+namespace {
+
+struct Derivative {
+  Operator op;
+  int x_order, y_order;
+};
+constexpr Derivative kDerivatives[] = {{Operator::kValue, 0, 0}, {Operator::kX, 1, 0},
+                                       {Operator::kXX, 2, 0},    {Operator::kY, 0, 1},
+                                       {Operator::kXY, 1, 1},    {Operator::kYY, 0, 2}};
+
+}  // namespace
 
 ResponseFilter::ResponseFilter(double t, double half_width_sigmas, DerivativeMethod method) {
   const int half_width = gaussianHalfWidth(t, half_width_sigmas);
@@ -12,6 +23,7 @@ ResponseFilter::ResponseFilter(double t, double half_width_sigmas, DerivativeMet
   for (int order = 0; order < 3; ++order) {
     kernels_[order] = gaussianKernel(t, half_width, order, method);
   }
+  kernels_[0].taps.resize(kernels_[1].taps.size(), 0);  // a tap of zero changes no sum
 }
 
 void ResponseFilter::request(Operator op) {
@@ -27,30 +39,35 @@ void ResponseFilter::request(Operator op) {
 void ResponseFilter::computeRow(const cv::Mat_<float>& plane, int y, int left, int columns) {
   assert(y >= margin_ && y < plane.rows - margin_);
   assert(left >= margin_ && left + columns <= plane.cols - margin_);
-  column_sums_.resize(columns + 2 * margin_);
   for (int op = 0; op < kOperators; ++op) {
     if (requested_[op]) rows_[op].resize(columns);
   }
-  computeDerivatives(plane, y, left, columns);
+  correlateColumns(plane, y, left - margin_, columns + 2 * margin_);
+  correlateRows(columns);
   combineDerivatives(columns);
 }
 
-void ResponseFilter::computeDerivatives(const cv::Mat_<float>& plane, int y, int left,
-                                        int columns) {
-  static constexpr struct {
-    Operator op;
-    int x_order, y_order;
-  } kDerivatives[] = {{Operator::kValue, 0, 0}, {Operator::kX, 1, 0},  {Operator::kXX, 2, 0},
-                      {Operator::kY, 0, 1},     {Operator::kXY, 1, 1}, {Operator::kYY, 0, 2}};
-  int order = -1;  // The y order that column_sums_ holds.
+void ResponseFilter::correlateColumns(const cv::Mat_<float>& plane, int y, int left, int n) {
+  std::array<bool, 3> wanted{};
+  for (const Derivative& derivative : kDerivatives) {
+    wanted[derivative.y_order] |= requested(derivative.op);
+  }
+  for (std::vector<float>& sums : column_sums_) sums.resize(n);
+  const float* in = plane[y] + left;
+  if (wanted[0] && wanted[1] && wanted[2]) {
+    correlateOrders(in, plane.step1(), kernels_, n,
+                    {column_sums_[0].data(), column_sums_[1].data(), column_sums_[2].data()});
+    return;
+  }
+  for (int order = 0; order < 3; ++order) {
+    if (wanted[order]) correlate(in, plane.step1(), kernels_[order], n, column_sums_[order].data());
+  }
+}
+
+void ResponseFilter::correlateRows(int columns) {
   for (const auto& [op, x_order, y_order] : kDerivatives) {
     if (!requested(op)) continue;
-    if (y_order != order) {
-      correlate(plane[y] + left - margin_, plane.step1(), kernels_[y_order], columns + 2 * margin_,
-                column_sums_.data());
-      order = y_order;
-    }
-    correlate(column_sums_.data() + margin_, 1, kernels_[x_order], columns, buffer(op));
+    correlate(column_sums_[y_order].data() + margin_, 1, kernels_[x_order], columns, buffer(op));
   }
 }
 

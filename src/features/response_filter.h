@@ -36,13 +36,15 @@ class ResponseFilter {
   static int index(Operator op) { return static_cast<int>(op); }
   bool requested(Operator op) const { return requested_[index(op)]; }
   float* buffer(Operator op) { return rows_[index(op)].data(); }
-  void computeDerivatives(const cv::Mat_<float>& plane, int y, int left, int columns);
+  void correlateColumns(const cv::Mat_<float>& plane, int y, int left, int n);
+  void correlateRows(int columns);
   void combineDerivatives(int columns);
 
   int margin_;
-  std::array<HalfKernel, 3> kernels_;  ///< By order of derivative.
+  std::array<HalfKernel, 3> kernels_;  ///< By order of derivative, all of one width.
   std::array<bool, kOperators> requested_{};
-  std::vector<float> column_sums_;  ///< A row correlated down the columns, with its margins.
+  /// A row correlated down the columns, with its margins, by order.
+  std::array<std::vector<float>, 3> column_sums_;
   std::array<std::vector<float>, kOperators> rows_;
 };
 

@@ -1,5 +1,6 @@
 #include "features/row_kernels.h"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -74,7 +75,68 @@ void correlate2(const float* in, std::ptrdiff_t stride, const float* taps, int h
   correlateOrder<2>(in, stride, taps, half, n, out);
 }
 
+/// As addTaps() of order 0, 1 and 2, from the same samples.
+template <bool kFirst, std::size_t... I>
+PLACE_RECOGNITION_INLINE void addTapsOfOrders(const float* in, std::ptrdiff_t stride,
+                                              const float* const* taps, int tap, int n,
+                                              float* const* out, std::index_sequence<I...>) {
+  const float centre = taps[0][0];
+  const float weight[3][sizeof...(I)] = {
+      {taps[0][tap + I]...}, {taps[1][tap + I]...}, {taps[2][tap + I]...}};
+  const float* const before[] = {in - (tap + static_cast<int>(I)) * stride...};
+  const float* const after[] = {in + (tap + static_cast<int>(I)) * stride...};
+  float *out_0 = out[0], *out_1 = out[1], *out_2 = out[2];
+  PLACE_RECOGNITION_INDEPENDENT
+  for (int x = 0; x < n; ++x) {
+    const float here = in[x];
+    float sum_0 = kFirst ? centre * here : out_0[x];
+    float sum_1 = kFirst ? 0.0f : out_1[x];
+    float sum_2 = kFirst ? 0.0f : out_2[x];
+    ((sum_0 += weight[0][I] * mirrored<0>(before[I][x], here, after[I][x]),
+      sum_1 += weight[1][I] * mirrored<1>(before[I][x], here, after[I][x]),
+      sum_2 += weight[2][I] * mirrored<2>(before[I][x], here, after[I][x])),
+     ...);
+    out_0[x] = sum_0;
+    out_1[x] = sum_1;
+    out_2[x] = sum_2;
+  }
+}
+
+constexpr int kMostTapsOfOrders = 5;
+
+template <bool kFirst, int kCount = kMostTapsOfOrders>
+PLACE_RECOGNITION_INLINE void addUpToOfOrders(int count, const float* in, std::ptrdiff_t stride,
+                                              const float* const* taps, int tap, int n,
+                                              float* const* out) {
+  if constexpr (kCount > 0) {
+    if (count >= kCount) {
+      addTapsOfOrders<kFirst>(in, stride, taps, tap, n, out, std::make_index_sequence<kCount>());
+    } else {
+      addUpToOfOrders<kFirst, kCount - 1>(count, in, stride, taps, tap, n, out);
+    }
+  }
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void correlate012(const float* in, std::ptrdiff_t stride, const float* const* taps, int half, int n,
+                  float* const* out) {
+  addUpToOfOrders<true>(half, in, stride, taps, 1, n, out);
+  for (int tap = 1 + kMostTapsOfOrders; tap <= half; tap += kMostTapsOfOrders) {
+    addUpToOfOrders<false>(half - tap + 1, in, stride, taps, tap, n, out);
+  }
+}
+
 }  // namespace
+
+void correlateOrders(const float* in, std::ptrdiff_t stride,
+                     const std::array<HalfKernel, 3>& kernels, int n,
+                     const std::array<float*, 3>& out) {
+  const int half = kernels[0].halfWidth();
+  assert(kernels[1].halfWidth() == half && kernels[2].halfWidth() == half);
+  const float* const taps[] = {kernels[0].taps.data(), kernels[1].taps.data(),
+                               kernels[2].taps.data()};
+  correlate012(in, stride, taps, half, n, out.data());
+}
 
 void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n,
                float* out) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -43,6 +44,30 @@ TEST(RowKernels, CorrelateAsPlainSums) {
           correlate(in, stride, kernel, n, out.data());
           for (int x = 0; x < n; ++x) ASSERT_EQ(out[x], plainCorrelation(in + x, stride, kernel));
           ASSERT_EQ(out[n], 77);
+        }
+      }
+    }
+  }
+}
+
+TEST(RowKernels, CorrelateOrdersAsEachAlone) {
+  for (int half = 1; half <= 20; ++half) {
+    std::array<HalfKernel, 3> kernels;
+    for (int order = 0; order < 3; ++order) {
+      kernels[order] = gaussianKernel(half * half / 9.0, half, order);
+    }
+    for (int stride : {1, 7}) {
+      for (int n : {1, 2, 15, 16, 33, 100}) {
+        const std::vector<float> row = randomRow(n, half);
+        const float* in = row.data() + kMargin;
+        std::array<std::vector<float>, 3> out;
+        for (std::vector<float>& one : out) one.assign(n + 1, 77);
+        correlateOrders(in, stride, kernels, n, {out[0].data(), out[1].data(), out[2].data()});
+        for (int order = 0; order < 3; ++order) {
+          std::vector<float> alone(n);
+          correlate(in, stride, kernels[order], n, alone.data());
+          for (int x = 0; x < n; ++x) ASSERT_EQ(out[order][x], alone[x]);
+          ASSERT_EQ(out[order][n], 77);
         }
       }
     }
