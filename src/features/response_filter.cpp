@@ -7,13 +7,11 @@
 namespace place_recognition {
 namespace {
 
-struct Derivative {
+constexpr struct {
   Operator op;
   int x_order, y_order;
-};
-constexpr Derivative kDerivatives[] = {{Operator::kValue, 0, 0}, {Operator::kX, 1, 0},
-                                       {Operator::kXX, 2, 0},    {Operator::kY, 0, 1},
-                                       {Operator::kXY, 1, 1},    {Operator::kYY, 0, 2}};
+} kDerivatives[] = {{Operator::kValue, 0, 0}, {Operator::kX, 1, 0},  {Operator::kXX, 2, 0},
+                    {Operator::kY, 0, 1},     {Operator::kXY, 1, 1}, {Operator::kYY, 0, 2}};
 
 }  // namespace
 
@@ -42,32 +40,24 @@ void ResponseFilter::computeRow(const cv::Mat_<float>& plane, int y, int left, i
   for (int op = 0; op < kOperators; ++op) {
     if (requested_[op]) rows_[op].resize(columns);
   }
-  correlateColumns(plane, y, left - margin_, columns + 2 * margin_);
-  correlateRows(columns);
+  computeDerivatives(plane, y, left, columns);
   combineDerivatives(columns);
 }
 
-void ResponseFilter::correlateColumns(const cv::Mat_<float>& plane, int y, int left, int n) {
-  std::array<bool, 3> wanted{};
-  for (const Derivative& derivative : kDerivatives) {
-    wanted[derivative.y_order] |= requested(derivative.op);
-  }
-  for (std::vector<float>& sums : column_sums_) sums.resize(n);
-  const float* in = plane[y] + left;
-  if (wanted[0] && wanted[1] && wanted[2]) {
-    correlateOrders(in, plane.step1(), kernels_, n,
-                    {column_sums_[0].data(), column_sums_[1].data(), column_sums_[2].data()});
-    return;
-  }
-  for (int order = 0; order < 3; ++order) {
-    if (wanted[order]) correlate(in, plane.step1(), kernels_[order], n, column_sums_[order].data());
-  }
-}
-
-void ResponseFilter::correlateRows(int columns) {
+void ResponseFilter::computeDerivatives(const cv::Mat_<float>& plane, int y, int left,
+                                        int columns) {
+  const int n = columns + 2 * margin_;
+  std::array<float*, 3> sums{};  // null: not wanted
+  std::array<std::array<float*, 3>, 3> responses{};
   for (const auto& [op, x_order, y_order] : kDerivatives) {
     if (!requested(op)) continue;
-    correlate(column_sums_[y_order].data() + margin_, 1, kernels_[x_order], columns, buffer(op));
+    column_sums_[y_order].resize(n);
+    sums[y_order] = column_sums_[y_order].data();
+    responses[y_order][x_order] = buffer(op);
+  }
+  correlate(plane[y] + left - margin_, plane.step1(), kernels_, n, sums);
+  for (int order = 0; order < 3; ++order) {
+    if (sums[order]) correlate(sums[order] + margin_, 1, kernels_, columns, responses[order]);
   }
 }
 

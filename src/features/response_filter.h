@@ -36,8 +36,7 @@ class ResponseFilter {
   static int index(Operator op) { return static_cast<int>(op); }
   bool requested(Operator op) const { return requested_[index(op)]; }
   float* buffer(Operator op) { return rows_[index(op)].data(); }
-  void correlateColumns(const cv::Mat_<float>& plane, int y, int left, int n);
-  void correlateRows(int columns);
+  void computeDerivatives(const cv::Mat_<float>& plane, int y, int left, int columns);
   void combineDerivatives(int columns);
 
   int margin_;

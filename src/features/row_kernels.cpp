@@ -9,77 +9,32 @@
 namespace place_recognition {
 namespace {
 
-/// The two mirrored samples that one tap of a kernel meets.
-template <int kOrder>
-PLACE_RECOGNITION_INLINE float mirrored(float before, float here, float after) {
-  if constexpr (kOrder == 0) return before + after;
-  if constexpr (kOrder == 1) return after - before;
-  if constexpr (kOrder == 2) return (before + after) - 2 * here;
+/// Orders of derivative, a bit each.
+using Orders = unsigned;
+constexpr Orders kAllOrders = 7;
+
+constexpr bool contains(Orders orders, int order) { return (orders >> order & 1) != 0; }
+constexpr int count(Orders orders) {
+  return contains(orders, 0) + contains(orders, 1) + contains(orders, 2);
 }
 
-/// out = the first sizeof...(I) taps beside the centre and, if kFirst, the centre; else out += the
-/// next ones, from `tap` on. One expression, so that the sum stays in a register.
-template <int kOrder, bool kFirst, std::size_t... I>
-PLACE_RECOGNITION_INLINE void addTaps(const float* in, std::ptrdiff_t stride, const float* taps,
-                                      int tap, int n, float* out, std::index_sequence<I...>) {
-  const float centre = taps[0];
-  const float weight[] = {taps[tap + I]...};
-  const float* const before[] = {in - (tap + static_cast<int>(I)) * stride...};
-  const float* const after[] = {in + (tap + static_cast<int>(I)) * stride...};
-  PLACE_RECOGNITION_INDEPENDENT
-  for (int x = 0; x < n; ++x) {
-    float sum = !kFirst ? out[x] : kOrder == 0 ? centre * in[x] : 0.0f;
-    ((sum += weight[I] * mirrored<kOrder>(before[I][x], in[x], after[I][x])), ...);
-    out[x] = sum;
-  }
+/// Adds what a tap of the kernel of kOrder makes of the two mirrored samples that it meets, if
+/// that is one of kOrders.
+template <Orders kOrders, int kOrder>
+PLACE_RECOGNITION_INLINE void addTap(float weight, float before, float here, float after,
+                                     float& sum) {
+  if constexpr (!contains(kOrders, kOrder)) return;
+  if constexpr (kOrder == 0) sum += weight * (before + after);
+  if constexpr (kOrder == 1) sum += weight * (after - before);
+  if constexpr (kOrder == 2) sum += weight * ((before + after) - 2 * here);
 }
 
-constexpr int kMostTaps = 8;  // At a time: more would not fit the registers.
-
-template <int kOrder, bool kFirst, int kCount = kMostTaps>
-PLACE_RECOGNITION_INLINE void addUpTo(int count, const float* in, std::ptrdiff_t stride,
-                                      const float* taps, int tap, int n, float* out) {
-  if constexpr (kCount > 0) {
-    if (count >= kCount) {
-      addTaps<kOrder, kFirst>(in, stride, taps, tap, n, out, std::make_index_sequence<kCount>());
-    } else {
-      addUpTo<kOrder, kFirst, kCount - 1>(count, in, stride, taps, tap, n, out);
-    }
-  }
-}
-
-template <int kOrder>
-PLACE_RECOGNITION_INLINE void correlateOrder(const float* in, std::ptrdiff_t stride,
-                                             const float* taps, int half, int n, float* out) {
-  addUpTo<kOrder, true>(half, in, stride, taps, 1, n, out);
-  for (int tap = 1 + kMostTaps; tap <= half; tap += kMostTaps) {
-    addUpTo<kOrder, false>(half - tap + 1, in, stride, taps, tap, n, out);
-  }
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void correlate0(const float* in, std::ptrdiff_t stride, const float* taps, int half, int n,
-                float* out) {
-  correlateOrder<0>(in, stride, taps, half, n, out);
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void correlate1(const float* in, std::ptrdiff_t stride, const float* taps, int half, int n,
-                float* out) {
-  correlateOrder<1>(in, stride, taps, half, n, out);
-}
-
-PLACE_RECOGNITION_TARGET_CLONES
-void correlate2(const float* in, std::ptrdiff_t stride, const float* taps, int half, int n,
-                float* out) {
-  correlateOrder<2>(in, stride, taps, half, n, out);
-}
-
-/// As addTaps() of order 0, 1 and 2, from the same samples.
-template <bool kFirst, std::size_t... I>
-PLACE_RECOGNITION_INLINE void addTapsOfOrders(const float* in, std::ptrdiff_t stride,
-                                              const float* const* taps, int tap, int n,
-                                              float* const* out, std::index_sequence<I...>) {
+/// out[order] = the first sizeof...(I) taps beside the centre and, if kFirst, the centre; else +=
+/// the next ones, from `tap` on. One loop, so that the sums stay in registers.
+template <Orders kOrders, bool kFirst, std::size_t... I>
+PLACE_RECOGNITION_INLINE void addTaps(const float* in, std::ptrdiff_t stride,
+                                      const float* const* taps, int tap, int n, float* const* out,
+                                      std::index_sequence<I...>) {
   const float centre = taps[0][0];
   const float weight[3][sizeof...(I)] = {
       {taps[0][tap + I]...}, {taps[1][tap + I]...}, {taps[2][tap + I]...}};
@@ -89,61 +44,82 @@ PLACE_RECOGNITION_INLINE void addTapsOfOrders(const float* in, std::ptrdiff_t st
   PLACE_RECOGNITION_INDEPENDENT
   for (int x = 0; x < n; ++x) {
     const float here = in[x];
-    float sum_0 = kFirst ? centre * here : out_0[x];
-    float sum_1 = kFirst ? 0.0f : out_1[x];
-    float sum_2 = kFirst ? 0.0f : out_2[x];
-    ((sum_0 += weight[0][I] * mirrored<0>(before[I][x], here, after[I][x]),
-      sum_1 += weight[1][I] * mirrored<1>(before[I][x], here, after[I][x]),
-      sum_2 += weight[2][I] * mirrored<2>(before[I][x], here, after[I][x])),
+    float sum_0 = 0, sum_1 = 0, sum_2 = 0;
+    if constexpr (contains(kOrders, 0)) sum_0 = kFirst ? centre * here : out_0[x];
+    if constexpr (contains(kOrders, 1) && !kFirst) sum_1 = out_1[x];
+    if constexpr (contains(kOrders, 2) && !kFirst) sum_2 = out_2[x];
+    ((addTap<kOrders, 0>(weight[0][I], before[I][x], here, after[I][x], sum_0),
+      addTap<kOrders, 1>(weight[1][I], before[I][x], here, after[I][x], sum_1),
+      addTap<kOrders, 2>(weight[2][I], before[I][x], here, after[I][x], sum_2)),
      ...);
-    out_0[x] = sum_0;
-    out_1[x] = sum_1;
-    out_2[x] = sum_2;
+    if constexpr (contains(kOrders, 0)) out_0[x] = sum_0;
+    if constexpr (contains(kOrders, 1)) out_1[x] = sum_1;
+    if constexpr (contains(kOrders, 2)) out_2[x] = sum_2;
   }
 }
 
-constexpr int kMostTapsOfOrders = 5;
+/// At a time: 8, 6 or 4, so that weights and sums stay in registers.
+constexpr int mostTaps(Orders orders) { return 10 - 2 * count(orders); }
 
-template <bool kFirst, int kCount = kMostTapsOfOrders>
-PLACE_RECOGNITION_INLINE void addUpToOfOrders(int count, const float* in, std::ptrdiff_t stride,
-                                              const float* const* taps, int tap, int n,
-                                              float* const* out) {
+template <Orders kOrders, bool kFirst, int kCount = mostTaps(kOrders)>
+PLACE_RECOGNITION_INLINE void addUpTo(int count, const float* in, std::ptrdiff_t stride,
+                                      const float* const* taps, int tap, int n, float* const* out) {
   if constexpr (kCount > 0) {
     if (count >= kCount) {
-      addTapsOfOrders<kFirst>(in, stride, taps, tap, n, out, std::make_index_sequence<kCount>());
+      addTaps<kOrders, kFirst>(in, stride, taps, tap, n, out, std::make_index_sequence<kCount>());
     } else {
-      addUpToOfOrders<kFirst, kCount - 1>(count, in, stride, taps, tap, n, out);
+      addUpTo<kOrders, kFirst, kCount - 1>(count, in, stride, taps, tap, n, out);
+    }
+  }
+}
+
+template <Orders kOrders>
+PLACE_RECOGNITION_INLINE void addAll(const float* in, std::ptrdiff_t stride,
+                                     const float* const* taps, int half, int n, float* const* out) {
+  addUpTo<kOrders, true>(half, in, stride, taps, 1, n, out);
+  for (int tap = 1 + mostTaps(kOrders); tap <= half; tap += mostTaps(kOrders)) {
+    addUpTo<kOrders, false>(half - tap + 1, in, stride, taps, tap, n, out);
+  }
+}
+
+template <Orders kOrders = kAllOrders>
+PLACE_RECOGNITION_INLINE void addAll(Orders orders, const float* in, std::ptrdiff_t stride,
+                                     const float* const* taps, int half, int n, float* const* out) {
+  if constexpr (kOrders > 0) {
+    if (orders == kOrders) {
+      addAll<kOrders>(in, stride, taps, half, n, out);
+    } else {
+      addAll<kOrders - 1>(orders, in, stride, taps, half, n, out);
     }
   }
 }
 
 PLACE_RECOGNITION_TARGET_CLONES
-void correlate012(const float* in, std::ptrdiff_t stride, const float* const* taps, int half, int n,
-                  float* const* out) {
-  addUpToOfOrders<true>(half, in, stride, taps, 1, n, out);
-  for (int tap = 1 + kMostTapsOfOrders; tap <= half; tap += kMostTapsOfOrders) {
-    addUpToOfOrders<false>(half - tap + 1, in, stride, taps, tap, n, out);
-  }
+void correlate(Orders orders, const float* in, std::ptrdiff_t stride, const float* const* taps,
+               int half, int n, float* const* out) {
+  addAll(orders, in, stride, taps, half, n, out);
 }
 
 }  // namespace
 
-void correlateOrders(const float* in, std::ptrdiff_t stride,
-                     const std::array<HalfKernel, 3>& kernels, int n,
-                     const std::array<float*, 3>& out) {
-  const int half = kernels[0].halfWidth();
-  assert(kernels[1].halfWidth() == half && kernels[2].halfWidth() == half);
-  const float* const taps[] = {kernels[0].taps.data(), kernels[1].taps.data(),
-                               kernels[2].taps.data()};
-  correlate012(in, stride, taps, half, n, out.data());
-}
-
 void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n,
                float* out) {
-  const auto function = kernel.order == 0   ? correlate0
-                        : kernel.order == 1 ? correlate1
-                                            : correlate2;
-  function(in, stride, kernel.taps.data(), kernel.halfWidth(), n, out);
+  const float* const taps[] = {kernel.taps.data(), kernel.taps.data(), kernel.taps.data()};
+  float* const outs[] = {out, out, out};
+  correlate(Orders{1} << kernel.order, in, stride, taps, kernel.halfWidth(), n, outs);
+}
+
+void correlate(const float* in, std::ptrdiff_t stride, const std::array<HalfKernel, 3>& kernels,
+               int n, const std::array<float*, 3>& out) {
+  const int half = kernels[0].halfWidth();
+  const float* taps[3];
+  Orders orders = 0;
+  for (int order = 0; order < 3; ++order) {
+    assert(kernels[order].order == order && kernels[order].halfWidth() == half);
+    taps[order] = kernels[order].taps.data();
+    if (out[order]) orders |= Orders{1} << order;
+  }
+  correlate(orders, in, stride, taps, half, n, out.data());
 }
 
 PLACE_RECOGNITION_TARGET_CLONES

@@ -15,11 +15,11 @@ namespace place_recognition {
 /// Kernels of order 1 and 2 give exactly zero where the picture is constant.
 void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n, float* out);
 
-/// out[order] = correlate() with the kernel of each order, 0 to 2, all of one half width: the same
-/// bits in less time, for the kernels meet the same samples.
-void correlateOrders(const float* in, std::ptrdiff_t stride,
-                     const std::array<HalfKernel, 3>& kernels, int n,
-                     const std::array<float*, 3>& out);
+/// The same with the kernels of several orders, all of one half width, whose number is their place:
+/// out[order], or null where none is wanted. Same bits as one by one in less time, for the kernels
+/// meet the same samples.
+void correlate(const float* in, std::ptrdiff_t stride, const std::array<HalfKernel, 3>& kernels,
+               int n, const std::array<float*, 3>& out);
 
 /// sqrt(x^2 + y^2), thesis eq. 4.17.
 void gradientMagnitude(const float* x, const float* y, int n, float* out);
