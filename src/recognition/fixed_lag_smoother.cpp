@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "recognition/room_chain.h"
-#include "recognition/scores.h"
 
 namespace place_recognition {
 
@@ -53,8 +52,7 @@ const FilteredAnswer& FixedLagSmoother::next() {
   answer_.probabilities /= answer_.probabilities.sum();
 
   const int unknown = static_cast<int>(beta_.size()) - 1;
-  int best = largest(answer_.probabilities);
-  if (answer_.probabilities[best] < minimum_confidence_) best = unknown;
+  const int best = answeredState(answer_.probabilities, minimum_confidence_);
   const int place = best == unknown ? -1 : best;
   answer_.changed = frame.step.first || place != answer_.place;
   answer_.place = place;

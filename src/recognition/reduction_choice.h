@@ -16,7 +16,7 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
 
 /// The index of the one that keeps the fewest vectors at no loss: the log loss of held-out samples
 /// (mean of the rooms, see logLosses()) is not above that of the first reduction, their rate is not
-/// below, and so it is with every larger share by the same method. With either alone, or within an
+/// below, and so it is with every larger share by the same method. By the loss alone, or within an
 /// error, it would choose smaller ones that cost several points of rate on another recording. Of
 /// equal shares, the smaller loss decides. `held_out`: one for each of `reductions`, of which the
 /// first keeps most; it is the answer where no sample is valid.

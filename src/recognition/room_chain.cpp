@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recognition/scores.h"
+
 namespace place_recognition {
 namespace {
 
@@ -59,6 +61,11 @@ void RoomChain::step(double changes, const Matrix& jump, Eigen::RowVectorXd& wei
     weights += weight * term_;
   }
   weights /= weights.sum();
+}
+
+int answeredState(const Eigen::RowVectorXd& belief, double least) {
+  const int best = largest(belief);
+  return belief[best] < least ? static_cast<int>(belief.size()) - 1 : best;
 }
 
 }  // namespace place_recognition

@@ -38,4 +38,8 @@ class RoomChain {
   Eigen::RowVectorXd term_, next_;
 };
 
+/// The state to answer by `belief` (rooms, then 'unknown'): the most probable one, or 'unknown' if
+/// none is as probable as `least`.
+int answeredState(const Eigen::RowVectorXd& belief, double least);
+
 }  // namespace place_recognition

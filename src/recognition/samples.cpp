@@ -84,6 +84,7 @@ class Collector {
     samples.inputs = inputs_;
     dropFeatureless();
     requirePlaces(least_places);
+    samples.places.assign(places_.begin(), places_.end());
     thinOut(samples);
     fill(samples, cues);
     learnRooms(samples);
@@ -158,14 +159,18 @@ class Collector {
            " has a label; say which place each of them shows.";
   }
 
+  static int placeOf(const Record& record, const Samples& samples) {
+    const auto& places = samples.places;
+    return static_cast<int>(std::lower_bound(places.begin(), places.end(), record.place) -
+                            places.begin());
+  }
+
   /// Leaves no more records than may be learned.
   void thinOut(Samples& samples) {
     const std::size_t most = static_cast<std::size_t>(sampling_.most) / (other_light_ ? 2 : 1);
     const std::size_t count = records_.size();
     std::vector<int> rooms;
-    for (const Record& record : records_) {
-      rooms.push_back(static_cast<int>(std::distance(places_.begin(), places_.find(record.place))));
-    }
+    for (const Record& record : records_) rooms.push_back(placeOf(record, samples));
     const std::vector<bool> kept = evenShare(rooms, most);
     std::size_t next = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -183,14 +188,10 @@ class Collector {
   }
 
   void fill(Samples& samples, std::size_t cues) {
-    samples.places.assign(places_.begin(), places_.end());
     samples.images.assign(samples.places.size(), 0);
     samples.features.resize(cues);
     for (Record& record : records_) {
-      const auto place =
-          std::lower_bound(samples.places.begin(), samples.places.end(), record.place);
-      const SampleOrigin origin{static_cast<int>(place - samples.places.begin()), record.run,
-                                record.stamp};
+      const SampleOrigin origin{placeOf(record, samples), record.run, record.stamp};
       ++samples.images[static_cast<std::size_t>(origin.place)];
       append(origin, static_cast<int>(samples.origins.size()), record.extracted, samples);
     }

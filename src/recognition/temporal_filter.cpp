@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "recognition/room_chain.h"
-#include "recognition/scores.h"
 
 namespace place_recognition {
 namespace {
@@ -104,8 +103,7 @@ void TemporalFilter::weigh(const Recognition& recognition) {
 void TemporalFilter::decide() {
   const Eigen::RowVectorXd& belief = answer_.probabilities;
   const int unknown = static_cast<int>(belief.size()) - 1;
-  int best = largest(belief);
-  if (belief[best] < options_.minimum_confidence) best = unknown;
+  const int best = answeredState(belief, options_.minimum_confidence);
 
   const bool long_enough = step_.stamp - answer_since_ >= options_.minimum_dwell;
   answer_.changed = step_.first || (best != state_ && long_enough);

@@ -60,6 +60,7 @@ void PlaceOverTime::setSmoothing(double smoothing) {
 
 void PlaceOverTime::makeFilter() {
   filter_.reset();
+  smoothed_.finish();
   if (smoothing_ <= 0) return;
   TemporalFilterOptions options;
   options.decorrelation_time = smoothing_;

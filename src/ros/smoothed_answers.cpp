@@ -25,10 +25,7 @@ void revise(const FilteredAnswer& answer, PlaceRecognition& message) {
 }  // namespace
 
 void SmoothedAnswers::follow(const Adjacency& adjacency, const TemporalFilterOptions& options) {
-  if (smoother_) {
-    smoother_->finish();
-    answer();
-  }
+  finish();
   smoother_.emplace(adjacency, options, lag_);
 }
 
@@ -36,6 +33,12 @@ void SmoothedAnswers::add(const TemporalFilter& filter, const PlaceRecognition& 
   assert(smoother_);
   smoother_->add(filter);
   waiting_.push_back(message);
+  answer();
+}
+
+void SmoothedAnswers::finish() {
+  if (!smoother_) return;
+  smoother_->finish();
   answer();
 }
 

@@ -17,12 +17,14 @@ class SmoothedAnswers {
   /// `lag`: s, 0..10.
   explicit SmoothedAnswers(double lag) : lag_(lag) {}
 
-  /// From now on messages are of a filter with this map and these options. Those that wait are
-  /// answered by what has been seen so far.
+  /// From now on messages are of a filter with this map and these options; calls finish().
   void follow(const Adjacency& adjacency, const TemporalFilterOptions& options);
 
   /// `message` answers the frame that `filter` has been updated with last.
   void add(const TemporalFilter& filter, const PlaceRecognition& message);
+
+  /// Answers the messages that wait by what has been seen so far.
+  void finish();
 
   /// Forgets all messages.
   void clear();

@@ -148,6 +148,18 @@ TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
   }
 }
 
+TEST_F(PlacesOverTime, WhatWaitsComesWhenSmoothingEnds) {
+  PlaceOverTime places(node_, node_);
+  places.setModel(threeRooms(), 0.2);
+  for (int i = 0; i < 5; ++i) {
+    places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
+    EXPECT_TRUE(places.smooth(messageOf(0.1 * i)).empty());
+  }
+  places.setSmoothing(0);
+  places.update(0.5, frameOf(0.9, 0.05, 0.05));
+  EXPECT_EQ(places.smooth(messageOf(0.5)).size(), 5u);
+}
+
 TEST_F(PlacesOverTime, NothingIsSmoothedWithoutSmoothing) {
   PlaceOverTime places(node_, node_);
   places.setModel(threeRooms(), 0);
