@@ -50,13 +50,18 @@ std::vector<Feature> CrfhBank::extract(const cv::Mat& image) {
 void CrfhBank::quantise(const cv::Mat& image, int columns, int rows) {
   const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (Digits& digits : digits_) digits.pixels.resize(pixels);
-  responses_.start(image.size());
-  for (int y = 0; y < rows; ++y) {
-    responses_.computeRow(image, border_ + y, border_, columns);
-    const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns);
-    for (Digits& digits : digits_) {
-      quantize(responses_.row(digits.response), digits.quantizer, false, columns,
-               digits.pixels.data() + begin);
+  responses_.start(image, border_);
+  const Strands& strands = responses_.strands();
+  row_.resize(strands.size());
+  std::ptrdiff_t begin = 0;
+  while (const int count = responses_.computeRows()) {
+    for (int r = 0; r < count; ++r, begin += columns) {
+      for (Digits& digits : digits_) {
+        quantize(responses_.row(digits.response, r), digits.quantizer, false, strands.size(),
+                 row_.data());
+        strands.take(columns, row_.data(), row_.data());
+        std::copy_n(row_.begin(), columns, digits.pixels.begin() + begin);
+      }
     }
   }
 }

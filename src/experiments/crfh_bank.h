@@ -46,6 +46,7 @@ class CrfhBank {
   int border_ = 0;
   std::vector<Digits> digits_;
   std::vector<std::vector<Dimension>> histograms_;
+  std::vector<std::uint32_t> row_;
   std::vector<std::uint64_t> bins_;
   BinCounter counter_;
 };

@@ -9,7 +9,7 @@ namespace {
 
 /// A channel is this many times B, G and R, less the middle of its range.
 struct Mixture {
-  int b, g, r, middle;
+  std::int16_t b, g, r, middle;
 };
 
 Mixture mixture(Channel channel) {
@@ -35,7 +35,11 @@ void mixColors(const std::uint8_t* __restrict bgr, const Mixture& mixture, int n
                float* __restrict out) {
   const auto [b, g, r, middle] = mixture;
   for (int x = 0; x < n; ++x) {
-    out[x] = static_cast<float>(b * bgr[3 * x] + g * bgr[3 * x + 1] + r * bgr[3 * x + 2] - middle);
+    // 16 bits hold all of it, and vectors hold more of them.
+    auto sum = static_cast<std::int16_t>(b * bgr[3 * x]);
+    sum = static_cast<std::int16_t>(sum + g * bgr[3 * x + 1]);
+    sum = static_cast<std::int16_t>(sum + r * bgr[3 * x + 2]);
+    out[x] = static_cast<std::int16_t>(sum - middle);
   }
 }
 
@@ -48,10 +52,11 @@ void mixGrey(const std::uint8_t* __restrict grey, const Mixture& mixture, int n,
 
 }  // namespace
 
-void extractChannelRow(const cv::Mat& image, Channel channel, int y, float* row) {
+void extractChannelRow(const cv::Mat& image, Channel channel, int y, int left, int n, float* row) {
+  assert(left >= 0 && left + n <= image.cols);
   assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
   const auto mix = image.type() == CV_8UC3 ? mixColors : mixGrey;
-  mix(image.ptr<std::uint8_t>(y), mixture(channel), image.cols, row);
+  mix(image.ptr<std::uint8_t>(y) + left * image.channels(), mixture(channel), n, row);
 }
 
 ChannelScale channelScale(Channel channel) {

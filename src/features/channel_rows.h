@@ -6,10 +6,11 @@
 
 namespace place_recognition {
 
-/// Row `y` of a channel of an image in whole numbers around zero, so that as little as possible is
-/// rounded when it is filtered: R + G + B for L, R - G for C1, R + G - 2 B for C2, less the middle
-/// of the range. A grey image has R = G = B. `image` is CV_8UC3 (BGR) or CV_8UC1.
-void extractChannelRow(const cv::Mat& image, Channel channel, int y, float* row);
+/// Columns left..left + n - 1 of row `y` of a channel of an image in whole numbers around zero, so
+/// that as little as possible is rounded when it is filtered: R + G + B for L, R - G for C1,
+/// R + G - 2 B for C2, less the middle of the range. A grey image has R = G = B. `image` is CV_8UC3
+/// (BGR) or CV_8UC1.
+void extractChannelRow(const cv::Mat& image, Channel channel, int y, int left, int n, float* row);
 
 /// What the numbers in such a row mean: grey levels = unit * (number + middle).
 struct ChannelScale {

@@ -45,26 +45,26 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
     feature = std::monostate();
     return;
   }
-  responses_.start(image.size());
-  for (Word& word : words_) word.row.resize(columns);
+  responses_.start(image, border_);
+  for (Word& word : words_) word.row.resize(responses_.strands().size());
   bins_.resize(columns);
 
   counter_.clear();
-  for (int y = border_; y < border_ + rows; ++y) {
-    responses_.computeRow(image, y, border_, columns);
-    countRow(columns);
+  while (const int count = responses_.computeRows()) {
+    for (int r = 0; r < count; ++r) countRow(r, columns);
   }
 
   if (!std::holds_alternative<SparseVector>(feature)) feature = SparseVector();
   counter_.histogram(static_cast<double>(rows) * columns, std::get<SparseVector>(feature));
 }
 
-void CrfhExtractor::countRow(int columns) {
+void CrfhExtractor::countRow(int r, int columns) {
   for (const Dimension& dimension : dimensions_) {
-    quantize(responses_.row(dimension.response), dimension.quantizer, !dimension.first_in_word,
-             columns, words_[dimension.word].row.data());
+    quantize(responses_.row(dimension.response, r), dimension.quantizer, !dimension.first_in_word,
+             responses_.strands().size(), words_[dimension.word].row.data());
   }
-  for (const Word& word : words_) {
+  for (Word& word : words_) {
+    responses_.strands().take(columns, word.row.data(), word.row.data());
     joinWord(word.row.data(), word.weight, &word != &words_[0], columns, bins_.data());
   }
   counter_.add(bins_.data(), bins_.size());

@@ -35,7 +35,7 @@ class CrfhExtractor : public FeatureExtractor {
     std::vector<std::uint32_t> row;
   };
 
-  void countRow(int columns);
+  void countRow(int r, int columns);
 
   CrfhResponses responses_;
   int border_ = 0;  ///< Pixels at each side of the image that are not counted.

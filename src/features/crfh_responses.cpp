@@ -1,6 +1,7 @@
 #include "features/crfh_responses.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "features/channel_rows.h"
 
@@ -12,43 +13,62 @@ CrfhResponses::CrfhResponses(const CrfhOptions& options)
       half_width_(options.half_width) {}
 
 CrfhResponses::Response CrfhResponses::request(const CrfhDescriptor& descriptor, double t) {
-  const std::size_t filter = filterOf(descriptor.channel, t);
-  filters_[filter].responses.request(descriptor.op);
-  return {filter, descriptor.op};
+  const std::size_t plane = planeOf(descriptor.channel);
+  const std::size_t filter = filterOf(planes_[plane], t);
+  planes_[plane].filters[filter].responses.request(descriptor.op);
+  return {plane, filter, descriptor.op};
 }
 
 std::size_t CrfhResponses::planeOf(Channel channel) {
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     if (planes_[i].channel == channel) return i;
   }
-  planes_.push_back({channel, {}});
+  planes_.push_back({channel, {}, {}});
   return planes_.size() - 1;
 }
 
-std::size_t CrfhResponses::filterOf(Channel channel, double t) {
-  const std::size_t plane = planeOf(channel);
-  for (std::size_t i = 0; i < filters_.size(); ++i) {
-    if (filters_[i].plane == plane && filters_[i].t == t) return i;
+std::size_t CrfhResponses::filterOf(Plane& plane, double t) {
+  for (std::size_t i = 0; i < plane.filters.size(); ++i) {
+    if (plane.filters[i].t == t) return i;
   }
-  filters_.push_back({plane, t, ResponseFilter(t, half_width_, method_)});
-  margin_ = std::max(margin_, filters_.back().responses.margin());
-  return filters_.size() - 1;
+  plane.filters.push_back({t, ResponseFilter(t, half_width_, method_)});
+  margin_ = std::max(margin_, plane.filters.back().responses.margin());
+  return plane.filters.size() - 1;
 }
 
-void CrfhResponses::start(cv::Size size) {
-  for (Plane& plane : planes_) plane.pixels.create(size);
-  next_row_ = 0;
+void CrfhResponses::start(const cv::Mat& image, int border) {
+  assert(border >= margin_ && 2 * border < std::min(image.cols, image.rows));
+  image_ = image;
+  border_ = border;
+  next_row_ = border;
+  next_taken_ = border - margin_;
+  strands_ = Strands(image.cols - 2 * (border - margin_));
+  row_.assign(strands_.size(), 0);
+  for (Plane& plane : planes_) {
+    plane.rows.start(2 * margin_ + ResponseFilter::kRows, strands_.size());
+  }
 }
 
-void CrfhResponses::computeRow(const cv::Mat& image, int y, int left, int columns) {
+int CrfhResponses::computeRows() {
+  const int count = std::min(ResponseFilter::kRows, image_.rows - border_ - next_row_);
+  if (count == 0) return 0;
+  next_row_ += count;
   // Just before they are needed, so that they are still in the processor's cache then.
-  for (; next_row_ <= y + margin_; ++next_row_) {
-    for (Plane& plane : planes_) {
-      extractChannelRow(image, plane.channel, next_row_, plane.pixels[next_row_]);
+  while (next_taken_ < next_row_ + margin_) takeRow(next_taken_++);
+  for (Plane& plane : planes_) {
+    for (Filter& filter : plane.filters) {
+      filter.responses.computeRows(plane.rows, count, margin_, strands_);
     }
   }
-  for (Filter& filter : filters_) {
-    filter.responses.computeRow(planes_[filter.plane].pixels, y, left, columns);
+  return count;
+}
+
+void CrfhResponses::takeRow(int y) {
+  const int left = border_ - margin_;
+  for (Plane& plane : planes_) {
+    extractChannelRow(image_, plane.channel, y, left, image_.cols - 2 * left, row_.data());
+    strands_.lay(row_.data(), plane.rows.next());
+    plane.rows.push();
   }
 }
 

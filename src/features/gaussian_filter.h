@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "features/gaussian.h"
+#include "features/row_ring.h"
 
 namespace place_recognition {
 
@@ -29,10 +30,7 @@ class GaussianFilter {
   int width_ = 0;
   std::vector<float> padded_;  ///< the row that comes in, mirrored at both ends
   std::vector<int> mirrored_;  ///< columns for the elements beyond each end, nearest first
-  /// The last 2 radius + 1 rows, smoothed along themselves. Each stands there twice, so that
-  /// wherever the oldest is, all follow it in order.
-  std::vector<float> rows_;
-  int oldest_ = 0;
+  RowRing rows_;               ///< the last 2 radius + 1, smoothed along themselves
 };
 
 }  // namespace place_recognition

@@ -34,42 +34,45 @@ void ResponseFilter::request(Operator op) {
   }
 }
 
-void ResponseFilter::computeRow(const cv::Mat_<float>& plane, int y, int left, int columns) {
-  assert(y >= margin_ && y < plane.rows - margin_);
-  assert(left >= margin_ && left + columns <= plane.cols - margin_);
-  for (int op = 0; op < kOperators; ++op) {
-    if (requested_[op]) rows_[op].resize(columns);
+void ResponseFilter::computeRows(const RowRing& rows, int count, int margin,
+                                 const Strands& strands) {
+  assert(margin >= margin_ && count <= kRows);
+  column_sums_.create(3, strands.size() + 2 * margin * Strands::kStrands);
+  responses_.create(kRows * kOperators, strands.size());
+  for (int r = 0; r < count; ++r) {
+    computeDerivatives(rows.row(margin + count - 1 - r), rows.step(), margin, strands, r);
+    combineDerivatives(r);
   }
-  computeDerivatives(plane, y, left, columns);
-  combineDerivatives(columns);
 }
 
-void ResponseFilter::computeDerivatives(const cv::Mat_<float>& plane, int y, int left,
-                                        int columns) {
-  const int n = columns + 2 * margin_;
+void ResponseFilter::computeDerivatives(const float* in, std::ptrdiff_t step, int margin,
+                                        const Strands& strands, int r) {
   std::array<float*, 3> sums{};  // null: not wanted
   std::array<std::array<float*, 3>, 3> responses{};
   for (const auto& [op, x_order, y_order] : kDerivatives) {
     if (!requested(op)) continue;
-    column_sums_[y_order].resize(n);
-    sums[y_order] = column_sums_[y_order].data();
-    responses[y_order][x_order] = buffer(op);
+    sums[y_order] = column_sums_[y_order];
+    responses[y_order][x_order] = buffer(op, r);
   }
-  correlate(plane[y] + left - margin_, plane.step1(), kernels_, n, sums);
+  correlate(in, step, kernels_, strands.size(), sums);
   for (int order = 0; order < 3; ++order) {
-    if (sums[order]) correlate(sums[order] + margin_, 1, kernels_, columns, responses[order]);
+    if (!sums[order]) continue;
+    strands.lengthen(2 * margin, sums[order]);
+    correlate(sums[order] + margin * Strands::kStrands, Strands::kStrands, kernels_, strands.size(),
+              responses[order]);
   }
 }
 
-void ResponseFilter::combineDerivatives(int columns) {
-  const float *x = row(Operator::kX), *y = row(Operator::kY);
-  const float *xx = row(Operator::kXX), *xy = row(Operator::kXY), *yy = row(Operator::kYY);
+void ResponseFilter::combineDerivatives(int r) {
+  const int n = responses_.cols;
+  const float *x = row(Operator::kX, r), *y = row(Operator::kY, r);
+  const float *xx = row(Operator::kXX, r), *xy = row(Operator::kXY, r), *yy = row(Operator::kYY, r);
   if (requested(Operator::kGradient)) {
-    gradientMagnitude(x, y, columns, buffer(Operator::kGradient));
+    gradientMagnitude(x, y, n, buffer(Operator::kGradient, r));
   }
-  if (requested(Operator::kLaplacian)) laplacian(xx, yy, columns, buffer(Operator::kLaplacian));
+  if (requested(Operator::kLaplacian)) laplacian(xx, yy, n, buffer(Operator::kLaplacian, r));
   if (requested(Operator::kDeterminant)) {
-    hessianDeterminant(xx, xy, yy, columns, buffer(Operator::kDeterminant));
+    hessianDeterminant(xx, xy, yy, n, buffer(Operator::kDeterminant, r));
   }
 }
 

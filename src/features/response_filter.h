@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <opencv2/core/mat.hpp>
-#include <vector>
 
 #include "features/gaussian.h"
+#include "features/row_ring.h"
+#include "features/strands.h"
 
 namespace place_recognition {
 
@@ -13,38 +15,42 @@ namespace place_recognition {
 enum class Operator { kValue, kX, kY, kXX, kXY, kYY, kGradient, kLaplacian, kDeterminant };
 constexpr int kOperators = 9;
 
-/// Responses of operators on one channel at one scale, not normalised by it. Works row by row, so
-/// that all it touches stays in the processor's cache. Each derivative is correlated with its own
-/// kernel down the columns and along the row, rather than taken as the difference of smoothed
-/// values: there rounding would drown the small ones, and zero would not stay zero.
+/// Responses of operators on one channel at one scale, not normalised by it. Works a few rows at a
+/// time, so that all it touches stays in the processor's cache. Each derivative is correlated with
+/// its own kernel down the columns and along the row, rather than taken as the difference of
+/// smoothed values: there rounding would drown the small ones, and zero would not stay zero.
 class ResponseFilter {
  public:
   ResponseFilter(double t, double half_width_sigmas, DerivativeMethod method);
 
   /// Pixels at each side of the image where there are no responses.
   int margin() const { return margin_; }
-  /// Has computeRow() compute the responses of `op`.
+  /// Has computeRows() compute the responses of `op`.
   void request(Operator op);
 
-  /// Computes row y of `plane` in columns left..left + columns - 1, all of them margin() or farther
-  /// from the edges.
-  void computeRow(const cv::Mat_<float>& plane, int y, int left, int columns);
-  /// The responses of a requested operator in that row, column `left` first.
-  const float* row(Operator op) const { return rows_[index(op)].data(); }
+  /// The most rows that are computed at a time: the second meets in the processor's first cache
+  /// what the first brought there.
+  static constexpr int kRows = 2;
+  /// Computes the responses in `count` rows that stand in strands, the last of them pushed `margin`
+  /// >= margin() rows ago.
+  void computeRows(const RowRing& rows, int count, int margin, const Strands& strands);
+  /// The responses of a requested operator in row r of those, in strands: of pixel margin,
+  /// margin + 1 and so on; the last 2 margin pixels have none.
+  const float* row(Operator op, int r) const { return responses_[r * kOperators + index(op)]; }
 
  private:
   static int index(Operator op) { return static_cast<int>(op); }
   bool requested(Operator op) const { return requested_[index(op)]; }
-  float* buffer(Operator op) { return rows_[index(op)].data(); }
-  void computeDerivatives(const cv::Mat_<float>& plane, int y, int left, int columns);
-  void combineDerivatives(int columns);
+  float* buffer(Operator op, int r) { return responses_[r * kOperators + index(op)]; }
+  void computeDerivatives(const float* in, std::ptrdiff_t step, int margin, const Strands& strands,
+                          int r);
+  void combineDerivatives(int r);
 
   int margin_;
   std::array<HalfKernel, 3> kernels_;  ///< By order of derivative, all of one width.
   std::array<bool, kOperators> requested_{};
-  /// A row correlated down the columns, with its margins, by order.
-  std::array<std::vector<float>, 3> column_sums_;
-  std::array<std::vector<float>, kOperators> rows_;
+  cv::Mat_<float> column_sums_;  ///< a row correlated down the columns, by order
+  cv::Mat_<float> responses_;    ///< of a row by operator, then of the next row
 };
 
 }  // namespace place_recognition

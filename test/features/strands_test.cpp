@@ -1,0 +1,104 @@
+// Rows cut into strands, against the definition pixel by pixel; and the ring of rows they stand in.
+#include "features/strands.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "features/row_ring.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr int kStrands = Strands::kStrands;
+
+/// Pixel x has the value x + 1.
+std::vector<float> ascending(int pixels, int size) {
+  std::vector<float> row(size, 0);
+  std::iota(row.begin(), row.begin() + pixels, 1.f);
+  return row;
+}
+
+TEST(Strands, HoldEachPixelOnceAndOneStepBesideTheNext) {
+  for (const int pixels : {1, 2, 15, 16, 17, 31, 100, 610, 640}) {
+    const Strands strands(pixels);
+    ASSERT_GE(strands.size(), pixels);
+    ASSERT_LT(strands.size(), pixels + kStrands);
+    const int length = strands.size() / kStrands;
+    std::vector<float> laid(strands.size());
+    strands.lay(ascending(pixels, strands.size()).data(), laid.data());
+    for (int x = 0; x < strands.size(); ++x) {
+      ASSERT_EQ(laid[x % length * kStrands + x / length], x < pixels ? x + 1 : 0);
+    }
+  }
+}
+
+TEST(Strands, AreLengthenedByWhatFollows) {
+  for (const int pixels : {1, 17, 40, 100, 626}) {
+    for (const int n : {1, 2, 7, 16, 31}) {
+      const Strands strands(pixels);
+      const int length = strands.size() / kStrands;
+      std::vector<float> laid(strands.size() + n * kStrands + 1, 77);
+      strands.lay(ascending(pixels, strands.size()).data(), laid.data());
+      strands.lengthen(n, laid.data());
+      for (int k = 0; k < kStrands; ++k) {
+        for (int i = 0; i < length + n; ++i) {
+          const int x = k * length + i;
+          // Which padding the last strands get is left open.
+          if (x < pixels) {
+            ASSERT_EQ(laid[i * kStrands + k], x + 1);
+          }
+        }
+      }
+      ASSERT_EQ(laid.back(), 77);
+    }
+  }
+}
+
+TEST(Strands, GiveTheFirstPixelsWithoutPadding) {
+  for (const int pixels : {1, 2, 16, 17, 40, 100, 626, 640}) {
+    const Strands strands(pixels);
+    const int length = strands.size() / kStrands;
+    std::vector<std::uint32_t> laid(strands.size());
+    for (int x = 0; x < strands.size(); ++x) laid[x % length * kStrands + x / length] = x;
+    for (int taken = 1; taken <= pixels; taken += taken < 20 ? 1 : 7) {
+      std::vector<std::uint32_t> expected;
+      for (const std::uint32_t x : laid) {
+        if (x < static_cast<std::uint32_t>(taken)) expected.push_back(x);
+      }
+      std::vector<std::uint32_t> row(strands.size() + 1, 12345);
+      strands.take(taken, laid.data(), row.data());
+      ASSERT_EQ(row.back(), 12345u);
+      row.resize(taken);
+      ASSERT_EQ(row, expected);
+
+      std::vector<std::uint32_t> in_place = laid;
+      strands.take(taken, in_place.data(), in_place.data());
+      in_place.resize(taken);
+      ASSERT_EQ(in_place, expected);
+    }
+  }
+}
+
+TEST(RowRing, HoldsTheLastRowsInOrderAtEqualDistances) {
+  RowRing ring;
+  for (const int width : {1, 16, 33}) {
+    for (const int rows : {1, 2, 5}) {
+      ring.start(rows, width);
+      ASSERT_GE(ring.step(), width);
+      for (int y = 0; y < 13; ++y) {
+        for (int x = 0; x < width; ++x) ring.next()[x] = static_cast<float>(100 * y + x);
+        ring.push();
+        for (int ago = 0; ago < rows && ago <= y; ++ago) {
+          ASSERT_EQ(ring.row(ago), ring.row(0) - ago * ring.step());
+          for (int x = 0; x < width; ++x) ASSERT_EQ(ring.row(ago)[x], 100 * (y - ago) + x);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace place_recognition
