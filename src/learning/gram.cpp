@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
+#include <variant>
 
 #include "base/parallel.h"
 #include "learning/support_set.h"
+#include "learning/vector_triangle.h"
 
 namespace place_recognition {
 namespace {
@@ -32,6 +35,33 @@ class RowProgress {
   double reported_ = 0;
 };
 
+/// The measures of a block's features with each other: the lower triangle of their matrix.
+class Triangle {
+ public:
+  explicit Triangle(const SupportSet& block) : block_(block) {
+    if (const auto* index = std::get_if<VectorIndex>(&block.index())) vectors_.emplace(*index);
+  }
+
+  /// Of feature i of the block, which is `x`, with features 0..i.
+  void measures(std::size_t i, const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
+    if (vectors_) {
+      vectors_->measures(i, out);
+    } else {
+      std::get<LocalMatchIndex>(block_.index()).measures(x, out);
+    }
+  }
+
+ private:
+  const SupportSet& block_;
+  std::optional<VectorTriangle> vectors_;
+};
+
+SupportSet blockOf(const Kernel& kernel, const std::vector<Feature>& features, std::size_t begin,
+                   std::size_t end) {
+  if (begin == 0 && end == features.size()) return SupportSet(kernel, features);
+  return SupportSet(kernel, {features.data() + begin, features.data() + end});
+}
+
 /// Row and column numbers of all blocks: how often a feature is compared with a block.
 std::size_t rowCount(std::size_t n) {
   std::size_t rows = 0;
@@ -48,14 +78,18 @@ Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& 
   RowProgress row_progress(progress, rowCount(n));
   for (std::size_t begin = 0; begin < n; begin += kBlock) {
     const std::size_t end = std::min(n, begin + kBlock);
-    const SupportSet block(
-        kernel, std::vector<Feature>(&features[begin], &features[begin] + (end - begin)));
+    const SupportSet block = blockOf(kernel, features, begin, end);
+    const Triangle triangle(block);
     // Of column i only what stands on or above the diagonal is computed, and mirrored below, so
     // that the matrix is symmetric to the last bit.
     parallelFor(n - begin, threads, [&](std::size_t offset, unsigned thread) {
-      const std::size_t i = begin + offset;
-      const std::size_t count = std::min(end, i + 1) - begin;
-      block.measures(features[i], measures.col(i).segment(begin, count));
+      const Feature& feature = features[begin + offset];
+      auto column = measures.col(begin + offset);
+      if (offset < block.size()) {
+        triangle.measures(offset, feature, column.segment(begin, offset + 1));
+      } else {
+        block.measures(feature, column.segment(begin, block.size()));
+      }
       row_progress.finishRow(thread);
     });
   }
@@ -68,8 +102,7 @@ Eigen::MatrixXd measureColumns(const Kernel& kernel, const std::vector<Feature>&
   Eigen::MatrixXd measures(features.size(), columns);
   for (std::size_t begin = 0; begin < columns; begin += kBlock) {
     const std::size_t count = std::min(kBlock, columns - begin);
-    const SupportSet block(kernel,
-                           std::vector<Feature>(&features[begin], &features[begin] + count));
+    const SupportSet block = blockOf(kernel, features, begin, begin + count);
     parallelFor(features.size(), threads, [&](std::size_t i, unsigned) {
       Eigen::VectorXd row(block.size());
       block.measures(features[i], row);

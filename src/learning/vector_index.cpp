@@ -1,6 +1,7 @@
 #include "learning/vector_index.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/simd.h"
 
@@ -55,16 +56,6 @@ PLACE_RECOGNITION_INLINE void addTerms(const std::vector<VectorIndex::Postings>&
   }
 }
 
-/// The part of `bin` that is of the first vectors, so many of them.
-VectorIndex::Postings ofFirst(std::size_t vectors, VectorIndex::Postings bin) {
-  const std::uint16_t* first = bin.vectors;
-  const bool row = first == nullptr;
-  bin.count =
-      row ? vectors
-          : static_cast<std::size_t>(std::lower_bound(first, first + bin.count, vectors) - first);
-  return bin;
-}
-
 PLACE_RECOGNITION_TARGET_CLONES
 void addProducts(const std::vector<VectorIndex::Postings>& bins, double* sums) {
   addTerms(bins, ProductTerm(), sums);
@@ -105,25 +96,27 @@ VectorIndex::Postings VectorIndex::postingsAt(const BinTable::Slot& slot, double
   return {&lists_.values[slot.begin], &lists_.numbers[slot.begin], slot.count, x};
 }
 
-std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x,
-                                                           std::size_t vectors) const {
+std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x) const {
   std::vector<Postings> bins;
   bins.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     table_.prefetch(x.indices[std::min(i + kLookupsAhead, x.size() - 1)]);
     const BinTable::Slot& slot = table_.find(x.indices[i]);
-    if (slot.count == 0) continue;
-    const Postings all = postingsAt(slot, x.values[i]);
-    bins.push_back(vectors < size() ? ofFirst(vectors, all) : all);
+    if (slot.count != 0) bins.push_back(postingsAt(slot, x.values[i]));
   }
   return bins;
 }
 
 void VectorIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
+  assert(static_cast<std::size_t>(out.size()) == size());
   if (size() == 0) return;
   SparseVector scratch;
   const SparseVector& sparse = asSparse(x, lists_.dimension, scratch);
-  const std::vector<Postings> bins = postingsOf(sparse, static_cast<std::size_t>(out.size()));
+  measures(postingsOf(sparse), total(measure_, sparse), out);
+}
+
+void VectorIndex::measures(const std::vector<Postings>& bins, double total,
+                           Eigen::Ref<Eigen::VectorXd> out) const {
   out.setZero();
   switch (measure_) {
     case Measure::kChiSquared:
@@ -139,7 +132,7 @@ void VectorIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) co
   // What rounding leaves of the distance of equal vectors must not become negative.
   const double shared_weight = measure_ == Measure::kChiSquared ? 4 : 2;
   const Eigen::Map<const Eigen::VectorXd> totals(lists_.totals.data(), out.size());
-  out = (total(measure_, sparse) + totals.array() - shared_weight * out.array()).max(0).matrix();
+  out = (total + totals.array() - shared_weight * out.array()).max(0).matrix();
 }
 
 }  // namespace place_recognition

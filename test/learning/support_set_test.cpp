@@ -5,6 +5,7 @@
 #include <functional>
 #include <ostream>
 
+#include "learning/gram.h"
 #include "learning/random_features.h"
 #include "place_recognition/error.h"
 
@@ -73,15 +74,17 @@ TEST_P(SupportSetOf, WorksForAnyNumberOfVectors) {
   }
 }
 
-TEST_P(SupportSetOf, ComparesWithTheFirstVectorsAlone) {
-  const SupportSet set(kernel_, draw(150));
-  const Feature x = GetParam().draw(random_);
-  Eigen::VectorXd all(set.size());
-  set.measures(x, all);
-  for (const Eigen::Index count : {0, 1, 49, 149}) {
-    Eigen::VectorXd first(count);
-    set.measures(x, first);
-    EXPECT_EQ(first, all.head(count));
+TEST_P(SupportSetOf, IsComparedWithItselfToTheSameBits) {
+  for (const std::size_t count : {1, 2, 150}) {
+    const std::vector<Feature> vectors = draw(count);
+    const SupportSet set(kernel_, vectors);
+    const Eigen::MatrixXd matrix = measureMatrix(kernel_, vectors, 2, {});
+    Eigen::VectorXd measures(set.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      set.measures(vectors[i], measures);
+      const auto before = static_cast<Eigen::Index>(i + 1);
+      EXPECT_EQ(matrix.col(static_cast<Eigen::Index>(i)).head(before), measures.head(before));
+    }
   }
 }
 
