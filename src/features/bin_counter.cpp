@@ -16,18 +16,22 @@ constexpr std::uint64_t kNoBin = ~std::uint64_t{0};
 template <typename Entry>
 void radixSort(std::vector<Entry>& entries, std::vector<Entry>& scratch) {
   constexpr int kDigitBits = 10;
+  constexpr int kPlaces = (64 + kDigitBits - 1) / kDigitBits;
   constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
-  std::uint64_t all_bits = 0;
-  for (const Entry& entry : entries) all_bits |= entry.bin;
-
+  const auto digit = [](const Entry& entry, int place) {
+    return (entry.bin >> place * kDigitBits) % kDigits;
+  };
+  // Where the next entry with each digit at each place goes.
+  std::array<std::array<std::uint32_t, kDigits>, kPlaces> next{};
+  for (const Entry& entry : entries) {
+    for (int place = 0; place < kPlaces; ++place) ++next[place][digit(entry, place)];
+  }
   scratch.resize(entries.size());
-  for (int shift = 0; shift < 64 && all_bits >> shift != 0; shift += kDigitBits) {
-    const auto digit = [shift](const Entry& entry) { return (entry.bin >> shift) % kDigits; };
-    std::array<std::uint32_t, kDigits> next{};  // Where the next entry with each digit goes.
-    for (const Entry& entry : entries) ++next[digit(entry)];
+  for (int place = 0; place < kPlaces; ++place) {
     std::uint32_t before = 0;
-    for (std::uint32_t& count : next) before += std::exchange(count, before);
-    for (const Entry& entry : entries) scratch[next[digit(entry)]++] = entry;
+    for (std::uint32_t& count : next[place]) before += std::exchange(count, before);
+    if (next[place][1] == entries.size()) continue;  // all have digit 0
+    for (const Entry& entry : entries) scratch[next[place][digit(entry, place)]++] = entry;
     entries.swap(scratch);
   }
 }
