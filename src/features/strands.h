@@ -8,8 +8,9 @@ namespace place_recognition {
 /// A row of pixels cut into strands of equal length that lie side by side: pixel k * length + i of
 /// the row, which is pixel i of strand k, stands at i * kStrands + k. A step along the row is a
 /// step of kStrands numbers in memory then, for all strands at once: a filter along the row reads
-/// whole vectors from where vectors begin, as filters down the columns do, in about half the time.
-/// What stands beyond the row's last pixel, in the last strands, is padding.
+/// whole vectors from where vectors begin, as filters down the columns do (with AVX-512 in little
+/// more than half the time). What stands beyond the row's last pixel, in the last strands, is
+/// padding.
 class Strands {
  public:
   static constexpr int kStrands = 16;  ///< numbers of 32 bits in the widest vector
