@@ -24,12 +24,10 @@ struct MinimumTerm {
   PLACE_RECOGNITION_INLINE double operator()(double x, double y) const { return x < y ? x : y; }
 };
 
-/// Asks the memory for the postings of a bin, or as much of a long row as the processor does not
-/// foresee by itself.
+/// Asks the memory for all values of a bin.
 PLACE_RECOGNITION_INLINE void prefetch(const VectorIndex::Postings& bin) {
   constexpr std::size_t kLine = 64 / sizeof(float);
-  const std::size_t count = std::min<std::size_t>(bin.count, 2048);
-  for (std::size_t i = 0; i < count; i += kLine) {
+  for (std::size_t i = 0; i < bin.count; i += kLine) {
     __builtin_prefetch(bin.values + i);
     if (bin.vectors) __builtin_prefetch(bin.vectors + i);
   }
