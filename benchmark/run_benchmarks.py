@@ -96,7 +96,7 @@ def parse_options():
     parser.add_argument('--only', default=','.join([*ROWS, 'growth']),
                         help='some of these, separated by commas: %(default)s')
     parser.add_argument('--frames', type=int, default=2000,
-                        help='of the longest training, up to 20000 (which takes hours)')
+                        help='of the longest training, up to 20000 (two minutes and 8 GB)')
     parser.add_argument('--long-frames', type=int, default=10000,
                         help='images for the memory of the node')
     parser.add_argument('--lenient', action='store_true', help='a missed goal is no failure')
