@@ -48,9 +48,14 @@ class RoscoreRestartTest(ToolCase):
         process.wait()
 
     def start_master(self):
-        master = self.start("/usr/bin/roscore", "-p", str(self.port))
-        self.wait_for(lambda: socket.socket().connect_ex(("127.0.0.1", self.port)) == 0)
+        # What roscore starts, which outlives it if only roscore is killed.
+        master = self.start("/usr/bin/rosmaster", "--core", "-p", str(self.port))
+        self.wait_for(self.master_listens)
         return master
+
+    def master_listens(self):
+        with socket.socket() as probe:
+            return probe.connect_ex(("127.0.0.1", self.port)) == 0
 
     def wait_for(self, condition):
         end = time.time() + PATIENCE
@@ -81,6 +86,7 @@ class RoscoreRestartTest(ToolCase):
         rospy.Subscriber("/place_recognizer/recognition", PlaceRecognition, self.answers.append)
         self.expect_answer()
         self.kill(master)
+        self.assertFalse(self.master_listens())
         for _ in range(3):
             self.expect_answer()
         self.start_master()
