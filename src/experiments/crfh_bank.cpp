@@ -50,11 +50,11 @@ std::vector<Feature> CrfhBank::extract(const cv::Mat& image) {
 void CrfhBank::quantise(const cv::Mat& image, int columns, int rows) {
   const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (Digits& digits : digits_) digits.pixels.resize(pixels);
-  responses_.start(image, border_);
+  responses_.start(image.size(), border_);
   const Strands& strands = responses_.strands();
   row_.resize(strands.size());
   std::ptrdiff_t begin = 0;
-  while (const int count = responses_.computeRows()) {
+  while (const int count = responses_.computeRows(image)) {
     for (int r = 0; r < count; ++r, begin += columns) {
       for (Digits& digits : digits_) {
         quantize(responses_.row(digits.response, r), digits.quantizer, false, strands.size(),

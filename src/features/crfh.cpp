@@ -45,12 +45,12 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
     feature = std::monostate();
     return;
   }
-  responses_.start(image, border_);
+  responses_.start(image.size(), border_);
   for (Word& word : words_) word.row.resize(responses_.strands().size());
   bins_.resize(columns);
 
   counter_.clear();
-  while (const int count = responses_.computeRows()) {
+  while (const int count = responses_.computeRows(image)) {
     for (int r = 0; r < count; ++r) countRow(r, columns);
   }
 

@@ -36,25 +36,24 @@ std::size_t CrfhResponses::filterOf(Plane& plane, double t) {
   return plane.filters.size() - 1;
 }
 
-void CrfhResponses::start(const cv::Mat& image, int border) {
-  assert(border >= margin_ && 2 * border < std::min(image.cols, image.rows));
-  image_ = image;
+void CrfhResponses::start(cv::Size size, int border) {
+  assert(border >= margin_ && 2 * border < std::min(size.width, size.height));
   border_ = border;
   next_row_ = border;
   next_taken_ = border - margin_;
-  strands_ = Strands(image.cols - 2 * (border - margin_));
+  strands_ = Strands(size.width - 2 * (border - margin_));
   row_.assign(strands_.size(), 0);
   for (Plane& plane : planes_) {
     plane.rows.start(2 * margin_ + ResponseFilter::kRows, strands_.size());
   }
 }
 
-int CrfhResponses::computeRows() {
-  const int count = std::min(ResponseFilter::kRows, image_.rows - border_ - next_row_);
+int CrfhResponses::computeRows(const cv::Mat& image) {
+  const int count = std::min(ResponseFilter::kRows, image.rows - border_ - next_row_);
   if (count == 0) return 0;
   next_row_ += count;
   // Just before they are needed, so that they are still in the processor's cache then.
-  while (next_taken_ < next_row_ + margin_) takeRow(next_taken_++);
+  while (next_taken_ < next_row_ + margin_) takeRow(image, next_taken_++);
   for (Plane& plane : planes_) {
     for (Filter& filter : plane.filters) {
       filter.responses.computeRows(plane.rows, count, margin_, strands_);
@@ -63,10 +62,10 @@ int CrfhResponses::computeRows() {
   return count;
 }
 
-void CrfhResponses::takeRow(int y) {
+void CrfhResponses::takeRow(const cv::Mat& image, int y) {
   const int left = border_ - margin_;
   for (Plane& plane : planes_) {
-    extractChannelRow(image_, plane.channel, y, left, image_.cols - 2 * left, row_.data());
+    extractChannelRow(image, plane.channel, y, left, image.cols - 2 * left, row_.data());
     strands_.lay(row_.data(), plane.rows.next());
     plane.rows.push();
   }

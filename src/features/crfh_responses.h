@@ -35,12 +35,12 @@ class CrfhResponses {
   /// Pixels at each side of the picture where there are no responses.
   int margin() const { return margin_; }
 
-  /// Begins a picture (CV_8UC3 BGR or CV_8UC1), which must outlive what is asked of it: its pixels
-  /// `border` >= margin() or farther from the edges. There must be at least one.
-  void start(const cv::Mat& image, int border);
-  /// Computes the responses in the first of those rows, or the next ones. Returns how many; at the
-  /// end 0.
-  int computeRows();
+  /// Begins a picture of this size, of which the pixels `border` >= margin() or farther from the
+  /// edges are asked. There must be at least one.
+  void start(cv::Size size, int border);
+  /// Computes the responses in the first of those rows of that picture (CV_8UC3 BGR or CV_8UC1), or
+  /// in the next ones. Returns how many; at the end 0.
+  int computeRows(const cv::Mat& image);
   /// Requested responses in row r of these, in strands(), of which only the first pixels count: as
   /// many as there are columns `border` or farther from the edges.
   const float* row(const Response& response, int r) const {
@@ -62,14 +62,13 @@ class CrfhResponses {
 
   std::size_t planeOf(Channel channel);
   std::size_t filterOf(Plane& plane, double t);
-  void takeRow(int y);
+  void takeRow(const cv::Mat& image, int y);
 
   DerivativeMethod method_;
   double half_width_;
   int margin_ = 0;
   std::vector<Plane> planes_;
 
-  cv::Mat image_;
   int border_ = 0;
   int next_row_ = 0;        ///< of the image, whose responses are the next
   int next_taken_ = 0;      ///< row of the image into the planes
