@@ -30,7 +30,8 @@ struct Validation {
 struct Model {
   std::string name;                     ///< set by whoever loads or saves it; not in the file
   std::string version;                  ///< 8 hex digits of the file's checksum; set likewise
-  TrainingOptions options;              ///< gamma, reduction as found; else as given
+  TrainingOptions asked;                ///< as given
+  TrainingOptions options;              ///< as used: gamma, reduction, blocks of time as found
   std::vector<std::string> places;      ///< names, in ascending order; at least two
   std::vector<Classifier> classifiers;  ///< one a cue of `options`
   std::vector<double> cue_weights;      ///< one a cue, of the sum of margins

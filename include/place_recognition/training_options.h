@@ -67,12 +67,18 @@ struct AugmentationOptions {
 /// Cross-validation within the training runs: for gamma, for the probabilities, for `unknown`.
 struct ValidationOptions {
   int folds = 5;
-  int gap = 1;
+  double block = 0;
+  double gap = 0;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("folds", self.folds, "blocks of time that each room's frames are cut into, 2..20");
-    visitor("gap", self.gap, "frames left out at each side of a block that is held out");
+    visitor("folds", self.folds, "trainings, each without some blocks of time of the runs, 2..20");
+    visitor("block", self.block,
+            "s, length of the blocks that are held out in turn; at most a share of 1 / folds of a "
+            "room; pictures of a folder count as a second apart; 0: as long as the gap");
+    visitor("gap", self.gap,
+            "s, to each side of a held-out block, that is not trained on either; 0: found from how "
+            "fast the frames of the run cease to be alike");
   }
   void check() const;
 };

@@ -1,5 +1,7 @@
 #include "experiments/place_training.h"
 
+#include <limits>
+
 #include "base/parallel.h"
 #include "learning/support_set.h"
 #include "recognition/cue_training.h"
@@ -63,8 +65,10 @@ PlaceTraining PlaceSamples::train(int set, const Progress& progress) const {
     origins.push_back(samples_.origins[static_cast<std::size_t>(i)]);
     training_features.push_back(features[static_cast<std::size_t>(i)]);
   }
+  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // a picture apart
   const std::vector<Fold> folds =
-      timeBlockFolds(origins, options_.validation.folds, options_.validation.gap);
+      timeBlockFolds(origins, options_.validation.folds,
+                     std::vector<TimeBlocks>(static_cast<std::size_t>(set) + 1, kAFifth));
   const TrainingTask task{origins, samples_.places.size(), folds, options_.svm, threads_, progress};
   CueOptions cue = options_.cues[0];
   TrainedCue trained = trainCue(std::move(training_features), cue, {options_.reduction}, task);

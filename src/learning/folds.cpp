@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -11,8 +13,7 @@ namespace {
 
 using Samples = std::vector<SampleOrigin>;
 
-/// The fold that tests each sample, and whether the sample is too near to a tested block to be
-/// trained on in a fold.
+/// The fold that tests each sample, and the folds that it is not trained on in, besides.
 struct Assignment {
   std::vector<int> tested_in;
   std::vector<std::set<int>> left_out_of;
@@ -46,26 +47,45 @@ Assignment assignRuns(const Samples& samples, const std::vector<int>& runs, int 
   return assignment;
 }
 
-/// Blocks of time within each run and place.
-Assignment assignBlocks(const Samples& samples, int count, int gap) {
-  std::map<std::pair<int, int>, std::vector<int>> sequences;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    sequences[{samples[i].run, samples[i].place}].push_back(static_cast<int>(i));
+/// Enters `fold` for all samples within `gap` of those at begin..end-1, which are tested in it.
+void leaveOut(const Sequence& sequence, std::size_t begin, std::size_t end, double gap, int fold,
+              Assignment& assignment) {
+  const std::vector<double>& times = sequence.times;
+  const auto from = std::lower_bound(times.begin(), times.end(), times[begin] - gap);
+  const auto to = std::upper_bound(times.begin(), times.end(), times[end - 1] + gap);
+  for (auto time = from; time != to; ++time) {
+    assignment.left_out_of[sequence.samples[time - times.begin()]].insert(fold);
   }
+}
+
+/// How many blocks a sequence of `size` samples is cut into.
+std::size_t blockCount(std::size_t size, double step, double length, int folds) {
+  const double samples_each = std::max(1.0, std::ceil(length / step - 1e-9));
+  const long wanted = std::lround(static_cast<double>(size) / samples_each);
+  return static_cast<std::size_t>(
+      std::max(wanted, std::min(static_cast<long>(size), static_cast<long>(folds))));
+}
+
+/// Blocks of time within each run and place.
+Assignment assignBlocks(const Samples& samples, int count, const std::vector<TimeBlocks>& blocks) {
   Assignment assignment{std::vector<int>(samples.size()),
                         std::vector<std::set<int>>(samples.size())};
-  for (auto& [run_and_place, sequence] : sequences) {
-    std::stable_sort(sequence.begin(), sequence.end(),
-                     [&](int a, int b) { return samples[a].stamp < samples[b].stamp; });
-    const int length = static_cast<int>(sequence.size());
-    for (int fold = 0; fold < count; ++fold) {
-      const int begin = static_cast<int>(static_cast<long>(fold) * length / count);
-      const int end = static_cast<int>(static_cast<long>(fold + 1) * length / count);
-      if (begin == end) continue;
-      for (int i = begin; i < end; ++i) assignment.tested_in[sequence[i]] = fold;
-      for (int i = std::max(0, begin - gap); i < std::min(length, end + gap); ++i) {
-        assignment.left_out_of[sequence[i]].insert(fold);
+  int next_fold = 0;
+  for (const Sequence& sequence : sequencesOf(samples)) {
+    const TimeBlocks& wanted = blocks[sequence.run];
+    const std::size_t size = sequence.samples.size();
+    const double step = medianStep(sequence.times);
+    const std::size_t parts = blockCount(size, step, wanted.length, count);
+    const double length = step * static_cast<double>(size) / static_cast<double>(parts);
+    const double gap = std::min(wanted.gap, largestGap(length, count));
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t begin = part * size / parts;
+      const std::size_t end = (part + 1) * size / parts;
+      for (std::size_t i = begin; i < end; ++i) {
+        assignment.tested_in[sequence.samples[i]] = next_fold;
       }
+      leaveOut(sequence, begin, end, gap, next_fold, assignment);
+      next_fold = (next_fold + 1) % count;
     }
   }
   return assignment;
@@ -73,13 +93,52 @@ Assignment assignBlocks(const Samples& samples, int count, int gap) {
 
 }  // namespace
 
-std::vector<Fold> timeBlockFolds(const Samples& samples, int count, int gap) {
-  assert(count >= 2 && gap >= 0);
+double largestGap(double length, int folds) { return length * (0.6 * folds - 1) / 2; }
+
+std::vector<Sequence> sequencesOf(const Samples& samples) {
+  std::map<std::pair<int, int>, Sequence> sequences;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Sequence& sequence = sequences[{samples[i].run, samples[i].place}];
+    sequence.run = samples[i].run;
+    sequence.samples.push_back(static_cast<int>(i));
+  }
+  std::vector<Sequence> ordered;
+  for (auto& [run_and_place, sequence] : sequences) {
+    std::stable_sort(sequence.samples.begin(), sequence.samples.end(),
+                     [&](int a, int b) { return samples[a].stamp < samples[b].stamp; });
+    for (const int i : sequence.samples) sequence.times.push_back(samples[i].stamp);
+    std::vector<double>& times = sequence.times;
+    if (times.back() <= times.front()) std::iota(times.begin(), times.end(), 0.0);
+    ordered.push_back(std::move(sequence));
+  }
+  return ordered;
+}
+
+double medianStep(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
+  }
+  if (steps.empty()) return 0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+bool wholeRuns(const Samples& samples, int count) {
+  std::size_t complete = 0;
+  completeRunsFirst(samples, complete);
+  return complete >= static_cast<std::size_t>(count);
+}
+
+std::vector<Fold> timeBlockFolds(const Samples& samples, int count,
+                                 const std::vector<TimeBlocks>& blocks) {
+  assert(count >= 2);
   std::size_t complete = 0;
   const std::vector<int> runs = completeRunsFirst(samples, complete);
   const Assignment assignment = complete >= static_cast<std::size_t>(count)
                                     ? assignRuns(samples, runs, count)
-                                    : assignBlocks(samples, count, gap);
+                                    : assignBlocks(samples, count, blocks);
   std::vector<Fold> folds(static_cast<std::size_t>(count));
   for (int fold = 0; fold < count; ++fold) {
     for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -8,8 +8,18 @@ namespace place_recognition {
 struct SampleOrigin {
   int place = 0;     ///< label
   int run = 0;       ///< number of the recording
-  double stamp = 0;  ///< s; only the order within a run and a place counts
+  double stamp = 0;  ///< s; only differences within a run and a place count
 };
+
+/// How a run is cut for cross-validation.
+struct TimeBlocks {
+  double length = 1;  ///< s; rounded up to whole samples
+  double gap = 0;     ///< s; samples within it of a tested one are not trained on
+};
+
+/// The largest gap beside blocks of that length, in s, that leaves two fifths of a run to train on:
+/// of `folds` blocks, all but one and two gaps.
+double largestGap(double length, int folds);
 
 /// One split of samples for cross-validation: indices into the list of origins.
 struct Fold {
@@ -17,12 +27,30 @@ struct Fold {
   std::vector<int> test;
 };
 
-/// Splits samples into `count` folds by contiguous blocks of time, never by random frames, so that
-/// no tested frame has a neighbour among the trained ones: within each run and place, samples in
-/// order of stamp are cut into `count` blocks, block f is tested in fold f, and the `gap` samples
-/// at each side of a tested block are trained on in no fold that tests that block.
-/// With at least `count` runs that hold every place, whole runs are the blocks instead.
-std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count, int gap);
+/// The samples of one run and place.
+struct Sequence {
+  int run = 0;
+  std::vector<int> samples;   ///< in order of time
+  std::vector<double> times;  ///< of each, s; a second apart if all have the same stamp
+};
+
+/// In order of run, then of place.
+std::vector<Sequence> sequencesOf(const std::vector<SampleOrigin>& samples);
+
+/// Median of the steps of ascending `times` that are not zero; 0 if there is none.
+double medianStep(const std::vector<double>& times);
+
+/// Whether there are `count` runs that hold every place.
+bool wholeRuns(const std::vector<SampleOrigin>& samples, int count);
+
+/// Splits samples into `count` folds by contiguous blocks of time, never by random frames. Each
+/// sequence is cut into equal blocks of about `blocks[run].length`, but into `count` of them at
+/// least, which are tested in the folds in turn. Samples of the sequence that lie within the gap
+/// of a tested one are not trained on in that fold; the gap is no larger than largestGap() of the
+/// blocks that the sequence was cut into.
+/// If wholeRuns(), runs are the blocks instead.
+std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count,
+                                 const std::vector<TimeBlocks>& blocks);
 
 /// `folds` of the first samples, where later ones are copies of these (`source`: of each sample,
 /// the one that it is a copy of, often itself): what is tested is tested in every copy, and what is

@@ -14,6 +14,21 @@ namespace {
 
 /// Far above what a configuration needs; keeps foreign text away from the YAML parser.
 constexpr std::size_t kMaxOptionsBytes = 1 << 16;
+/// The text of options that are not longer than that.
+YAML::Node parseOptions(const std::string& text) {
+  require(text.size() <= kMaxOptionsBytes, "its options are too long");
+  return parseYaml(text, "its configuration");
+}
+
+/// Where blocks have no length, the gap is a number of frames, of an earlier version.
+void readTrainingOptions(const std::string& text, TrainingOptions& options) {
+  const YAML::Node node = parseOptions(text);
+  readOptions(node, "", options);
+  const YAML::Node validation = node["validation"];
+  if (!(validation && validation["block"])) options.validation.gap = 0;
+  options.check();
+}
+
 /// More runs than a command line can name.
 constexpr std::size_t kMaxInputs = 100000;
 
@@ -122,6 +137,7 @@ void readProvenance(const proto::Provenance& message, Model& model) {
 proto::Model toMessage(const Model& model) {
   proto::Model message;
   message.set_options(writeOptions(model.options));
+  message.set_asked(writeOptions(model.asked));
   message.set_places(joined(model.places));
   for (const double weight : model.cue_weights) message.add_cue_weights(weight);
   message.set_calibration_slope(model.calibration.slope);
@@ -146,9 +162,8 @@ proto::Model toMessage(const Model& model) {
 
 Model fromMessage(const proto::Model& message) {
   Model model;
-  require(message.options().size() <= kMaxOptionsBytes, "its options are too long");
-  readOptions(parseYaml(message.options(), "its configuration"), "", model.options);
-  model.options.check();
+  readTrainingOptions(message.options(), model.options);
+  readTrainingOptions(message.asked().empty() ? message.options() : message.asked(), model.asked);
   readNames(message, model);
   readCueWeights(message, model);
   readCalibration(message, model);

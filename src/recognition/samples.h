@@ -25,6 +25,10 @@ struct Samples {
   std::uint64_t skipped = 0;          ///< frames without label, picture or any feature
   std::uint64_t passed_over = 0;      ///< usable ones, see SamplingOptions
   std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
+
+  std::vector<SampleOrigin> recordedOrigins() const {
+    return {origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(recorded)};
+  }
 };
 
 /// Reads the runs one after the other in this thread and extracts features in `threads` others (0:

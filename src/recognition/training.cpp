@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "recognition/block_choice.h"
 #include "recognition/combination.h"
 #include "recognition/cue_training.h"
 #include "recognition/model_validation.h"
@@ -45,12 +46,26 @@ std::size_t Model::supportVectorCount() const {
 
 namespace {
 
-/// Blocks of time, which are trained on and tested in every light that there is of them.
-std::vector<Fold> foldsOf(const Samples& samples, const ValidationOptions& validation) {
-  const auto recorded = static_cast<std::ptrdiff_t>(samples.recorded);
-  const std::vector<SampleOrigin> origins(samples.origins.begin(),
-                                          samples.origins.begin() + recorded);
-  return withCopies(timeBlockFolds(origins, validation.folds, validation.gap), samples.source,
+/// The blocks of time that stand for those of all runs: the one of median length.
+TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
+  const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);
+  std::nth_element(blocks.begin(), middle, blocks.end(),
+                   [](const auto& a, const auto& b) { return a.length < b.length; });
+  return *middle;
+}
+
+/// Blocks of time, which are trained on and tested in every light that there is of them. Sets
+/// their length and gap in `options` if they were not asked for.
+std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, TrainingOptions& options) {
+  const std::vector<SampleOrigin> origins = samples.recordedOrigins();
+  std::vector<TimeBlocks> blocks(1);
+  if (!wholeRuns(origins, options.validation.folds)) {
+    blocks = chooseBlocks(origins, samples.features, options.cues, options.validation, threads);
+    const TimeBlocks typical = typicalBlocks(blocks);
+    options.validation.block = typical.length;
+    options.validation.gap = typical.gap;
+  }
+  return withCopies(timeBlockFolds(origins, options.validation.folds, blocks), samples.source,
                     true);
 }
 
@@ -63,11 +78,12 @@ void judgeByFreshSamples(std::size_t remembered, std::vector<TrainedCue>& cues) 
   }
 }
 
-/// The road from samples to a model.
-Training learn(Samples samples, const TrainingOptions& options, unsigned threads,
+/// The road from samples to a model, whose options are those asked for and what was found.
+Training learn(Samples samples, TrainingOptions options, unsigned threads,
                const Progress& progress) {
   const std::size_t places = samples.places.size();
-  const std::vector<Fold> folds = foldsOf(samples, options.validation);
+  report(progress, "Choosing blocks of time", 0);
+  const std::vector<Fold> folds = chooseFolds(samples, threads, options);
   const TrainingTask task{samples.origins, places, folds, options.svm, threads, progress};
 
   const std::vector<ReductionOptions> reductions =
@@ -131,13 +147,17 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
                const Progress& progress) {
   options.check();
   return timed([&] {
-    return learn(collectSamples(runs, options, threads, progress), options, threads, progress);
+    Training training =
+        learn(collectSamples(runs, options, threads, progress), options, threads, progress);
+    training.model.asked = options;
+    return training;
   });
 }
 
 Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vector_limit,
                  unsigned threads, const Progress& progress) {
-  TrainingOptions options = model.options;
+  TrainingOptions options = model.asked;
+  options.cues = model.options.cues;
   if (vector_limit > 0) {
     options.reduction.method = "shared-greedy";
     options.reduction.support_vectors = vector_limit;
@@ -146,8 +166,10 @@ Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vec
   options.check();
   return timed([&] {
     Samples fresh = collectSamples(runs, options, threads, progress, 1);
-    return learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads,
-                 progress);
+    Training training =
+        learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads, progress);
+    training.model.asked = model.asked;
+    return training;
   });
 }
 

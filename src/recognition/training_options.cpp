@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "learning/folds.h"
 #include "learning/kernel_type.h"
 #include "place_recognition/error.h"
 #include "recognition/names.h"
@@ -23,6 +24,13 @@ void checkCue(const CueOptions& cue) {
   } catch (const Error& e) {
     throw Error("Cue '" + cue.name + "': " + e.what());
   }
+}
+
+constexpr double kMostSeconds = 1e6;
+
+std::string notSeconds(const char* key, double value) {
+  return std::string("Option 'validation.") + key + "' is " + std::to_string(value) +
+         "; give 0 to 1000000 seconds.";
 }
 
 }  // namespace
@@ -49,8 +57,13 @@ void ValidationOptions::check() const {
   if (folds < 2 || folds > 20) {
     throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to 20.");
   }
-  if (gap < 0) {
-    throw Error("Option 'validation.gap' is " + std::to_string(gap) + "; give 0 or more frames.");
+  if (!(block >= 0 && block <= kMostSeconds)) throw Error(notSeconds("block", block));
+  if (!(gap >= 0 && gap <= kMostSeconds)) throw Error(notSeconds("gap", gap));
+  if (block > 0 && gap > largestGap(block, folds) * (1 + 1e-9)) {
+    throw Error("Option 'validation.gap' is " + std::to_string(gap) +
+                " s, which leaves too little to train on beside blocks of " +
+                std::to_string(block) + " s in " + std::to_string(folds) +
+                " folds; give longer blocks (validation.block) or a shorter gap.");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <numeric>
+#include <sstream>
 
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
@@ -45,12 +46,23 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
           {"model_bytes", bytes},
           {"validation",
            {{"average_rate", model.validation.average_rate},
-            {"calibration_error", model.validation.calibration_error}}},
+            {"calibration_error", model.validation.calibration_error},
+            {"block", model.options.validation.block},
+            {"gap", model.options.validation.gap}}},
           {"model", path},
           {"gamma", gamma},
           {"passed_over", training.passed_over},
           {"skipped_images", model.provenance.skipped_images},
           {"warnings", training.warnings}};
+}
+
+/// What was held out to judge the model, in words.
+std::string heldOutText(const ValidationOptions& validation) {
+  if (validation.block == 0) return "Held-out runs";
+  std::ostringstream text;
+  text << std::setprecision(2) << "Held-out blocks of " << validation.block << " s, "
+       << validation.gap << " s from what was trained on";
+  return text.str();
 }
 
 void printSummary(const Training& training, const std::string& path, std::uint64_t bytes,
@@ -62,7 +74,7 @@ void printSummary(const Training& training, const std::string& path, std::uint64
   for (std::size_t i = 0; i < model.places.size(); ++i) {
     out << std::setw(8) << model.provenance.place_images[i] << "  " << model.places[i] << "\n";
   }
-  out << "Held-out blocks of the training runs: " << 100 * model.validation.average_rate
+  out << heldOutText(model.options.validation) << ": " << 100 * model.validation.average_rate
       << " % right (mean of the places), calibration error " << std::setprecision(3)
       << model.validation.calibration_error << "\n"
       << std::defaultfloat << std::setprecision(4);

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "recognition/block_choice.h"
 #include "tuning/thinned_run.h"
 
 namespace place_recognition {
@@ -40,9 +41,8 @@ int completeRuns(const std::vector<SampleOrigin>& origins, std::size_t places) {
 
 /// Folds of the recorded samples.
 std::vector<Fold> recordedFolds(const Samples& samples, const TuningRuns& runs,
-                                const ValidationOptions& validation) {
-  const std::vector<SampleOrigin> origins(
-      samples.origins.begin(), samples.origins.begin() + static_cast<long>(samples.recorded));
+                                const TrainingOptions& options, unsigned threads) {
+  const std::vector<SampleOrigin> origins = samples.recordedOrigins();
   if (!runs.hold_out.empty()) {
     Fold fold;
     for (std::size_t i = 0; i < origins.size(); ++i) {
@@ -52,8 +52,13 @@ std::vector<Fold> recordedFolds(const Samples& samples, const TuningRuns& runs,
     return {fold};
   }
   const int complete = completeRuns(origins, samples.places.size());
-  const int count = complete >= 2 ? std::min(complete, validation.folds) : validation.folds;
-  return timeBlockFolds(origins, count, validation.gap);
+  if (complete >= 2) {
+    const int count = std::min(complete, options.validation.folds);
+    return timeBlockFolds(origins, count, {});
+  }
+  return timeBlockFolds(
+      origins, options.validation.folds,
+      chooseBlocks(origins, samples.features, options.cues, options.validation, threads));
 }
 
 }  // namespace
@@ -64,8 +69,7 @@ TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions
   std::size_t opened = 0;
   TuningSamples samples{
       collectSamples(openers, options, threads, partOf(progress, openers.size(), opened)), {}};
-  samples.folds =
-      withCopies(recordedFolds(samples, runs, options.validation), samples.source, false);
+  samples.folds = withCopies(recordedFolds(samples, runs, options, threads), samples.source, false);
   return samples;
 }
 

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace place_recognition {
@@ -35,39 +36,98 @@ void expectEachTestedOnce(const std::vector<Fold>& folds, std::size_t count) {
   for (int i = 0; i < static_cast<int>(count); ++i) EXPECT_EQ(tested.count(i), 1u);
 }
 
-TEST(Folds, AreBlocksOfTimeWithGaps) {
+/// The same blocks for ten runs.
+std::vector<TimeBlocks> blocks(double length, double gap) {
+  return std::vector<TimeBlocks>(10, TimeBlocks{length, gap});
+}
+
+/// Samples of one room, `step` s apart.
+std::vector<SampleOrigin> roomAt(double start, double step, int length, int place = 0) {
+  std::vector<SampleOrigin> samples;
+  for (int i = 0; i < length; ++i) samples.push_back({place, 0, start + step * i});
+  return samples;
+}
+
+/// s between a tested sample of a fold and the nearest trained one of its run and place.
+double nearestTrained(const std::vector<SampleOrigin>& samples, const Fold& fold, int test) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const int train : fold.train) {
+    const SampleOrigin& a = samples[static_cast<std::size_t>(test)];
+    const SampleOrigin& b = samples[static_cast<std::size_t>(train)];
+    if (a.run != b.run || a.place != b.place) continue;
+    nearest = std::min(nearest, std::abs(a.stamp - b.stamp));
+  }
+  return nearest;
+}
+
+TEST(Folds, AreShortBlocksOfTimeInTurnWithGaps) {
+  // Five frames a second for a minute, from the time of a real clock: blocks of 0.4 s.
+  const std::vector<SampleOrigin> samples = roomAt(1.7e9, 0.2, 300);
+  const std::vector<Fold> folds = timeBlockFolds(samples, 5, blocks(0.4, 0.3));
+  expectEachTestedOnce(folds, samples.size());
+  for (const Fold& fold : folds) {
+    EXPECT_EQ(fold.test.size(), 60u);
+    EXPECT_NEAR(static_cast<double>(fold.train.size()), 180, 1);  // two frames more at each side
+    for (const int test : fold.test) {
+      EXPECT_GE(nearestTrained(samples, fold, test), 0.4 - 1e-6);
+      EXPECT_LE(nearestTrained(samples, fold, test), 0.6 + 1e-6);  // at either end of the run
+    }
+  }
+}
+
+TEST(Folds, LeaveTwoFifthsToTrainOnAtTheLargestGap) {
+  const std::vector<SampleOrigin> samples = roomAt(0, 0.01, 6000);
+  for (const int count : {2, 3, 5, 20}) {
+    for (const Fold& fold : timeBlockFolds(samples, count, blocks(1, largestGap(1, count)))) {
+      EXPECT_GT(static_cast<double>(fold.train.size()), 0.38 * 6000) << count;
+      EXPECT_LT(static_cast<double>(fold.train.size()), 0.5 * 6000) << count;  // ends lose less
+    }
+  }
+}
+
+TEST(Folds, CutEveryRoomIntoAsManyBlocksAtLeast) {
   const std::vector<SampleOrigin> samples = samplesOf(2, 3, 23);
-  const int gap = 2;
-  const std::vector<Fold> folds = timeBlockFolds(samples, 5, gap);
+  const double gap = 2;
+  const std::vector<Fold> folds = timeBlockFolds(samples, 5, blocks(1e6, gap));
   ASSERT_EQ(folds.size(), 5u);
   expectEachTestedOnce(folds, samples.size());
   for (const Fold& fold : folds) {
     EXPECT_NEAR(static_cast<double>(fold.test.size()), samples.size() / 5.0, 6);
-    for (const int test : fold.test) {
-      for (const int train : fold.train) {
-        const SampleOrigin& a = samples[static_cast<std::size_t>(test)];
-        const SampleOrigin& b = samples[static_cast<std::size_t>(train)];
-        if (a.run == b.run && a.place == b.place) {
-          EXPECT_GT(std::abs(a.stamp - b.stamp), gap);
-        }
-      }
-    }
+    for (const int test : fold.test) EXPECT_GT(nearestTrained(samples, fold, test), gap);
     // Nothing further away than the gap is wasted: 6 sequences lose at most two gaps each.
     EXPECT_GE(fold.train.size() + fold.test.size() + 6 * 2 * gap, samples.size());
   }
 }
 
+TEST(Folds, LeaveSmallRoomsSomethingToLearnFrom) {
+  // A gap of a minute, and a room that was seen for ten seconds only.
+  std::vector<SampleOrigin> samples = roomAt(0, 1, 600);
+  for (const SampleOrigin& sample : roomAt(600, 1, 10, 1)) samples.push_back(sample);
+  for (const Fold& fold : timeBlockFolds(samples, 5, blocks(60, 60))) {
+    std::set<int> trained;
+    for (const int i : fold.train) trained.insert(samples[static_cast<std::size_t>(i)].place);
+    EXPECT_EQ(trained.size(), 2u);
+  }
+}
+
+TEST(Folds, CountSamplesWhoseStampsTellNothing) {
+  const std::vector<SampleOrigin> samples = roomAt(0, 0, 50);
+  const std::vector<Fold> folds = timeBlockFolds(samples, 5, blocks(1.5, 1.5));
+  expectEachTestedOnce(folds, samples.size());
+  for (const Fold& fold : folds) EXPECT_NEAR(static_cast<double>(fold.train.size()), 30, 1);
+}
+
 TEST(Folds, WorkForFewSamples) {
   for (int length = 0; length <= 6; ++length) {
     const std::vector<SampleOrigin> samples = samplesOf(1, 2, length);
-    expectEachTestedOnce(timeBlockFolds(samples, 5, 1), samples.size());
+    expectEachTestedOnce(timeBlockFolds(samples, 5, blocks(2, 1)), samples.size());
   }
 }
 
 TEST(Folds, AreWholeRunsWhenEnoughHoldEveryPlace) {
   std::vector<SampleOrigin> samples = samplesOf(4, 2, 5);
   samples.push_back({0, 9, 0});  // a run of one place only
-  const std::vector<Fold> folds = timeBlockFolds(samples, 3, 1);
+  const std::vector<Fold> folds = timeBlockFolds(samples, 3, blocks(1, 1));
   expectEachTestedOnce(folds, samples.size());
   for (const Fold& fold : folds) {
     EXPECT_EQ(fold.train.size() + fold.test.size(), samples.size());
@@ -87,7 +147,7 @@ TEST(Folds, AreBlocksWhenRunsLackPlaces) {
     samples.push_back({0, 1, static_cast<double>(i)});
     samples.push_back({0, 2, static_cast<double>(i)});
   }
-  for (const Fold& fold : timeBlockFolds(samples, 3, 1)) {
+  for (const Fold& fold : timeBlockFolds(samples, 3, blocks(1, 1))) {
     std::set<int> places;
     for (const int train : fold.train)
       places.insert(samples[static_cast<std::size_t>(train)].place);

@@ -83,7 +83,7 @@ TEST(Validation, ThresholdLetsTheWantedShareFall) {
     const double f = 0.1 * (1 + i / 2);
     margins.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
   }
-  const std::vector<Fold> folds = timeBlockFolds(samples, 4, 0);
+  const std::vector<Fold> folds = timeBlockFolds(samples, 4, {TimeBlocks{5, 0}});
   const HeldOut held_out = heldOut(margins, std::vector<bool>(40, true));
   const Calibrated calibrated = calibrate(held_out, samples, folds, 0.25);
   EXPECT_EQ(calibrated.validation.average_rate, 1);

@@ -1,0 +1,107 @@
+#include "recognition/block_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace place_recognition {
+namespace {
+
+/// One bin, as the kernel |x - y|^2 sees it: a place on a line.
+CueOptions positionCue() {
+  CueOptions cue;
+  cue.kernel.type = "gaussian";
+  return cue;
+}
+
+Feature at(double x, double y) {
+  return DenseVector{{static_cast<float>(x), static_cast<float>(y)}};
+}
+
+struct Recording {
+  std::vector<SampleOrigin> samples;
+  std::vector<Feature> features;
+
+  void add(int place, double stamp, Feature feature) {
+    samples.push_back({place, 0, stamp});
+    features.push_back(std::move(feature));
+  }
+  TimeBlocks blocks(const ValidationOptions& options = {}) const {
+    return chooseBlocks(samples, {features}, {positionCue()}, options, 2).front();
+  }
+  LikenessOverTime likeness() const {
+    return likenessOverTime(samples, 0, {features}, {positionCue()}, 2);
+  }
+};
+
+/// Once around a circle in 40 s. With the chord's square as the distance, frames t seconds apart
+/// differ by 1 - cos(2 pi t / 40) of the mean: an eighth after 3.2 s.
+Recording circle(double rate) {
+  constexpr double kPi = 3.14159265358979;
+  Recording recording;
+  for (int i = 0; i < static_cast<int>(40 * rate); ++i) {
+    const double angle = 2 * kPi * i / (40 * rate);
+    recording.add(0, 100 + i / rate, at(std::cos(angle), std::sin(angle)));
+  }
+  return recording;
+}
+
+TEST(BlockChoice, LikenessFallsAsTheCameraMoves) {
+  const LikenessOverTime likeness = circle(5).likeness();
+  EXPECT_NEAR(likeness.step, 0.2, 1e-9);
+  EXPECT_GE(likeness.next_is_nearest, 0.99);     // the last frame meets the first
+  EXPECT_NEAR(likeness.distances[49], 1, 0.01);  // a quarter of the circle
+  EXPECT_NEAR(likeness.distances[99], 2, 0.02);  // half of it
+}
+
+TEST(BlockChoice, GapIsAsLongAtAnyRateOfFrames) {
+  for (const double rate : {2.0, 5.0, 30.0}) {
+    const TimeBlocks blocks = circle(rate).blocks();
+    EXPECT_NEAR(blocks.gap, 3.2, 1 / rate) << rate;
+    EXPECT_EQ(blocks.length, blocks.gap);
+  }
+}
+
+TEST(BlockChoice, LeavesTheNextPictureOutIfItIsTheMostAlike) {
+  const TimeBlocks blocks = circle(0.2).blocks();  // 5 s apart: already less alike than an eighth
+  EXPECT_DOUBLE_EQ(blocks.gap, 1.5 * 5);
+}
+
+TEST(BlockChoice, LeavesNoneOutIfTimeSaysNothingOfLikeness) {
+  // A tripod: four directions at each marker, which look alike from marker to marker.
+  Recording recording;
+  for (int i = 0; i < 80; ++i) {
+    const double direction = i % 4, marker = i / 4;
+    recording.add(0, 0.2 * i, at(10 * direction, 0.1 * marker));
+  }
+  EXPECT_EQ(recording.likeness().next_is_nearest, 0);
+  EXPECT_DOUBLE_EQ(recording.blocks().gap, 0.1);
+}
+
+TEST(BlockChoice, IsOverruledByOptions) {
+  ValidationOptions options;
+  options.gap = 7;
+  EXPECT_EQ(circle(5).blocks(options).gap, 7);
+  EXPECT_EQ(circle(5).blocks(options).length, 7);
+  options.block = 9;
+  EXPECT_EQ(circle(5).blocks(options).length, 9);
+  options.gap = 0;
+  EXPECT_EQ(circle(5).blocks(options).length, 9);
+  EXPECT_NEAR(circle(5).blocks(options).gap, 3.2, 0.2);
+  options = {};
+  options.folds = 2;
+  options.gap = 0.5;
+  EXPECT_NEAR(circle(5).blocks(options).length, 5, 1e-9);  // shorter: less than two fifths left
+}
+
+TEST(BlockChoice, CopesWithRoomsOfOneFrameAndFramesThatAreEqual) {
+  Recording recording;
+  recording.add(0, 1, at(0, 0));
+  recording.add(1, 2, at(0, 0));
+  EXPECT_GT(recording.blocks().length, 0);
+  for (int i = 0; i < 10; ++i) recording.add(2, 3 + i, at(0, 0));
+  EXPECT_GT(recording.blocks().length, 0);
+}
+
+}  // namespace
+}  // namespace place_recognition
