@@ -54,14 +54,11 @@ std::vector<std::string> presetNames() {
   return names;
 }
 
-void ConfigurationOptions::addTo(CLI::App& verb) {
-  verb.add_option("--config", config, "YAML file, or a preset's name, as crfh_colour")
-      ->type_name("FILE");
-  verb.add_option("--set", set,
-                  "Set one option, as in svm.c=10 or cues.crfh.kernel.gamma=30; see "
-                  "doc/configuration.md. May be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+void ConfigurationOptions::addTo(Verb& verb) {
+  verb.option("--config", "FILE", config, "YAML file, or a preset's name, as crfh_colour");
+  verb.option("--set", "KEY=VALUE", set,
+              "Set one option, as in svm.c=10 or cues.crfh.kernel.gamma=30; see "
+              "doc/configuration.md. May be repeated");
 }
 
 TrainingOptions ConfigurationOptions::read() const {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "place_recognition/training_options.h"
+#include "tool/command_line.h"
 
 namespace place_recognition::tool {
 
@@ -13,7 +13,7 @@ struct ConfigurationOptions {
   std::string config;            ///< a YAML file, or the name of a preset; empty: the defaults
   std::vector<std::string> set;  ///< key=value, applied in order after the file
 
-  void addTo(CLI::App& verb);
+  void addTo(Verb& verb);
 
   /// The defaults, overwritten by the file, overwritten by the assignments; checked. A list in the
   /// file, as of cues, replaces the default list. Throws Error naming the file and the key.

@@ -123,10 +123,10 @@ class Reference {
 
 }  // namespace
 
-void addDocument(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("document", "Prints doc/configuration.md");
-  verb->group("");  // Not in the list of verbs: for those who change the options.
-  verb->callback([] {
+void addDocument(CommandLine& tool) {
+  Verb& verb = tool.verb("document", "Prints doc/configuration.md");
+  verb.hide();  // For those who change the options.
+  verb.run([] {
     Reference reference;
     reference.add("Top level", "", "What `train` can be told.", TrainingOptions());
     reference.add("Search space", "", kSearchSpace, SearchSpace());

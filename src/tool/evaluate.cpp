@@ -48,26 +48,23 @@ void evaluateModel(const EvaluateOptions& options) {
 
 }  // namespace
 
-void addEvaluate(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("evaluate", "Measures how well a model knows labelled runs");
+void addEvaluate(CommandLine& tool) {
+  Verb& verb = tool.verb("evaluate", "Measures how well a model knows labelled runs");
   const auto options = std::make_shared<EvaluateOptions>();
-  verb->add_option("INPUT", options->inputs, kInputHelp)->required();
-  verb->add_option("--model", options->model, "Name or file of the model")
-      ->type_name("NAME")
-      ->required();
-  verb->add_option("--report", options->report,
-                   "Write DIR/report.html: figures, plots and the worst mistakes as pictures")
-      ->type_name("DIR");
-  options->input.addTo(*verb);
-  options->output.addTo(*verb);
-  verb->footer(
+  verb.argument("INPUT", options->inputs, kInputHelp);
+  verb.option("--model", "NAME", options->model, "Name or file of the model").required();
+  verb.option("--report", "DIR", options->report,
+              "Write DIR/report.html: figures, plots and the worst mistakes as pictures");
+  options->input.addTo(verb);
+  options->output.addTo(verb);
+  verb.footer(
       "Prints the rate of each room and their mean, each room of equal weight; the confusion\n"
       "matrix; how far the confidence can be trusted; the time a picture takes. Pictures of "
       "places\n"
       "that the model has not learned measure how well it says 'unknown'.\n"
       "Example:\n"
       "  place_tool evaluate --model office wednesday.bag --report report");
-  verb->callback([options] { evaluateModel(*options); });
+  verb.run([options] { evaluateModel(*options); });
 }
 
 }  // namespace place_recognition::tool

@@ -31,7 +31,7 @@ Part parsePart(const std::string& text) {
   char rest = 0;
   const bool two = std::sscanf(text.c_str(), "%d/%d%c", &part.number, &part.count, &rest) == 2;
   if (!two || part.number < 1 || part.count < part.number) {
-    throw CLI::ValidationError("--part", "'" + text + "' is not of the form 3/21");
+    throw UsageError("--part: '" + text + "' is not of the form 3/21");
   }
   return part;
 }
@@ -90,46 +90,37 @@ void runExperimentVerb(const ExperimentOptions& options) {
 
 }  // namespace
 
-void addExperiment(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("experiment", "Repeats an experiment of the thesis");
+void addExperiment(CommandLine& tool) {
+  Verb& verb = tool.verb("experiment", "Repeats an experiment of the thesis");
   const auto options = std::make_shared<ExperimentOptions>();
-  verb->add_option("NAME", options->name,
-                   "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
-                   "reduction: 8.3, 8.7; materials: 7.1 to 7.6")
-      ->required()
-      ->check(CLI::IsMember(
-          {"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials"}));
-  verb->add_option("--data", options->data,
-                   "Folder of pictures: CONDITION/ROOM/PICTURE; materials: "
-                   "MATERIAL/SAMPLE/PICTURE")
-      ->type_name("DIR")
-      ->required();
-  verb->add_option("--out", options->out,
-                   "Folder for the tables and for finished cells, which are not computed again")
-      ->type_name("DIR")
-      ->required();
-  verb->add_option("--layout", options->layout,
-                   "How the pictures of places lie: indecs (default); idol, cold: a folder of "
-                   "sequences")
-      ->check(CLI::IsMember({"indecs", "idol", "cold"}));
-  verb->add_option("--every", options->every, "Take every N-th picture of each room only")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  verb->add_option("--max-dimensions", options->max_dimensions,
-                   "descriptors: leave out histograms of more (default 16; the thesis' have 8 at "
-                   "most)")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  verb->add_option("--part", options->part,
-                   "Compute the K-th of N parts of the cells only; tables are written once all "
-                   "cells are there")
-      ->type_name("K/N");
-  verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");
-  options->output.addTo(*verb);
-  verb->footer(
+  verb.argument("NAME", options->name,
+                "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
+                "reduction: 8.3, 8.7; materials: 7.1 to 7.6")
+      .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials"});
+  verb.option("--data", "DIR", options->data,
+              "Folder of pictures: CONDITION/ROOM/PICTURE; materials: MATERIAL/SAMPLE/PICTURE")
+      .required();
+  verb.option("--out", "DIR", options->out,
+              "Folder for the tables and for finished cells, which are not computed again")
+      .required();
+  verb.option("--layout", "NAME", options->layout,
+              "How the pictures of places lie: indecs (default); idol, cold: a folder of "
+              "sequences")
+      .oneOf({"indecs", "idol", "cold"});
+  verb.option("--every", "N", options->every, "Take every N-th picture of each room only")
+      .positive();
+  verb.option("--max-dimensions", "N", options->max_dimensions,
+              "descriptors: leave out histograms of more (default 16; the thesis' have 8 at most)")
+      .positive();
+  verb.option("--part", "K/N", options->part,
+              "Compute the K-th of N parts of the cells only; tables are written once all cells "
+              "are there");
+  verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
+  options->output.addTo(verb);
+  verb.footer(
       "Example:\n"
       "  place_tool experiment indecs-global --data runs --out results/indecs-global");
-  verb->callback([options] { runExperimentVerb(*options); });
+  verb.run([options] { runExperimentVerb(*options); });
 }
 
 }  // namespace place_recognition::tool

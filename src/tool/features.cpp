@@ -65,18 +65,18 @@ void features(const FeaturesOptions& options) {
 
 }  // namespace
 
-void addFeatures(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("features", "Prints the feature of a picture");
+void addFeatures(CommandLine& tool) {
+  Verb& verb = tool.verb("features", "Prints the feature of a picture");
   const auto options = std::make_shared<FeaturesOptions>();
-  verb->add_option("IMAGE", options->image, "Picture (png, jpg)")->required();
-  options->configuration.addTo(*verb);
-  verb->footer(
+  verb.argument("IMAGE", options->image, "Picture (png, jpg)");
+  options->configuration.addTo(verb);
+  verb.footer(
       "A histogram is one line of index:value; local features are a line each, 128 numbers "
       "0..255.\n"
       "Several cues follow each other, each behind a line '# NAME'.\n"
       "Example:\n"
       "  place_tool features now.jpg --config crfh_colour");
-  verb->callback([options] { features(*options); });
+  verb.run([options] { features(*options); });
 }
 
 }  // namespace place_recognition::tool

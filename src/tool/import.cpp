@@ -49,24 +49,23 @@ void importPictures(const ImportOptions& options) {
 
 }  // namespace
 
-void addImport(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("import", "Makes a labelled bag of pictures on disk");
+void addImport(CommandLine& tool) {
+  Verb& verb = tool.verb("import", "Makes a labelled bag of pictures on disk");
   const auto options = std::make_shared<ImportOptions>();
-  verb->add_option("FOLDER", options->folder, "Folder of pictures")->required();
-  verb->add_option("--out", options->out, "Bag to write")->type_name("RUN.bag")->required();
-  verb->add_option("--layout", options->layout.name,
-                   "How the pictures lie: rooms (default), indecs, idol or cold")
-      ->check(CLI::IsMember({"rooms", "indecs", "idol", "cold"}));
-  verb->add_option("--condition", options->layout.condition,
-                   "indecs: the light to import, where the folder holds several")
-      ->check(CLI::IsMember({"cloudy", "night", "sunny"}));
-  verb->add_option("--rate", options->layout.rate,
-                   "rooms, indecs: pictures a second (default 5); the others have their own stamps")
-      ->type_name("HZ")
-      ->check(CLI::PositiveNumber);
-  verb->add_flag("--raw", options->raw, "Store pixels (sensor_msgs/Image) instead of JPEG");
-  options->output.addTo(*verb);
-  verb->footer(
+  verb.argument("FOLDER", options->folder, "Folder of pictures");
+  verb.option("--out", "RUN.bag", options->out, "Bag to write").required();
+  verb.option("--layout", "NAME", options->layout.name,
+              "How the pictures lie: rooms (default), indecs, idol or cold")
+      .oneOf({"rooms", "indecs", "idol", "cold"});
+  verb.option("--condition", "NAME", options->layout.condition,
+              "indecs: the light to import, where the folder holds several: cloudy, night or sunny")
+      .oneOf({"cloudy", "night", "sunny"});
+  verb.option("--rate", "HZ", options->layout.rate,
+              "rooms, indecs: pictures a second (default 5); the others have their own stamps")
+      .positive();
+  verb.flag("--raw", options->raw, "Store pixels (sensor_msgs/Image) instead of JPEG");
+  options->output.addTo(verb);
+  verb.footer(
       "Layouts:\n"
       "  rooms   ROOM/PICTURE\n"
       "  indecs  cloudy, night or sunny and the room as folders or words of the name, then marker\n"
@@ -75,7 +74,7 @@ void addImport(CLI::App& tool) {
       "  cold    one sequence: std_cam/tTIME_xX_yY_aANGLE.jpeg, localization/places.lst\n"
       "Example:\n"
       "  place_tool import dum_cloudy1 --layout idol --out dum_cloudy1.bag");
-  verb->callback([options] { importPictures(*options); });
+  verb.run([options] { importPictures(*options); });
 }
 
 }  // namespace place_recognition::tool

@@ -133,14 +133,14 @@ void info(const InfoOptions& options) {
 
 }  // namespace
 
-void addInfo(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("info", "Tells what is in a model or a bag");
+void addInfo(CommandLine& tool) {
+  Verb& verb = tool.verb("info", "Tells what is in a model or a bag");
   const auto options = std::make_shared<InfoOptions>();
-  verb->add_option("NAME_OR_BAG", options->name, "Name or file of a model, or a bag")->required();
-  options->input.addTo(*verb);
-  options->output.addTo(*verb);
-  verb->footer("Example:\n  place_tool info office\n  place_tool info monday.bag");
-  verb->callback([options] { info(*options); });
+  verb.argument("NAME_OR_BAG", options->name, "Name or file of a model, or a bag");
+  options->input.addTo(verb);
+  options->output.addTo(verb);
+  verb.footer("Example:\n  place_tool info office\n  place_tool info monday.bag");
+  verb.run([options] { info(*options); });
 }
 
 }  // namespace place_recognition::tool

@@ -72,21 +72,19 @@ void findRunsOf(const std::string& input, std::vector<std::string>& runs) {
 const char* const kInputHelp =
     "Labelled runs: bags, folders of room/picture files (png, jpg), or folders of these";
 
-void InputOptions::addTo(CLI::App& verb) {
+void InputOptions::addTo(Verb& verb) {
   const char* const kGroup = "Options on bags";
-  verb.add_option("--image-topic", bag.image_topic,
-                  "Topic of the images; needed if there are several")
-      ->group(kGroup);
-  verb.add_option("--label-topic", bag.label_topic,
-                  "Topic of the labels, std_msgs/String (default " + bag.label_topic + ")")
-      ->group(kGroup);
-  verb.add_option("--labels", bag.labels_file,
-                  "File of labels; RUN.labels.yaml or labels.dat beside RUN.bag is found by itself")
-      ->type_name("FILE")
-      ->group(kGroup);
-  verb.add_option("--label", bag.label, "The whole of every bag shows this place")
-      ->type_name("PLACE")
-      ->group(kGroup);
+  verb.option("--image-topic", "TOPIC", bag.image_topic,
+              "Topic of the images; needed if there are several")
+      .group(kGroup);
+  verb.option("--label-topic", "TOPIC", bag.label_topic,
+              "Topic of the labels, std_msgs/String (default " + bag.label_topic + ")")
+      .group(kGroup);
+  verb.option("--labels", "FILE", bag.labels_file,
+              "File of labels; RUN.labels.yaml or labels.dat beside RUN.bag is found by itself")
+      .group(kGroup);
+  verb.option("--label", "PLACE", bag.label, "The whole of every bag shows this place")
+      .group(kGroup);
 }
 
 std::vector<RunOpener> InputOptions::openers(const std::vector<std::string>& inputs) const {

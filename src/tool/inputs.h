@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
@@ -9,6 +8,7 @@
 #include "place_recognition/run.h"
 #include "place_recognition/training.h"
 #include "ros/bag_run.h"
+#include "tool/command_line.h"
 
 namespace place_recognition::tool {
 
@@ -19,7 +19,7 @@ extern const char* const kInputHelp;
 struct InputOptions {
   BagRunOptions bag;
 
-  void addTo(CLI::App& verb);
+  void addTo(Verb& verb);
 
   /// One opener a run of `inputs`. Throws Error for an input that is no run, and where one file of
   /// labels is given for several.

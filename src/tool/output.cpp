@@ -10,13 +10,11 @@
 
 namespace place_recognition::tool {
 
-void OutputOptions::addTo(CLI::App& verb) {
-  verb.add_option("--json", json, "Write the figures as JSON to FILE; - for stdout")
-      ->type_name("FILE");
-  verb.add_option("--progress", progress,
-                  "auto, bar, lines, json (lines {\"stage\", \"fraction\"} on stdout) or none")
-      ->type_name("STYLE")
-      ->check(CLI::IsMember({"auto", "bar", "lines", "json", "none"}));
+void OutputOptions::addTo(Verb& verb) {
+  verb.option("--json", "FILE", json, "Write the figures as JSON to FILE; - for stdout");
+  verb.option("--progress", "STYLE", progress,
+              "auto, bar, lines, json (lines {\"stage\", \"fraction\"} on stdout) or none")
+      .oneOf({"auto", "bar", "lines", "json", "none"});
 }
 
 std::ostream& OutputOptions::text() const {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tool/command_line.h"
 #include "tool/progress_display.h"
 
 namespace place_recognition::tool {
@@ -17,7 +17,7 @@ struct OutputOptions {
   std::string json;  ///< file, `-` for stdout, empty for no figures
   std::string progress = "auto";
 
-  void addTo(CLI::App& verb);
+  void addTo(Verb& verb);
 
   /// For a person: stdout, or stderr where stdout belongs to a program.
   std::ostream& text() const;

@@ -121,24 +121,21 @@ void recognize(const RecognizeOptions& options) {
 
 }  // namespace
 
-void addRecognize(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("recognize", "Names the place that pictures show");
+void addRecognize(CommandLine& tool) {
+  Verb& verb = tool.verb("recognize", "Names the place that pictures show");
   const auto options = std::make_shared<RecognizeOptions>();
-  verb->add_option("IMAGE_OR_INPUT", options->inputs,
-                   "Pictures (png, jpg), bags or folders of room/picture files")
-      ->required();
-  verb->add_option("--model", options->model, "Name or file of the model")
-      ->type_name("NAME")
-      ->required();
-  options->input.addTo(*verb);
-  options->output.addTo(*verb);
-  verb->footer(
+  verb.argument("IMAGE_OR_INPUT", options->inputs,
+                "Pictures (png, jpg), bags or folders of room/picture files");
+  verb.option("--model", "NAME", options->model, "Name or file of the model").required();
+  options->input.addTo(verb);
+  options->output.addTo(verb);
+  verb.footer(
       "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object "
       "a\n"
       "line: image, place, known, confidence and the scores of every place.\n"
       "Example:\n"
       "  place_tool recognize --model office now.jpg");
-  verb->callback([options] { recognize(*options); });
+  verb.run([options] { recognize(*options); });
 }
 
 }  // namespace place_recognition::tool

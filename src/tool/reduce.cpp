@@ -152,62 +152,54 @@ void reduceModel(const ReduceOptions& options) {
 
 }  // namespace
 
-void addReduce(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("reduce", "Makes a model smaller and quicker");
+void addReduce(CommandLine& tool) {
+  Verb& verb = tool.verb("reduce", "Makes a model smaller and quicker");
   const auto options = std::make_shared<ReduceOptions>();
   options->reduction.method = "shared-greedy";
-  verb->add_option("--model", options->model, "Name or file of the model")
-      ->type_name("NAME")
-      ->required();
-  verb->add_option("--out", options->out, "Name or file of the reduced model")
-      ->type_name("NAME2")
-      ->required();
-  verb->add_option("--method", options->reduction.method,
-                   "shared-greedy (default), shared-qr: one basis for all machines; qr: each "
-                   "machine by itself")
-      ->check(CLI::IsMember({"qr", "shared-qr", "shared-greedy"}));
-  verb->add_flag("--normalise,!--no-normalise", options->reduction.normalise,
-                 "Scale the columns of the kernel matrix to norm one first (default), or do not");
-  CLI::Option* tau =
-      verb->add_option("--tau", options->reduction.tau, "Rank threshold, 0..1 (default 0.01)")
-          ->type_name("T");
-  CLI::Option* count = verb->add_option("--support-vectors", options->reduction.support_vectors,
-                                        "Number of vectors to keep, of each cue")
-                           ->type_name("N")
-                           ->check(CLI::PositiveNumber)
-                           ->excludes(tau);
-  CLI::Option* share = verb->add_option("--share", options->reduction.share,
-                                        "Share of the vectors to keep, of each cue, 0..1")
-                           ->type_name("S")
-                           ->check(CLI::Range(1e-6, 1.0))
-                           ->excludes(tau)
-                           ->excludes(count);
-  CLI::Option* loss = verb->add_option("--max-loss", options->max_loss,
-                                       "Fewest vectors that lose no more than this of the rate on "
-                                       "--validate, percentage points")
-                          ->type_name("PERCENT")
-                          ->check(CLI::Range(0.0, 100.0))
-                          ->excludes(tau)
-                          ->excludes(count)
-                          ->excludes(share);
-  loss->needs(verb->add_option("--validate", options->validate,
-                               "Labelled runs to measure the rate on, before and after")
-                  ->type_name("INPUT..."));
-  verb->add_option("--train", options->train,
-                   "The runs that the model was trained on: the margins are then kept on all of "
-                   "their pictures. Without it on the support vectors only, all that the model "
-                   "has of them")
-      ->type_name("INPUT...");
-  verb->add_option("--report", options->report,
-                   "Compare all three methods, in the table and in DIR/reduction.html; with "
-                   "--validate, with curves of the rate against the vectors")
-      ->type_name("DIR");
-  options->input.addTo(*verb);
-  options->output.addTo(*verb);
-  verb->footer(
+  verb.option("--model", "NAME", options->model, "Name or file of the model").required();
+  verb.option("--out", "NAME2", options->out, "Name or file of the reduced model").required();
+  verb.option("--method", "NAME", options->reduction.method,
+              "shared-greedy (default), shared-qr: one basis for all machines; qr: each machine "
+              "by itself")
+      .oneOf({"qr", "shared-qr", "shared-greedy"});
+  verb.flag("--normalise", options->reduction.normalise,
+            "Scale the columns of the kernel matrix to norm one first (default)");
+  verb.flag("--no-normalise", options->reduction.normalise, "Do not", false)
+      .excludes("--normalise");
+  verb.option("--tau", "T", options->reduction.tau, "Rank threshold, 0..1 (default 0.01)");
+  verb.option("--support-vectors", "N", options->reduction.support_vectors,
+              "Number of vectors to keep, of each cue")
+      .positive()
+      .excludes("--tau");
+  verb.option("--share", "S", options->reduction.share,
+              "Share of the vectors to keep, of each cue, 0..1")
+      .range(1e-6, 1)
+      .excludes("--tau")
+      .excludes("--support-vectors");
+  verb.option("--max-loss", "PERCENT", options->max_loss,
+              "Fewest vectors that lose no more than this of the rate on --validate, percentage "
+              "points")
+      .range(0, 100)
+      .needs("--validate")
+      .excludes("--tau")
+      .excludes("--support-vectors")
+      .excludes("--share");
+  verb.option("--validate", "INPUT", options->validate,
+              "Labelled runs to measure the rate on, before and after")
+      .many();
+  verb.option("--train", "INPUT", options->train,
+              "The runs that the model was trained on: the margins are then kept on all of their "
+              "pictures. Without it on the support vectors only, all that the model has of them")
+      .many();
+  verb.option("--report", "DIR", options->report,
+              "Compare all three methods, in the table and in DIR/reduction.html; with --validate, "
+              "with curves of the rate against the vectors");
+  options->input.addTo(verb);
+  options->output.addTo(verb);
+  verb.footer(
       "Example:\n"
       "  place_tool reduce --model office --out office_small --max-loss 1 --validate tuesday.bag");
-  verb->callback([options] { reduceModel(*options); });
+  verb.run([options] { reduceModel(*options); });
 }
 
 }  // namespace place_recognition::tool

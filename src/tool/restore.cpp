@@ -86,18 +86,17 @@ void restore(const RestoreOptions& options) {
 
 }  // namespace
 
-void addRestore(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("restore", "Puts an earlier model of a name back in use");
+void addRestore(CommandLine& tool) {
+  Verb& verb = tool.verb("restore", "Puts an earlier model of a name back in use");
   const auto options = std::make_shared<RestoreOptions>();
-  verb->add_option("NAME", options->name, "Name or file of the model")->required();
-  CLI::Option* list = verb->add_flag("--list", options->list,
-                                     "Only tell which models there are, and change nothing");
-  verb->add_option("--age", options->age, "Which backup; 1, the newest, if not given")
-      ->check(CLI::Range(1, kModelBackups))
-      ->excludes(list);
-  options->output.addTo(*verb);
-  verb->footer("Example:\n  place_tool restore office --list\n  place_tool restore office --age 2");
-  verb->callback([options] { restore(*options); });
+  verb.argument("NAME", options->name, "Name or file of the model");
+  verb.flag("--list", options->list, "Only tell which models there are, and change nothing");
+  verb.option("--age", "N", options->age, "Which backup; 1, the newest, if not given")
+      .range(1, kModelBackups)
+      .excludes("--list");
+  options->output.addTo(verb);
+  verb.footer("Example:\n  place_tool restore office --list\n  place_tool restore office --age 2");
+  verb.run([options] { restore(*options); });
 }
 
 }  // namespace place_recognition::tool

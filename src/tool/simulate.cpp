@@ -31,7 +31,7 @@ cv::Size parseSize(const std::string& text) {
   cv::Size size;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2) {
-    throw CLI::ValidationError("--size", "'" + text + "' is not of the form 512x384");
+    throw UsageError("--size: '" + text + "' is not of the form 512x384");
   }
   return size;
 }
@@ -98,30 +98,28 @@ void simulateRuns(SimulateOptions options) {
 
 }  // namespace
 
-void addSimulate(CLI::App& tool) {
-  CLI::App* verb =
-      tool.add_subcommand("simulate", "Renders labelled runs of five rooms, one for each light");
+void addSimulate(CommandLine& tool) {
+  Verb& verb = tool.verb("simulate", "Renders labelled runs of five rooms, one for each light");
   const auto options = std::make_shared<SimulateOptions>();
-  verb->add_option("--out", options->out, "Folder for the runs")->type_name("DIR")->required();
-  verb->add_option("--conditions", options->conditions,
-                   "cloudy, night, sunny: one run each (default all)")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"cloudy", "night", "sunny"}))
-      ->allow_extra_args(false);
-  verb->add_option("--protocol", options->protocol,
-                   "indecs: markers, twelve angles each; drive: a path through the rooms")
-      ->check(CLI::IsMember({"indecs", "drive"}));
-  verb->add_option("--seed", options->simulation.seed, "Another building; same seed, same pixels");
-  verb->add_option("--visit", options->simulation.visit,
-                   "The same building another day: other things moved, from 1 (default)");
-  verb->add_option("--format", options->format,
-                   "bag: DIR/cloudy.bag; images: DIR/cloudy/ROOM/NAME.png")
-      ->check(CLI::IsMember({"bag", "images"}));
-  verb->add_option("--rate", options->simulation.rate, "Frames a second");
-  verb->add_option("--size", options->size, "Pixels (default 512x384)")->type_name("WxH");
-  options->output.addTo(*verb);
-  verb->footer("Example:\n  place_tool simulate --out runs --conditions cloudy,night");
-  verb->callback([options] { simulateRuns(*options); });
+  verb.option("--out", "DIR", options->out, "Folder for the runs").required();
+  verb.option("--conditions", "LIST", options->conditions,
+              "cloudy, night, sunny: one run each (default all)")
+      .commaSeparated()
+      .oneOf({"cloudy", "night", "sunny"});
+  verb.option("--protocol", "NAME", options->protocol,
+              "indecs: markers, twelve angles each; drive: a path through the rooms")
+      .oneOf({"indecs", "drive"});
+  verb.option("--seed", "N", options->simulation.seed, "Another building; same seed, same pixels");
+  verb.option("--visit", "N", options->simulation.visit,
+              "The same building another day: other things moved, from 1 (default)");
+  verb.option("--format", "NAME", options->format,
+              "bag: DIR/cloudy.bag; images: DIR/cloudy/ROOM/NAME.png")
+      .oneOf({"bag", "images"});
+  verb.option("--rate", "HZ", options->simulation.rate, "Frames a second");
+  verb.option("--size", "WxH", options->size, "Pixels (default 512x384)");
+  options->output.addTo(verb);
+  verb.footer("Example:\n  place_tool simulate --out runs --conditions cloudy,night");
+  verb.run([options] { simulateRuns(*options); });
 }
 
 }  // namespace place_recognition::tool

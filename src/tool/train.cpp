@@ -116,32 +116,30 @@ void train(const TrainOptions& options) {
 
 }  // namespace
 
-void addTrain(CLI::App& tool) {
-  CLI::App* verb = tool.add_subcommand("train", "Learns a model from labelled runs");
+void addTrain(CommandLine& tool) {
+  Verb& verb = tool.verb("train", "Learns a model from labelled runs");
   const auto options = std::make_shared<TrainOptions>();
-  verb->add_option("INPUT", options->inputs, kInputHelp)->required();
-  verb->add_option("--model", options->model,
-                   "Name of the model, or a file: a name with a slash or ending in .places")
-      ->type_name("NAME")
-      ->required();
-  CLI::Option* add_to =
-      verb->add_option("--add-to", options->add_to,
-                       "Learn on from this model: keep its features and what it remembers")
-          ->type_name("NAME");
-  verb->add_option("--limit", options->limit,
-                   "With --add-to: support vectors that each cue may keep; 0: as many as it needs")
-      ->needs(add_to)
-      ->check(CLI::Range(0, 1000000));
-  options->configuration.addTo(*verb);
-  for (const char* other : {"--config", "--set"}) add_to->excludes(verb->get_option(other));
-  options->input.addTo(*verb);
-  verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");
-  options->output.addTo(*verb);
-  verb->footer(
+  verb.argument("INPUT", options->inputs, kInputHelp);
+  verb.option("--model", "NAME", options->model,
+              "Name of the model, or a file: a name with a slash or ending in .places")
+      .required();
+  verb.option("--add-to", "NAME", options->add_to,
+              "Learn on from this model: keep its features and what it remembers")
+      .excludes("--config")
+      .excludes("--set");
+  verb.option("--limit", "N", options->limit,
+              "With --add-to: support vectors that each cue may keep; 0: as many as it needs")
+      .needs("--add-to")
+      .range(0, 1000000);
+  options->configuration.addTo(verb);
+  options->input.addTo(verb);
+  verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
+  options->output.addTo(verb);
+  verb.footer(
       "Example:\n"
       "  place_tool train monday.bag tuesday.bag --model office --config crfh_colour\n"
       "  place_tool train wednesday.bag --add-to office --limit 500 --model office");
-  verb->callback([options] { train(*options); });
+  verb.run([options] { train(*options); });
 }
 
 }  // namespace place_recognition::tool

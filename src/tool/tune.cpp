@@ -147,33 +147,29 @@ void tune(const TuneOptions& options) {
 
 }  // namespace
 
-void addTune(CLI::App& tool) {
-  CLI::App* verb =
-      tool.add_subcommand("tune", "Finds features, gamma and C by cross-validation over runs");
+void addTune(CommandLine& tool) {
+  Verb& verb = tool.verb("tune", "Finds features, gamma and C by cross-validation over runs");
   const auto options = std::make_shared<TuneOptions>();
-  verb->add_option("INPUT", options->inputs, kInputHelp)->required();
-  verb->add_option("--out", options->out, "YAML file for `train --config`")
-      ->type_name("FILE.yaml")
-      ->required();
-  verb->add_option("--validate", options->validate,
-                   "Runs to test on instead of cross-validation within INPUT")
-      ->type_name("INPUT");
-  verb->add_option("--space", options->space,
-                   "YAML file that says what to try; see doc/configuration.md")
-      ->type_name("FILE");
-  verb->add_flag("--same-light", options->same_light,
-                 "The rooms will only be seen in the light of these runs: do not judge the\n"
-                 "held-out pictures in other light, too");
-  options->configuration.addTo(*verb);
-  options->input.addTo(*verb);
-  verb->add_option("--threads", options->threads, "Threads; 0: one a core. Changes no result");
-  options->output.addTo(*verb);
-  verb->footer(
+  verb.argument("INPUT", options->inputs, kInputHelp);
+  verb.option("--out", "FILE.yaml", options->out, "YAML file for `train --config`").required();
+  verb.option("--validate", "INPUT", options->validate,
+              "Runs to test on instead of cross-validation within INPUT")
+      .many();
+  verb.option("--space", "FILE", options->space,
+              "YAML file that says what to try; see doc/configuration.md");
+  verb.flag("--same-light", options->same_light,
+            "The rooms will only be seen in the light of these runs: do not judge the held-out "
+            "pictures in other light, too");
+  options->configuration.addTo(verb);
+  options->input.addTo(verb);
+  verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
+  options->output.addTo(verb);
+  verb.footer(
       "Cues of --config are tried beside those of the search space. Ctrl-C keeps the best so far.\n"
       "Example:\n"
       "  place_tool tune monday.bag tuesday.bag --out office.yaml\n"
       "  place_tool train monday.bag tuesday.bag --model office --config office.yaml");
-  verb->callback([options] { tune(*options); });
+  verb.run([options] { tune(*options); });
 }
 
 }  // namespace place_recognition::tool

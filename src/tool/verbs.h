@@ -1,28 +1,27 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "tool/command_line.h"
 
 namespace place_recognition::tool {
 
-// Each of these adds one verb with its options and, as the verb's callback, its work. The work
-// throws: CLI::ParseError for bad usage, Error for bad input, Cancelled after a signal.
+// Each of these adds one verb with its options and its work.
 
-void addSimulate(CLI::App& tool);
-void addImport(CLI::App& tool);
-void addTrain(CLI::App& tool);
-void addTune(CLI::App& tool);
-void addRecognize(CLI::App& tool);
-void addEvaluate(CLI::App& tool);
-void addExperiment(CLI::App& tool);
-void addReduce(CLI::App& tool);
-void addFeatures(CLI::App& tool);
-void addInfo(CLI::App& tool);
-void addRestore(CLI::App& tool);
+void addSimulate(CommandLine& tool);
+void addImport(CommandLine& tool);
+void addTrain(CommandLine& tool);
+void addTune(CommandLine& tool);
+void addRecognize(CommandLine& tool);
+void addEvaluate(CommandLine& tool);
+void addExperiment(CommandLine& tool);
+void addReduce(CommandLine& tool);
+void addFeatures(CommandLine& tool);
+void addInfo(CommandLine& tool);
+void addRestore(CommandLine& tool);
 /// Hidden: writes doc/configuration.md.
-void addDocument(CLI::App& tool);
+void addDocument(CommandLine& tool);
 
 /// All of the above.
-inline void addVerbs(CLI::App& tool) {
+inline void addVerbs(CommandLine& tool) {
   addSimulate(tool);
   addImport(tool);
   addTrain(tool);

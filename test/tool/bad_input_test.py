@@ -137,6 +137,12 @@ class BadUsageTest(ToolCase):
                           ("features", "a.png", "b.png")):
             self.refuse(*arguments, status=2)
 
+    def test_a_misspelt_option_or_verb_is_told_with_the_one_meant(self):
+        self.assertIn("--model?", self.refuse("train", "a.bag", "--modle", "m", status=2))
+        result = self.run_tool("trian", "a.bag", "--model", "m")
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"^place_tool: .*trian.*train\?.*--help\.\n$")
+
     def test_no_verb(self):
         result = self.run_tool()
         self.assertEqual(result.returncode, 2)

@@ -65,7 +65,8 @@ class ToolCase(unittest.TestCase):
         before = self.files()
         result = self.run_tool(*arguments)
         self.assertEqual(result.returncode, status, result.stderr)
-        lines = result.stderr.splitlines()
+        # On a busy machine there is progress before that line.
+        lines = [line for line in result.stderr.splitlines() if not line.endswith(" %")]
         self.assertEqual(len(lines), 1, result.stderr)
         self.assertTrue(lines[0].startswith(f"place_tool {arguments[0]}: "), lines[0])
         self.assertEqual(self.files(), before)
