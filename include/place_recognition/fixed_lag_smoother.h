@@ -16,7 +16,7 @@ namespace place_recognition {
 /// With the filter's belief b after the frame and, from the last frame n of the window down to it,
 ///   beta_n = 1,   beta_i = exp(changes_(i+1) (J - I)) (L_(i+1)^w beta_(i+1)),
 /// the answer is the largest of b beta / sum. Its cost grows with the frames in the lag. Frames
-/// come out as they went in, each once. Not thread-safe.
+/// come out as they went in, each once. Neither copied nor moved. Not thread-safe.
 class FixedLagSmoother {
  public:
   /// Bounds memory where stamps stand still.
@@ -26,8 +26,6 @@ class FixedLagSmoother {
   /// of range.
   FixedLagSmoother(const Adjacency& adjacency, const TemporalFilterOptions& options, double lag);
   ~FixedLagSmoother();
-  FixedLagSmoother(FixedLagSmoother&&) noexcept;
-  FixedLagSmoother& operator=(FixedLagSmoother&&) noexcept;
 
   /// Takes the frame that `filter`, always the same one, has been updated with last.
   void add(const TemporalFilter& filter);

@@ -26,8 +26,16 @@ std::string inside(const std::string& where) {
 }
 
 template <typename T>
+bool decode(const YAML::Node& node, T& value) {
+  if (!node.IsScalar()) return false;
+  // yaml-cpp before 0.7 takes -1 for the largest unsigned number.
+  if (std::is_unsigned_v<T> && node.Scalar().find('-') != std::string::npos) return false;
+  return YAML::convert<T>::decode(node, value);
+}
+
+template <typename T>
 void readAs(const YAML::Node& node, const std::string& where, const char* kind, T& value) {
-  if (!node.IsScalar() || !YAML::convert<T>::decode(node, value)) {
+  if (!decode(node, value)) {
     const std::string text = node.IsScalar() ? "'" + node.Scalar() + "'" : "a list or mapping";
     throw Error("Option '" + where + "' is " + text + "; give " + kind + ".");
   }

@@ -21,8 +21,9 @@ constexpr int count(Orders orders) {
 /// Adds what a tap of the kernel of kOrder makes of the two mirrored samples that it meets, if
 /// that is one of kOrders.
 template <Orders kOrders, int kOrder>
-PLACE_RECOGNITION_INLINE void addTap(float weight, float before, float here, float after,
-                                     float& sum) {
+PLACE_RECOGNITION_INLINE void addTap([[maybe_unused]] float weight, [[maybe_unused]] float before,
+                                     [[maybe_unused]] float here, [[maybe_unused]] float after,
+                                     [[maybe_unused]] float& sum) {
   if constexpr (!contains(kOrders, kOrder)) return;
   if constexpr (kOrder == 0) sum += weight * (before + after);
   if constexpr (kOrder == 1) sum += weight * (after - before);

@@ -16,8 +16,6 @@ FixedLagSmoother::FixedLagSmoother(const Adjacency& adjacency, const TemporalFil
 }
 
 FixedLagSmoother::~FixedLagSmoother() = default;
-FixedLagSmoother::FixedLagSmoother(FixedLagSmoother&&) noexcept = default;
-FixedLagSmoother& FixedLagSmoother::operator=(FixedLagSmoother&&) noexcept = default;
 
 void FixedLagSmoother::add(const TemporalFilter& filter) {
   seen_.push_back({filter.step(), filter.answer().probabilities});
