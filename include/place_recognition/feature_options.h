@@ -21,6 +21,7 @@ struct CrfhOptions {
   std::vector<double> scales = {1, 4};
   std::vector<double> sigmas = {};
   std::vector<int> bins = {28};
+  std::string levels = "linear";
   std::string derivatives = "central-difference";
   double derivative_range = 128;
   double half_width = 3;
@@ -35,6 +36,9 @@ struct CrfhOptions {
     visitor("scales", self.scales, "t = sigma^2, pixels^2, each > 0 and <= 400");
     visitor("sigmas", self.sigmas, "the scales as sigma, pixels; replaces scales if not empty");
     visitor("bins", self.bins, "quantisation levels: one number, or one for each descriptor");
+    visitor("levels", self.levels,
+            "linear: grey levels v as they are; logarithmic: log(1 + v / 16), scaled to 0..255, so "
+            "that an edge is a ratio of brightness, which a change of light leaves as it is");
     visitor("derivatives", self.derivatives,
             "central-difference (of the smoothed image) or gaussian (sampled, eq. 4.10)");
     visitor("derivative_range", self.derivative_range,

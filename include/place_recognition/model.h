@@ -7,6 +7,7 @@
 #include "place_recognition/adjacency.h"
 #include "place_recognition/calibration.h"
 #include "place_recognition/classifier.h"
+#include "place_recognition/color_statistics.h"
 #include "place_recognition/training_options.h"
 
 namespace place_recognition {
@@ -38,6 +39,7 @@ struct Model {
   Calibration calibration;              ///< of the summed margins
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;
+  ColorStatistics colors;  ///< of the images that it was trained on
   Adjacency adjacency{0};  ///< of `places`; learnt from the runs that are drives
   Provenance provenance;
 

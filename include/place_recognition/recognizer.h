@@ -12,6 +12,8 @@
 namespace place_recognition {
 
 class CueExtraction;
+class LightEstimate;
+struct Light;
 
 /// The answer to one frame.
 struct Recognition {
@@ -33,10 +35,21 @@ class Recognizer {
   Recognizer(Recognizer&&) noexcept;
   Recognizer& operator=(Recognizer&&) noexcept;
 
-  /// `image`: CV_8UC3 in BGR order or CV_8UC1, not empty. The result stays valid until the next
-  /// call. A frame from which no cue could be extracted has place -1, uniform probabilities and a
-  /// reason.
+  /// A picture by itself, of whose light nothing is known: CV_8UC3 in BGR order or CV_8UC1, not
+  /// empty. The result stays valid until the next call. A picture from which no cue could be
+  /// extracted has place -1, uniform probabilities and a reason.
   const Recognition& recognize(const cv::Mat& image);
+
+  /// The next frame of a stream, of `stamp`, s: the frames before it tell the light, which cues
+  /// with `normalize: run` need. A stamp more than a second before the last one begins
+  /// a new stream.
+  const Recognition& recognize(const cv::Mat& image, double stamp);
+
+  /// The next frame begins a new stream.
+  void forgetLight();
+
+  /// Of the stream of frames.
+  const LightEstimate& light() const { return *light_; }
 
   /// The model's threshold until set: evidence below it is answered 'unknown', 0..1.
   void setUnknownThreshold(double threshold) { unknown_threshold_ = threshold; }
@@ -44,12 +57,16 @@ class Recognizer {
   const Model& model() const { return *model_; }
 
  private:
-  bool sumMargins();
+  const Recognition& recognizeIn(const Light& light, double certainty, const cv::Mat& image);
+  bool sumMargins(double certainty);
   void decide();
   void answerNothing(const std::string& reason);
 
   std::shared_ptr<const Model> model_;
   std::unique_ptr<CueExtraction> extraction_;
+  std::unique_ptr<LightEstimate> light_;
+  double unknown_light_;           // certainty of the light of a picture by itself
+  std::vector<bool> follows_run_;  // of each cue: normalize is run
   double unknown_threshold_;
   std::vector<Feature> features_;  // one a cue
   Eigen::VectorXd kernel_values_;

@@ -41,16 +41,26 @@ struct SamplingOptions {
 /// One cue: a feature and the kernel that compares it.
 struct CueOptions {
   std::string name = "crfh";
+  std::string normalize = "none";
   FeatureOptions feature;
   KernelOptions kernel;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("name", self.name, "names the cue, as in --set cues.NAME.kernel.gamma=10");
+    visitor("normalize", self.normalize,
+            "what is done to the colours of an image first. none; brightness: one gain brings its "
+            "mean level to 110; grey-world: a gain per channel does; run: a gain per channel "
+            "brings the light of the run, as far as it is known, to that of the training, and the "
+            "cue counts the more the better it is known");
     visitor("feature", self.feature, "what is extracted from each image");
     visitor("kernel", self.kernel, "how two such features are compared");
   }
 };
+
+/// What `train` looks at unless it is told: two cues of colour and two of edges, of each kind one
+/// that serves while the light stays and one that does when it changes (doc/experiments.md).
+std::vector<CueOptions> defaultCues();
 
 /// Further pictures to learn from, made of those of the runs.
 struct AugmentationOptions {
@@ -100,7 +110,7 @@ struct TrainingOptions {
   ImageOptions image;
   SamplingOptions sampling;
   AugmentationOptions augmentation;
-  std::vector<CueOptions> cues{CueOptions()};
+  std::vector<CueOptions> cues = defaultCues();
   SvmOptions svm;
   ReductionOptions reduction;
   ValidationOptions validation;

@@ -49,6 +49,7 @@ class Evaluator {
   void read(Run& run, const Progress& progress) {
     evaluation_.runs.push_back(run.name());
     filter_.reset();
+    recognizer_.forgetLight();
     const std::string stage = "Recognizing " + run.name();
     report(progress, stage, 0);
     std::uint64_t unlabelled = 0, unreadable = 0;
@@ -91,7 +92,7 @@ class Evaluator {
   void add(const Frame& frame) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    const Recognition& answer = recognizer_.recognize(frame.image);
+    const Recognition& answer = recognizer_.recognize(frame.image, frame.stamp);
     const std::chrono::duration<double> elapsed = Clock::now() - start;
 
     FrameResult result;

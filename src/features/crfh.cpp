@@ -1,6 +1,8 @@
 #include "features/crfh.h"
 
 #include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
 
 #include "features/crfh_descriptor.h"
 #include "features/crfh_quantizer.h"
@@ -10,10 +12,22 @@ namespace {
 
 constexpr std::uint64_t kWordSize = std::uint64_t{1} << 32;
 
+/// log(1 + v / 16) of the levels v, scaled to 0..255. The 16 keeps the noise of dark pixels small.
+cv::Mat logarithmicLevels() {
+  constexpr double kOffset = 16;
+  const double unit = 255 / std::log1p(255 / kOffset);
+  cv::Mat table(1, 256, CV_8UC1);
+  for (int v = 0; v < 256; ++v) {
+    table.at<uchar>(v) = cv::saturate_cast<uchar>(unit * std::log1p(v / kOffset));
+  }
+  return table;
+}
+
 }  // namespace
 
 CrfhExtractor::CrfhExtractor(const CrfhOptions& options) : responses_(options) {
   options.check();
+  if (options.levels == "logarithmic") level_table_ = logarithmicLevels();
   std::uint64_t bins_in_word = 1;
   std::uint64_t bins_so_far = 1;
   for (double t : options.variances()) {
@@ -50,12 +64,19 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
   bins_.resize(columns);
 
   counter_.clear();
-  while (const int count = responses_.computeRows(image)) {
+  const cv::Mat& levels = inLevels(image);
+  while (const int count = responses_.computeRows(levels)) {
     for (int r = 0; r < count; ++r) countRow(r, columns);
   }
 
   if (!std::holds_alternative<SparseVector>(feature)) feature = SparseVector();
   counter_.histogram(static_cast<double>(rows) * columns, std::get<SparseVector>(feature));
+}
+
+const cv::Mat& CrfhExtractor::inLevels(const cv::Mat& image) {
+  if (level_table_.empty()) return image;
+  cv::LUT(image, level_table_, levels_);
+  return levels_;
 }
 
 void CrfhExtractor::countRow(int r, int columns) {

@@ -35,8 +35,12 @@ class CrfhExtractor : public FeatureExtractor {
     std::vector<std::uint32_t> row;
   };
 
+  /// `image` in the levels that are counted: itself, or a copy in `levels_`.
+  const cv::Mat& inLevels(const cv::Mat& image);
   void countRow(int r, int columns);
 
+  cv::Mat level_table_;  ///< Look-up table of the levels; empty if they are linear.
+  cv::Mat levels_;
   CrfhResponses responses_;
   int border_ = 0;  ///< Pixels at each side of the image that are not counted.
   std::vector<Dimension> dimensions_;

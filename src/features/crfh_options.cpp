@@ -57,6 +57,8 @@ void CrfhOptions::check() const {
   }
   checkIndexFits(*this);
 
+  require(levels == "linear" || levels == "logarithmic",
+          "CRFH option 'levels' is '" + levels + "'; give linear or logarithmic.");
   require(
       derivatives == "central-difference" || derivatives == "gaussian",
       "CRFH option 'derivatives' is '" + derivatives + "'; give central-difference or gaussian.");

@@ -30,6 +30,7 @@ void ExtractionPool::work(const TrainingOptions& options) {
       if (!extraction.extract(job.image, job.result->features)) {
         job.result->problem = extraction.reason();
       }
+      job.result->color = extraction.color();
     }
   } catch (...) {
     const std::lock_guard<std::mutex> lock(failure_mutex_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <exception>
 #include <mutex>
 #include <opencv2/core/mat.hpp>
@@ -16,6 +17,7 @@ namespace place_recognition {
 /// Where the features of one image go.
 struct ExtractedFeatures {
   std::vector<Feature> features;  ///< one a cue
+  Eigen::RowVector3d color;       ///< see logColor()
   std::string problem;            ///< why no cue could be extracted; empty if one could
 };
 

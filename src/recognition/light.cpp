@@ -26,13 +26,17 @@ const std::vector<Light>& otherLights() {
 }
 
 cv::Mat inLight(const cv::Mat& image, const Light& light) {
+  cv::Mat changed;
+  changeLight(image, light, changed);
+  return changed;
+}
+
+void changeLight(const cv::Mat& image, const Light& light, cv::Mat& changed) {
   assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
   const std::vector<double> gains =
       image.channels() == 3 ? std::vector<double>{light.blue, light.green, light.red}
                             : std::vector<double>{(light.red + light.green + light.blue) / 3};
-  cv::Mat changed;
   cv::LUT(image, productTable(gains), changed);
-  return changed;
 }
 
 }  // namespace place_recognition

@@ -20,4 +20,7 @@ const std::vector<Light>& otherLights();
 /// `image` (CV_8UC3 BGR or CV_8UC1 grey) in that light, saturated at white.
 cv::Mat inLight(const cv::Mat& image, const Light& light);
 
+/// The same into `changed`, whose memory is reused.
+void changeLight(const cv::Mat& image, const Light& light, cv::Mat& changed);
+
 }  // namespace place_recognition

@@ -1,5 +1,6 @@
 #include "recognition/model_message.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -35,6 +36,15 @@ constexpr std::size_t kMaxInputs = 100000;
 template <typename Numbers>
 void requireFinite(const Numbers& numbers, const char* otherwise) {
   for (const double number : numbers) require(std::isfinite(number), otherwise);
+}
+
+/// Symmetric, positive semidefinite but for rounding, and no larger than what colours can vary by.
+bool isSoundCovariance(const Eigen::Matrix3d& covariance) {
+  constexpr double kRounding = 1e-9;
+  constexpr double kLargest = 100;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().minCoeff() >= -kRounding &&
+         solver.eigenvalues().maxCoeff() <= kLargest;
 }
 
 bool isShare(double number) { return number >= 0 && number <= 1; }
@@ -121,6 +131,39 @@ void readAdjacency(const proto::Model& message, Model& model) {
   }
 }
 
+void writeColors(const ColorStatistics& colors, proto::Model& message) {
+  for (Eigen::Index k = 0; k < colors.means.rows(); ++k) {
+    for (int c = 0; c < 3; ++c) message.add_color_means(colors.means(k, c));
+  }
+  if (!colors.known()) return;
+  for (int c = 0; c < 3; ++c) {
+    for (int d = c; d < 3; ++d) message.add_color_covariance(colors.covariance(c, d));
+  }
+}
+
+void readColors(const proto::Model& message, Model& model) {
+  if (message.color_means_size() == 0) return;
+  const auto places = static_cast<Eigen::Index>(model.places.size());
+  require(message.color_means_size() == 3 * places && message.color_covariance_size() == 6,
+          "its statistics of colours are not complete");
+  requireFinite(message.color_means(), "a colour is not finite");
+  requireFinite(message.color_covariance(), "a variance of colours is not finite");
+  ColorStatistics& colors = model.colors;
+  colors.means.resize(places, 3);
+  for (Eigen::Index k = 0; k < places; ++k) {
+    for (int c = 0; c < 3; ++c) {
+      colors.means(k, c) = message.color_means(static_cast<int>(3 * k + c));
+    }
+  }
+  int next = 0;
+  for (int c = 0; c < 3; ++c) {
+    for (int d = c; d < 3; ++d) {
+      colors.covariance(c, d) = colors.covariance(d, c) = message.color_covariance(next++);
+    }
+  }
+  require(isSoundCovariance(colors.covariance), "its statistics of colours contradict themselves");
+}
+
 void readProvenance(const proto::Provenance& message, Model& model) {
   require(static_cast<std::size_t>(message.place_images_size()) == model.places.size(),
           "the numbers of images are not those of its places");
@@ -148,6 +191,7 @@ proto::Model toMessage(const Model& model) {
   message.set_unknown_threshold(model.unknown_threshold);
   message.set_validation_average_rate(model.validation.average_rate);
   message.set_validation_calibration_error(model.validation.calibration_error);
+  writeColors(model.colors, message);
   writeAdjacency(model.adjacency, message);
 
   proto::Provenance& provenance = *message.mutable_provenance();
@@ -167,6 +211,7 @@ Model fromMessage(const proto::Model& message) {
   readNames(message, model);
   readCueWeights(message, model);
   readCalibration(message, model);
+  readColors(message, model);
   readAdjacency(message, model);
   readProvenance(message.provenance(), model);
   return model;

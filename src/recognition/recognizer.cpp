@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "recognition/cue_extraction.h"
+#include "recognition/light_estimate.h"
 #include "recognition/scores.h"
 
 namespace place_recognition {
@@ -10,7 +11,12 @@ namespace place_recognition {
 Recognizer::Recognizer(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
       extraction_(std::make_unique<CueExtraction>(model_->options)),
+      light_(std::make_unique<LightEstimate>(model_->colors)),
+      unknown_light_(light_->certainty()),
       unknown_threshold_(model_->unknown_threshold) {
+  for (const CueOptions& cue : model_->options.cues) {
+    follows_run_.push_back(colorNormalization(cue.normalize) == ColorNormalization::kRun);
+  }
   const Eigen::Index places = static_cast<Eigen::Index>(model_->places.size());
   cue_margins_.setZero(places);
   recognition_.margins.setZero(places);
@@ -22,8 +28,22 @@ Recognizer::Recognizer(Recognizer&&) noexcept = default;
 Recognizer& Recognizer::operator=(Recognizer&&) noexcept = default;
 
 const Recognition& Recognizer::recognize(const cv::Mat& image) {
-  extraction_->extract(image, features_);
-  if (sumMargins()) {
+  return recognizeIn({}, unknown_light_, image);
+}
+
+const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
+  light_->beginFrame(stamp);
+  recognizeIn(light_->correction(), light_->certainty(), image);
+  light_->add(extraction_->color(), recognition_.probabilities);
+  return recognition_;
+}
+
+void Recognizer::forgetLight() { light_->reset(); }
+
+const Recognition& Recognizer::recognizeIn(const Light& light, double certainty,
+                                           const cv::Mat& image) {
+  extraction_->extract(image, features_, light);
+  if (sumMargins(certainty)) {
     decide();
   } else {
     answerNothing(extraction_->reason());
@@ -31,15 +51,15 @@ const Recognition& Recognizer::recognize(const cv::Mat& image) {
   return recognition_;
 }
 
-/// Weighted mean of the margins, and of the familiarity, of the cues that the image has; false if
-/// it has none that counts. Dividing by the weights present keeps the sum in the units that the
-/// calibration was fitted in.
-bool Recognizer::sumMargins() {
+/// Weighted mean of the margins, and of the familiarity, of the cues that the image has, those that
+/// follow the light of the run by the certainty of it; false if there is none that counts. Dividing
+/// by the weights present keeps the sum in the units that the calibration was fitted in.
+bool Recognizer::sumMargins(double certainty) {
   recognition_.margins.setZero();
   familiarity_ = 0;
   double present = 0;
   for (std::size_t c = 0; c < features_.size(); ++c) {
-    const double weight = model_->cue_weights[c];
+    const double weight = model_->cue_weights[c] * (follows_run_[c] ? certainty : 1);
     if (weight == 0 || isMissing(features_[c])) continue;
     model_->classifiers[c].margins(features_[c], kernel_values_, cue_margins_);
     recognition_.margins += weight * cue_margins_;

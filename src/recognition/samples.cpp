@@ -189,10 +189,12 @@ class Collector {
 
   void fill(Samples& samples, std::size_t cues) {
     samples.images.assign(samples.places.size(), 0);
+    samples.colors.assign(samples.places.size(), {});
     samples.features.resize(cues);
     for (Record& record : records_) {
       const SampleOrigin origin{placeOf(record, samples), record.run, record.stamp};
       ++samples.images[static_cast<std::size_t>(origin.place)];
+      samples.colors[static_cast<std::size_t>(origin.place)].add(record.extracted.color);
       append(origin, static_cast<int>(samples.origins.size()), record.extracted, samples);
     }
     samples.recorded = samples.origins.size();

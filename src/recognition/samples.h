@@ -7,6 +7,7 @@
 #include "place_recognition/adjacency.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/training.h"
+#include "recognition/color_statistics.h"
 
 namespace place_recognition {
 
@@ -20,6 +21,7 @@ struct Samples {
   std::size_t recorded = 0;                    ///< how many show the light of the recording
   std::size_t remembered = 0;         ///< the first of these, from a model, not from these runs
   std::vector<std::uint64_t> images;  ///< of each place, that it was learnt from in all
+  std::vector<ColorMoments> colors;   ///< of each place, of the recorded images
   std::vector<std::string> inputs;    ///< names of the runs
   Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
   std::uint64_t skipped = 0;          ///< frames without label, picture or any feature

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "recognition/block_choice.h"
+#include "recognition/color_normalization.h"
 #include "recognition/combination.h"
 #include "recognition/cue_training.h"
 #include "recognition/model_validation.h"
@@ -17,6 +18,13 @@ namespace {
 
 Provenance provenanceOf(const Samples& samples) {
   return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION};
+}
+
+/// Whether the light of a run is to be held against that of the training.
+bool followsLight(const TrainingOptions& options) {
+  return std::any_of(options.cues.begin(), options.cues.end(), [](const CueOptions& cue) {
+    return colorNormalization(cue.normalize) == ColorNormalization::kRun;
+  });
 }
 
 /// Of each cue, with one of the reductions in question.
@@ -120,6 +128,7 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;
   model.places = samples.places;
+  if (followsLight(options)) model.colors = colorStatistics(samples.colors);
   model.adjacency = samples.adjacency;
   model.provenance = provenanceOf(samples);
 

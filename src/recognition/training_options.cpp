@@ -5,6 +5,7 @@
 #include "learning/folds.h"
 #include "learning/kernel_type.h"
 #include "place_recognition/error.h"
+#include "recognition/color_normalization.h"
 #include "recognition/names.h"
 
 namespace place_recognition {
@@ -17,6 +18,7 @@ void checkCue(const CueOptions& cue) {
                 "'; give 1 to 64 letters, digits, '_' or '-'.");
   }
   try {
+    colorNormalization(cue.normalize);
     std::visit([](const auto& feature) { feature.check(); }, cue.feature);
     cue.kernel.check();
     requireMeaning(kernelType(cue.kernel.type),
@@ -33,7 +35,31 @@ std::string notSeconds(const char* key, double value) {
          "; give 0 to 1000000 seconds.";
 }
 
+/// A cue of a composed receptive field histogram and the chi-squared kernel.
+CueOptions histogramCue(const std::string& name, const std::string& normalize,
+                        const std::vector<std::string>& descriptors,
+                        const std::vector<double>& scales, int bins, const std::string& levels) {
+  CrfhOptions crfh;
+  crfh.descriptors = descriptors;
+  crfh.scales = scales;
+  crfh.bins = {bins};
+  crfh.levels = levels;
+  CueOptions cue;
+  cue.name = name;
+  cue.normalize = normalize;
+  cue.feature = crfh;
+  return cue;
+}
+
 }  // namespace
+
+std::vector<CueOptions> defaultCues() {
+  return {
+      histogramCue("colours", "run", {"L", "C1", "C2"}, {4}, 16, "linear"),
+      histogramCue("tints", "grey-world", {"R", "G", "B"}, {1}, 16, "linear"),
+      histogramCue("edges", "none", {"Rx", "Ry", "Gx", "Gy", "Bx", "By"}, {4}, 14, "logarithmic"),
+      histogramCue("shapes", "none", {"Lxx", "Lxy", "Lyy"}, {1, 4}, 28, "logarithmic")};
+}
 
 void ImageOptions::check() const {
   if (max_width < 0 || (max_width > 0 && max_width < 16)) {

@@ -203,7 +203,7 @@ void PlaceRecognizer::answer(const ArrivedImage& arrived) {
   }
   const auto start = Diagnostics::Clock::now();
   const cv::Mat image = arrived.message.image();
-  const Recognition& recognition = recognizer_->recognize(image);
+  const Recognition& recognition = recognizer_->recognize(image, seconds);
   const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
   publish(arrived, image, recognition, spent.count());
 }
@@ -283,6 +283,7 @@ void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   rate_limit_.reset();
   place_over_time_.reset();
+  if (recognizer_) recognizer_->forgetLight();
   last_stamp_ = 0;
   publishPlace(names::kUnknown);
 }

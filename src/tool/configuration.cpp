@@ -61,8 +61,7 @@ void ConfigurationOptions::addTo(Verb& verb) {
               "doc/configuration.md. May be repeated");
 }
 
-TrainingOptions ConfigurationOptions::read() const {
-  TrainingOptions options;
+TrainingOptions ConfigurationOptions::read(TrainingOptions options) const {
   if (!config.empty()) {
     const std::string path = configurationPath(config);
     const YAML::Node file = readYamlFile(path);

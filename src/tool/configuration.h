@@ -15,9 +15,9 @@ struct ConfigurationOptions {
 
   void addTo(Verb& verb);
 
-  /// The defaults, overwritten by the file, overwritten by the assignments; checked. A list in the
-  /// file, as of cues, replaces the default list. Throws Error naming the file and the key.
-  TrainingOptions read() const;
+  /// `options`, overwritten by the file, overwritten by the assignments; checked. A list in the
+  /// file, as of cues, replaces that of `options`. Throws Error naming the file and the key.
+  TrainingOptions read(TrainingOptions options = {}) const;
 };
 
 /// Names of the presets that come with the package, in ascending order: `crfh` for

@@ -21,9 +21,9 @@ constexpr const char* kIntroduction =
 `place_tool train --config FILE` takes a YAML file of the keys below, or the name of one of the
 presets in `config/`; a key that the file does not name keeps its default. `--set KEY=VALUE`
 overwrites one key, as in `--set svm.c=10`; a cue is addressed by its name, as in
-`--set cues.crfh.kernel.gamma=30`. Unknown keys are refused. A list of cues in a file replaces the
-default one, which is a single cue named `crfh`. The model keeps the options that it was trained
-with; `place_tool info` shows them.
+`--set cues.edges.kernel.gamma=3`. Unknown keys are refused. A list of cues in a file replaces the
+default one: `colours`, `tints`, `edges` and `shapes`, as in `config/default.yaml`. The model keeps
+the options that it was trained with; `place_tool info` shows them.
 )";
 
 constexpr const char* kSearchSpace =

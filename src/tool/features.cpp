@@ -49,7 +49,9 @@ void print(const DescriptorSet& set) {
 }
 
 void features(const FeaturesOptions& options) {
-  const TrainingOptions training_options = options.configuration.read();
+  TrainingOptions thesis;
+  thesis.cues = {CueOptions()};
+  const TrainingOptions training_options = options.configuration.read(thesis);
   CueExtraction extraction(training_options);
   std::vector<Feature> features;
   if (!extraction.extract(readPicture(options.image), features)) {
@@ -73,7 +75,8 @@ void addFeatures(CommandLine& tool) {
   verb.footer(
       "A histogram is one line of index:value; local features are a line each, 128 numbers "
       "0..255.\n"
-      "Several cues follow each other, each behind a line '# NAME'.\n"
+      "Without --config that of the preset crfh. Several cues follow each other, each behind a "
+      "line '# NAME'.\n"
       "Example:\n"
       "  place_tool features now.jpg --config crfh_colour");
   verb.run([options] { features(*options); });

@@ -45,9 +45,26 @@ class Recognitions {
     }
   }
 
-  void add(const Frame& frame) {
+  /// A picture by itself.
+  void addPicture(const Frame& frame) {
     requireImage(frame);
-    const Recognition& answer = recognizer_.recognize(frame.image);
+    add(frame, recognizer_.recognize(frame.image));
+  }
+
+  void startRun() { recognizer_.forgetLight(); }
+
+  void addFrame(const Frame& frame) {
+    requireImage(frame);
+    add(frame, recognizer_.recognize(frame.image, frame.stamp));
+  }
+
+  void finish() {
+    if (!output_.json.empty() && output_.json != "-")
+      writeFileAtomically(output_.json, json_lines_);
+  }
+
+ private:
+  void add(const Frame& frame, const Recognition& answer) {
     const std::string place =
         answer.place < 0 ? "" : recognizer_.model().places[static_cast<std::size_t>(answer.place)];
     if (output_.json != "-") print(frame.name, answer.known ? place : "unknown", answer);
@@ -65,12 +82,6 @@ class Recognitions {
     }
   }
 
-  void finish() {
-    if (!output_.json.empty() && output_.json != "-")
-      writeFileAtomically(output_.json, json_lines_);
-  }
-
- private:
   void print(const std::string& name, const std::string& place, const Recognition& answer) {
     name_width_ = std::max(name_width_, name.size());
     std::ostream& out = output_.text();
@@ -104,15 +115,16 @@ void recognize(const RecognizeOptions& options) {
       report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
       frame.image = readPicture(input);
       frame.name = input;
-      recognitions.add(frame);
+      recognitions.addPicture(frame);
       continue;
     }
     for (const std::string& run_path : findRuns({input})) {
       const std::unique_ptr<Run> run = options.input.open(run_path);
+      recognitions.startRun();
       while (run->next(frame)) {
         report(progress, "Recognizing " + run_path, run->fraction());
         if (isBag(run_path)) frame.name = run_path + " " + frame.name;
-        recognitions.add(frame);
+        recognitions.addFrame(frame);
       }
     }
   }

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "place_recognition/training_options.h"
-
 namespace place_recognition {
 namespace {
 
@@ -85,13 +83,6 @@ TEST(Options, ReadBackWhatTheyWrite) {
   const std::string text = writeOptions(whole);
   EXPECT_EQ(writeOptions(readWhole(text)), text);
   EXPECT_NE(text.find("radius: 0.1\n"), std::string::npos) << text;
-}
-
-TEST(Options, DefaultsOfTrainingReadBack) {
-  const std::string text = writeOptions(TrainingOptions());
-  TrainingOptions options;
-  readOptions(parseYaml(text, "defaults"), "", options);
-  EXPECT_EQ(writeOptions(options), text);
 }
 
 TEST(Options, RefuseUnknownKeysAndListTheKnown) {

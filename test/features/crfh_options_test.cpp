@@ -45,6 +45,7 @@ TEST(CrfhOptions, BadFieldsAreNamed) {
   expectRefused([](CrfhOptions& o) { o.bins = {28, 28}; }, "bins");
   expectRefused([](CrfhOptions& o) { o.bins.clear(); }, "bins");
   expectRefused([](CrfhOptions& o) { o.derivatives = "sobel"; }, "sobel");
+  expectRefused([](CrfhOptions& o) { o.levels = "log"; }, "levels");
   expectRefused([](CrfhOptions& o) { o.derivative_range = 0; }, "derivative_range");
   expectRefused([](CrfhOptions& o) { o.half_width = 0; }, "half_width");
   expectRefused([](CrfhOptions& o) { o.border = -1; }, "border");

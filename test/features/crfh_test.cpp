@@ -114,6 +114,22 @@ TEST(Crfh, ResponsesBeyondTheRangeFallInTheEndBins) {
   for (std::uint64_t bin : extractCrfh(options, saddle).indices) EXPECT_TRUE(bin == 0 || bin == 7);
 }
 
+TEST(Crfh, LogarithmicLevelsAreThoseOfTheFormula) {
+  cv::Mat levels(noise(60, 50).size(), CV_8UC3);
+  const cv::Mat image = noise(60, 50);
+  for (int i = 0; i < 60 * 50 * 3; ++i) {
+    levels.data[i] = cv::saturate_cast<std::uint8_t>(255 * std::log(1 + image.data[i] / 16.0) /
+                                                     std::log(1 + 255 / 16.0));
+  }
+  CrfhOptions options;
+  const SparseVector linear = extractCrfh(options, levels);
+  EXPECT_NE(linear.indices, extractCrfh(options, image).indices);
+  options.levels = "logarithmic";
+  const SparseVector logarithmic = extractCrfh(options, image);
+  EXPECT_EQ(logarithmic.indices, linear.indices);
+  EXPECT_EQ(logarithmic.values, linear.values);
+}
+
 TEST(Crfh, SumsToOneWithAscendingIndices) {
   for (int bins : {1, 2, 28, 65536}) {
     CrfhOptions options;

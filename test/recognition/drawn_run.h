@@ -72,6 +72,7 @@ inline TrainingOptions quickOptions() {
   crfh.descriptors = {"L", "Lxx"};
   crfh.scales = {1};
   crfh.bins = {8};
+  options.cues = {CueOptions()};
   options.cues[0].feature = crfh;
   return options;
 }

@@ -30,6 +30,7 @@ double rate(const std::string& train_folder, const std::string& test_folder) {
   crfh.scales = parameters.scales;
   crfh.bins = {parameters.bins};
   TrainingOptions options;
+  options.cues = {CueOptions()};
   options.cues[0].feature = crfh;
   Training training = train({[&] { return openFolderRun(train_folder); }}, options);
   const auto model = std::make_shared<const Model>(std::move(training.model));

@@ -1,4 +1,5 @@
 #include "place_recognition/training.h"
+#include "base/options.h"
 
 #include <gtest/gtest.h>
 
@@ -193,6 +194,13 @@ TEST(Training, LearnsFromADriveWhichRoomsAdjoin) {
   EXPECT_TRUE(sorted.empty());
 }
 
+TEST(TrainingOptions, ReadBackAsWritten) {
+  const std::string text = writeOptions(TrainingOptions());
+  TrainingOptions options;
+  readOptions(parseYaml(text, "defaults"), "", options);
+  EXPECT_EQ(writeOptions(options), text);
+}
+
 TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   const auto complaint = [](const TrainingOptions& options) {
     try {
@@ -214,10 +222,10 @@ TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   EXPECT_NE(complaint(options).find("unknown.false_alarm_rate"), std::string::npos);
   options = {};
   options.cues[0].kernel.type = "cubic";
-  EXPECT_NE(complaint(options).find("Cue 'crfh'"), std::string::npos);
+  EXPECT_NE(complaint(options).find("Cue 'colours'"), std::string::npos);
   options = {};
   options.cues.push_back(options.cues[0]);
-  EXPECT_NE(complaint(options).find("'crfh'"), std::string::npos);
+  EXPECT_NE(complaint(options).find("'colours'"), std::string::npos);
   options.cues.clear();
   EXPECT_NE(complaint(options).find("'cues'"), std::string::npos);
 }

@@ -20,8 +20,15 @@ class ConfigurationTest(ToolCase):
             self.assertEqual(self.features("--config", preset.stem),
                              self.features("--config", preset))
 
-    def test_the_default_is_the_preset_crfh(self):
+    def test_the_default_of_features_is_the_preset_crfh(self):
         self.assertEqual(self.features(), self.features("--config", "crfh"))
+
+    def test_the_default_of_train_is_the_preset_default(self):
+        self.write_run("run")
+        self.succeed("train", "run", "--model", "./a.places")
+        self.succeed("train", "run", "--model", "./b.places", "--config", "default")
+        self.assertEqual((self.folder / "a.places").read_bytes(),
+                         (self.folder / "b.places").read_bytes())
 
     def test_set_overwrites_the_file_key_by_key(self):
         (self.folder / "mine.yaml").write_text(

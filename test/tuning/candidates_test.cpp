@@ -45,7 +45,9 @@ TEST(Candidates, EveryCueOfTheDefaultSpaceHasANameOfItsOwnAndChecks) {
 TEST(Candidates, CuesOfTheBaseStandBesideTheSpace) {
   SearchSpace space;
   space.descriptors = {{"L"}};
-  const std::vector<Family> families = candidateFamilies(TrainingOptions(), space);
+  TrainingOptions base = withoutCues();
+  base.cues = {CueOptions()};
+  const std::vector<Family> families = candidateFamilies(base, space);
   ASSERT_EQ(families.size(), 2u);
   EXPECT_EQ(families[1].cues[0].name, "crfh");
 }
