@@ -42,7 +42,8 @@ struct CrfhOptions {
     visitor("derivatives", self.derivatives,
             "central-difference (of the smoothed image) or gaussian (sampled, eq. 4.10)");
     visitor("derivative_range", self.derivative_range,
-            "normalised derivatives are quantised in -range..range, grad in 0..range, grey levels");
+            "normalised derivatives are quantised in -range..range, grad in 0..range, grey levels; "
+            "det(.) in a quarter of it, grey levels^2");
     visitor("half_width", self.half_width, "half-width of the Gaussian, in sigma");
     visitor("border", self.border,
             "pixels at each side that are not counted; grows by itself for large scales");

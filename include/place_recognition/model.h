@@ -26,6 +26,17 @@ struct Validation {
   double calibration_error = 0;  ///< expected calibration error, 0..1
 };
 
+/// The images that a model was trained on, as far as those that it is shown should be like them.
+struct ImageProfile {
+  int width = 0;         ///< pixels, as recorded; 0: not known, as in models of older versions
+  int height = 0;        ///< likewise
+  bool colour = false;   ///< some of them show colours
+  double darkest = 255;  ///< mean brightness of the darkest one, 0..255
+  double brightest = 0;  ///< of the brightest one
+
+  bool known() const { return width > 0; }
+};
+
 /// Everything needed to recognise, and where it came from. Immutable once trained or loaded; shared
 /// between threads as std::shared_ptr<const Model>.
 struct Model {
@@ -33,6 +44,7 @@ struct Model {
   std::string version;                  ///< 8 hex digits of the file's checksum; set likewise
   TrainingOptions asked;                ///< as given
   TrainingOptions options;              ///< as used: gamma, reduction, blocks of time as found
+  ImageProfile images;                  ///< that it was trained on
   std::vector<std::string> places;      ///< names, in ascending order; at least two
   std::vector<Classifier> classifiers;  ///< one a cue of `options`
   std::vector<double> cue_weights;      ///< one a cue, of the sum of margins

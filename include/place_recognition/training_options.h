@@ -15,7 +15,9 @@ struct ImageOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("max_width", self.max_width, "pixels; wider images are scaled down to it; 0: never");
+    visitor("max_width", self.max_width,
+            "pixels; wider images are scaled down to it; 0: never. Recognition brings images to "
+            "the size that was learned");
   }
   void check() const;
 };
@@ -33,7 +35,7 @@ struct SamplingOptions {
     visitor(
         "most", self.most,
         "pictures that are learned at most, those in other light included, 10 or more; of more, "
-        "the same share of each room; memory is 16 bytes times the square");
+        "the same share of each room, at random; memory is 16 bytes times the square");
   }
   void check() const;
 };
@@ -70,7 +72,7 @@ struct AugmentationOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor("other_light", self.other_light,
             "learn each picture a second time as it would look darker, brighter, warmer or colder, "
-            "in turn");
+            "at random");
   }
 };
 
@@ -127,7 +129,10 @@ struct TrainingOptions {
     visitor("reduction", self.reduction, "support vector reduction");
     visitor("validation", self.validation, "cross-validation within the training runs");
     visitor("unknown", self.unknown, "when to answer 'unknown'");
-    visitor("seed", self.seed, "of everything random");
+    visitor(
+        "seed", self.seed,
+        "of what is drawn at random: which pictures are learned of too many, which of them gamma "
+        "and `tune` look at, and the light of each picture with augmentation.other_light");
   }
   /// Throws Error naming the first field out of range.
   void check() const;

@@ -10,6 +10,7 @@
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "place_recognition/temporal_filter.h"
+#include "recognition/image_guard.h"
 
 namespace place_recognition {
 namespace {
@@ -50,6 +51,7 @@ class Evaluator {
     evaluation_.runs.push_back(run.name());
     filter_.reset();
     recognizer_.forgetLight();
+    ImageGuard guard(recognizer_.model());
     const std::string stage = "Recognizing " + run.name();
     report(progress, stage, 0);
     std::uint64_t unlabelled = 0, unreadable = 0;
@@ -60,6 +62,9 @@ class Evaluator {
       } else if (frame.image.empty()) {
         ++unreadable;
       } else {
+        for (const std::string& warning : guard.judge(frame.image, frame.stamp)) {
+          evaluation_.warnings.push_back(run.name() + ": " + warning);
+        }
         add(frame);
       }
       report(progress, stage, run.fraction());

@@ -47,7 +47,7 @@ struct Evaluation {
   std::vector<WrongPicture> wrong;  ///< the most confidently wrong ones, worst first
   std::size_t support_vectors = 0;
   std::uint64_t model_bytes = 0;
-  std::vector<std::string> warnings;  ///< for a person: what was left out
+  std::vector<std::string> warnings;  ///< for a person: what was left out, see also ImageGuard
 
   /// Whether the model has learned the true place of `frame`.
   bool learned(const FrameResult& frame) const {

@@ -19,6 +19,9 @@ const std::map<std::string_view, Operator> kSuffixes = {
 const std::map<std::string_view, Operator> kFunctions = {
     {"grad", Operator::kGradient}, {"lap", Operator::kLaplacian}, {"det", Operator::kDeterminant}};
 
+/// On the whole range, 85 to 93 % of the pixels of rooms fall into the middle one of 15 bins.
+constexpr double kDeterminantShare = 4;
+
 /// Splits "Lxx" and "det(L)" into the names of channel and operator.
 struct Parts {
   std::string_view channel, op;
@@ -50,6 +53,9 @@ CrfhDescriptor parseDescriptor(const std::string& name) {
 
 ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range) {
   if (descriptor.op == Operator::kGradient) return {0, derivative_range};
+  if (descriptor.op == Operator::kDeterminant) {
+    return {-derivative_range / kDeterminantShare, derivative_range / kDeterminantShare};
+  }
   if (descriptor.op != Operator::kValue) return {-derivative_range, derivative_range};
   if (descriptor.channel == Channel::kC1) return {-127.5, 127.5};
   if (descriptor.channel == Channel::kC2) return {-255, 255};

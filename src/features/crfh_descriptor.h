@@ -26,7 +26,8 @@ struct ResponseRange {
 /// Parses a name such as "Lxx", "C1" or "det(R)". Throws Error if there is no such descriptor.
 CrfhDescriptor parseDescriptor(const std::string& name);
 
-/// The range of a descriptor. That of derivatives is `derivative_range`, whatever the channel.
+/// The range of a descriptor. That of derivatives is `derivative_range`, whatever the channel; that
+/// of the determinant is a quarter of it, in grey levels squared.
 ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range);
 
 /// The factor that makes a response of this operator independent of scale: t^(order/2), eq. 4.14

@@ -6,20 +6,22 @@
 #include <vector>
 
 #include "place_recognition/feature_extractor.h"
+#include "place_recognition/model.h"
 #include "place_recognition/training_options.h"
 #include "recognition/color_normalization.h"
+#include "recognition/image_scaling.h"
 
 namespace place_recognition {
 
-/// `image`, or if it is wider than `max_width` > 0 pixels, a copy of that width in `buffer`.
-const cv::Mat& scaledDown(const cv::Mat& image, int max_width, cv::Mat& buffer);
-
 /// The road from an image to the feature of each cue, the same in training and in recognition: the
-/// image is scaled down to its greatest width, its colours are normalized, then each cue's
-/// extractor looks at it. Keeps its buffers from image to image: one a thread.
+/// image is brought to the size that is worked at, its colours are normalized, then each cue's
+/// extractor looks at it. Keeps its buffers from image to image: one per thread.
 class CueExtraction {
  public:
-  explicit CueExtraction(const TrainingOptions& options);
+  /// `images`: what the model is trained on, for their size.
+  CueExtraction(const TrainingOptions& options, const ImageProfile& images);
+  /// The cues of `model` that count: those of weight 0 are missing in every image.
+  explicit CueExtraction(const Model& model);
 
   /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one a cue, into `features`, whose
   /// memory is reused. False if no cue could be extracted; reason() then says why.
@@ -32,10 +34,9 @@ class CueExtraction {
   const std::string& reason() const { return reason_; }
 
  private:
-  int max_width_;
-  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;
-  std::vector<ColorNormalization> normalizations_;  // of each cue
-  cv::Mat scaled_;
+  ImageScaler scaler_;
+  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
+  std::vector<ColorNormalization> normalizations_;             // of each cue
   bool normalizes_ = false;
   Eigen::RowVector3d color_ = Eigen::RowVector3d::Zero();
   NormalizedImage normalized_;

@@ -2,6 +2,7 @@
 
 #include "learning/gram.h"
 #include "recognition/gamma_choice.h"
+#include "recognition/sampling.h"
 
 namespace place_recognition {
 namespace {
@@ -11,14 +12,14 @@ namespace {
 constexpr std::size_t kSamplesForSearch = 2000;
 constexpr std::size_t kSamplesForCostlySearch = 120;
 
-/// The features of every n-th sample of each place, the others missing; about `count` in all.
-std::vector<Feature> thinnedOut(std::vector<Feature> features,
-                                const std::vector<SampleOrigin>& samples, std::size_t places,
+/// The features of about `count` samples, the others missing.
+std::vector<Feature> thinnedOut(std::vector<Feature> features, const TrainingTask& task,
                                 std::size_t count) {
-  const std::size_t step = (features.size() + count - 1) / count;
-  std::vector<std::size_t> seen(places, 0);
+  std::vector<int> places;
+  for (const SampleOrigin& sample : task.samples) places.push_back(sample.place);
+  const std::vector<bool> kept = stratifiedSample(places, count, task.seed);
   for (std::size_t i = 0; i < features.size(); ++i) {
-    if (seen[static_cast<std::size_t>(samples[i].place)]++ % step != 0) features[i] = {};
+    if (!kept[i]) features[i] = {};
   }
   return features;
 }
@@ -111,8 +112,7 @@ TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
   const std::size_t enough = costly ? kSamplesForCostlySearch : kSamplesForSearch;
   const bool search_apart = costly || features.size() > enough;
   if (gammaIsOpen(cue.kernel) && search_apart) {
-    gamma = CueTrainer(thinnedOut(features, task.samples, task.places, enough), cue, task)
-                .searchGamma();
+    gamma = CueTrainer(thinnedOut(features, task, enough), cue, task).searchGamma();
   }
   CueTrainer trainer(std::move(features), cue, task);
   if (gammaIsOpen(cue.kernel) && !search_apart) gamma = trainer.searchGamma();

@@ -5,10 +5,11 @@
 
 namespace place_recognition {
 
-ExtractionPool::ExtractionPool(const TrainingOptions& options, unsigned threads)
+ExtractionPool::ExtractionPool(const TrainingOptions& options, const ImageProfile& images,
+                               unsigned threads)
     : queue_(2 * threadCount(threads)) {
   for (unsigned i = 0; i < threadCount(threads); ++i) {
-    threads_.emplace_back([this, options] { work(options); });
+    threads_.emplace_back([this, options, images] { work(options, images); });
   }
 }
 
@@ -23,9 +24,9 @@ void ExtractionPool::finish() {
   rethrowFailure();
 }
 
-void ExtractionPool::work(const TrainingOptions& options) {
+void ExtractionPool::work(const TrainingOptions& options, const ImageProfile& images) {
   try {
-    CueExtraction extraction(options);
+    CueExtraction extraction(options, images);
     for (Job job; queue_.pop(job);) {
       if (!extraction.extract(job.image, job.result->features)) {
         job.result->problem = extraction.reason();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "place_recognition/feature.h"
+#include "place_recognition/model.h"
 #include "place_recognition/training_options.h"
 #include "recognition/bounded_queue.h"
 
@@ -24,7 +25,7 @@ struct ExtractedFeatures {
 /// Threads that extract features from images handed to them.
 class ExtractionPool {
  public:
-  ExtractionPool(const TrainingOptions& options, unsigned threads);
+  ExtractionPool(const TrainingOptions& options, const ImageProfile& images, unsigned threads);
   ~ExtractionPool();
 
   /// Queues an image, waiting while the queue is full. `result` must stay where it is and is not
@@ -40,7 +41,7 @@ class ExtractionPool {
     ExtractedFeatures* result = nullptr;
   };
 
-  void work(const TrainingOptions& options);
+  void work(const TrainingOptions& options, const ImageProfile& images);
   void stop();
   void rethrowFailure();
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "learning/folds.h"
@@ -19,6 +20,7 @@ struct TrainingTask {
   const SvmOptions& svm;
   unsigned threads;
   const Progress& progress;
+  std::uint64_t seed = 1;  ///< of what is drawn at random
 };
 
 /// Margins of samples by machines that were trained without them and their neighbours in time.

@@ -25,6 +25,15 @@ const std::vector<Light>& otherLights() {
   return lights;
 }
 
+Light LightDraw::next(const std::string& room) {
+  std::vector<Light>& left = left_[room];
+  if (left.empty()) left = otherLights();
+  const auto drawn = left.begin() + static_cast<std::ptrdiff_t>(random_() % left.size());
+  const Light light = *drawn;
+  left.erase(drawn);
+  return light;
+}
+
 cv::Mat inLight(const cv::Mat& image, const Light& light) {
   cv::Mat changed;
   changeLight(image, light, changed);

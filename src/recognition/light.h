@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <opencv2/core/mat.hpp>
+#include <random>
+#include <string>
 #include <vector>
 
 namespace place_recognition {
@@ -16,6 +20,20 @@ struct Light {
 /// Darker, brighter, warmer and colder, by about as much as automatic exposure and white balance
 /// leave over.
 const std::vector<Light>& otherLights();
+
+/// Draws the light of each picture at random: of every so many pictures of a room as there are
+/// otherLights(), one gets each of them.
+class LightDraw {
+ public:
+  explicit LightDraw(std::uint64_t seed) : random_(seed) {}
+
+  /// For the next picture of `room`.
+  Light next(const std::string& room);
+
+ private:
+  std::mt19937_64 random_;
+  std::map<std::string, std::vector<Light>> left_;  // of each room, until every light had its turn
+};
 
 /// `image` (CV_8UC3 BGR or CV_8UC1 grey) in that light, saturated at white.
 cv::Mat inLight(const cv::Mat& image, const Light& light);

@@ -164,6 +164,30 @@ void readColors(const proto::Model& message, Model& model) {
   require(isSoundCovariance(colors.covariance), "its statistics of colours contradict themselves");
 }
 
+void writeImages(const ImageProfile& images, proto::Model& message) {
+  if (!images.known()) return;
+  proto::ImageProfile& profile = *message.mutable_images();
+  profile.set_width(static_cast<std::uint32_t>(images.width));
+  profile.set_height(static_cast<std::uint32_t>(images.height));
+  profile.set_colour(images.colour);
+  profile.set_darkest(images.darkest);
+  profile.set_brightest(images.brightest);
+}
+
+void readImages(const proto::Model& message, Model& model) {
+  if (!message.has_images()) return;
+  constexpr std::uint32_t kMaxSide = 1u << 16;
+  const proto::ImageProfile& profile = message.images();
+  const auto isSide = [](std::uint32_t side) { return side >= 1 && side <= kMaxSide; };
+  require(isSide(profile.width()) && isSide(profile.height()),
+          "the size of the images that it was trained on is not in 1..65536");
+  require(profile.darkest() >= 0 && profile.darkest() <= profile.brightest() &&
+              profile.brightest() <= 255,
+          "the brightness of the images that it was trained on is not in 0..255");
+  model.images = {static_cast<int>(profile.width()), static_cast<int>(profile.height()),
+                  profile.colour(), profile.darkest(), profile.brightest()};
+}
+
 void readProvenance(const proto::Provenance& message, Model& model) {
   require(static_cast<std::size_t>(message.place_images_size()) == model.places.size(),
           "the numbers of images are not those of its places");
@@ -193,6 +217,7 @@ proto::Model toMessage(const Model& model) {
   message.set_validation_calibration_error(model.validation.calibration_error);
   writeColors(model.colors, message);
   writeAdjacency(model.adjacency, message);
+  writeImages(model.images, message);
 
   proto::Provenance& provenance = *message.mutable_provenance();
   provenance.set_inputs(joined(model.provenance.inputs));
@@ -213,6 +238,7 @@ Model fromMessage(const proto::Model& message) {
   readCalibration(message, model);
   readColors(message, model);
   readAdjacency(message, model);
+  readImages(message, model);
   readProvenance(message.provenance(), model);
   return model;
 }

@@ -10,7 +10,7 @@ namespace place_recognition {
 
 Recognizer::Recognizer(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
-      extraction_(std::make_unique<CueExtraction>(model_->options)),
+      extraction_(std::make_unique<CueExtraction>(*model_)),
       light_(std::make_unique<LightEstimate>(model_->colors)),
       unknown_light_(light_->certainty()),
       unknown_threshold_(model_->unknown_threshold) {

@@ -85,6 +85,7 @@ Samples joinSamples(Samples remembered, Samples fresh) {
   all.colors.assign(all.places.size(), {});
   all.adjacency = Adjacency(all.places.size());
   all.remembered = remembered.remembered;
+  all.image_profile = fresh.image_profile;
   append(std::move(remembered), 0, all);
   append(std::move(fresh), 1, all);
   return all;

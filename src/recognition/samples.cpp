@@ -6,6 +6,8 @@
 
 #include "place_recognition/error.h"
 #include "recognition/extraction_pool.h"
+#include "recognition/image_guard.h"
+#include "recognition/image_profile.h"
 #include "recognition/light.h"
 #include "recognition/names.h"
 #include "recognition/sampling.h"
@@ -60,20 +62,26 @@ std::string warningOf(const std::string& run, const Skipped& skipped) {
 /// Reads runs and remembers what came of each frame.
 class Collector {
  public:
-  Collector(const TrainingOptions& options, unsigned threads)
-      : sampling_(options.sampling),
+  Collector(const TrainingOptions& options, const ImageProfile& profile, unsigned threads)
+      : image_options_(options.image),
+        expected_(profile),
+        profile_(profile),
+        sampling_(options.sampling),
         other_light_(options.augmentation.other_light),
-        pool_(options, threads) {}
+        light_draw_(options.seed),
+        seed_(options.seed),
+        pool_(options, profile, threads) {}
 
   void read(Run& run, const Progress& progress) {
     inputs_.push_back(run.name());
     skipped_.emplace_back();
     seen_.emplace_back();
     rate_ = FrameRate(sampling_.rate);
+    ImageGuard guard(expected_, image_options_);
     const std::string stage = "Reading " + run.name();
     report(progress, stage, 0);
     for (Frame frame; run.next(frame);) {
-      add(std::move(frame));
+      add(std::move(frame), guard);
       report(progress, stage, run.fraction());
     }
   }
@@ -82,6 +90,7 @@ class Collector {
     pool_.finish();
     Samples samples;
     samples.inputs = inputs_;
+    samples.image_profile = profile_;
     dropFeatureless();
     requirePlaces(least_places);
     samples.places.assign(places_.begin(), places_.end());
@@ -92,11 +101,12 @@ class Collector {
       samples.skipped += skipped_[r].total();
       if (skipped_[r].total() > 0) samples.warnings.push_back(warningOf(inputs_[r], skipped_[r]));
     }
+    samples.warnings.insert(samples.warnings.end(), warnings_.begin(), warnings_.end());
     return samples;
   }
 
  private:
-  void add(Frame frame) {
+  void add(Frame frame, ImageGuard& guard) {
     ++frames_;
     seen_.back().push_back({frame.stamp, frame.place});
     if (frame.place.empty()) {
@@ -114,12 +124,16 @@ class Collector {
     } else if (!rate_.admits(frame.stamp)) {
       ++passed_over_;
     } else {
+      for (const std::string& warning : guard.judge(frame.image, frame.stamp)) {
+        warnings_.push_back(inputs_.back() + ": " + warning);
+      }
+      include(statisticsOf(frame.image), profile_);
       const int run = static_cast<int>(inputs_.size()) - 1;
       records_.push_back({frame.place, run, frame.stamp, frame.name, {}, {}});
       pool_.submit(frame.image, records_.back().extracted);
       if (other_light_) {
-        const Light& light = otherLights()[records_.size() % otherLights().size()];
-        pool_.submit(inLight(frame.image, light), records_.back().in_other_light);
+        pool_.submit(inLight(frame.image, light_draw_.next(frame.place)),
+                     records_.back().in_other_light);
       }
     }
   }
@@ -171,7 +185,7 @@ class Collector {
     const std::size_t count = records_.size();
     std::vector<int> rooms;
     for (const Record& record : records_) rooms.push_back(placeOf(record, samples));
-    const std::vector<bool> kept = evenShare(rooms, most);
+    const std::vector<bool> kept = stratifiedSample(rooms, most, seed_);
     std::size_t next = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (!kept[i]) continue;
@@ -234,18 +248,25 @@ class Collector {
   std::deque<Record> records_;           // stay where they are while threads fill them
   std::set<std::string> places_;
   std::uint64_t frames_ = 0;
+  const ImageOptions image_options_;
+  const ImageProfile expected_;  // to which images are brought, and are held against
+  ImageProfile profile_;         // with those that came
+  std::vector<std::string> warnings_;
   SamplingOptions sampling_;
   FrameRate rate_{0};  // of the current run
   std::uint64_t passed_over_ = 0;
   bool other_light_;
+  LightDraw light_draw_;
+  std::uint64_t seed_;
   ExtractionPool pool_;  // the last member: its threads end first
 };
 
 }  // namespace
 
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
-                       unsigned threads, const Progress& progress, std::size_t least_places) {
-  Collector collector(options, threads);
+                       unsigned threads, const Progress& progress, std::size_t least_places,
+                       const std::optional<ImageProfile>& profile) {
+  Collector collector(options, profile ? *profile : commonSize(runs, progress), threads);
   for (const RunOpener& open : runs) collector.read(*open(), progress);
   return collector.finish(options.cues.size(), least_places);
 }

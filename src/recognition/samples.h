@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Samples {
   std::vector<std::uint64_t> images;  ///< of each place, that it was learnt from in all
   std::vector<ColorMoments> colors;   ///< of each place, of the recorded images
   std::vector<std::string> inputs;    ///< names of the runs
+  ImageProfile image_profile;         ///< of `profile`'s images and those learnt from
   Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
   std::uint64_t skipped = 0;          ///< frames without label, picture or any feature
   std::uint64_t passed_over = 0;      ///< usable ones, see SamplingOptions
@@ -36,8 +38,10 @@ struct Samples {
 /// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
 /// one a core); a few frames at most wait in between. Throws Error if there is no picture, no
 /// label, a label that cannot name a place, or if fewer than `least_places` have samples; Cancelled
-/// if `progress` asks for it.
+/// if `progress` asks for it. Images are brought to the size of `profile`, that of a model that
+/// learns on for example; without one to commonSize(runs).
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
-                       unsigned threads, const Progress& progress, std::size_t least_places = 2);
+                       unsigned threads, const Progress& progress, std::size_t least_places = 2,
+                       const std::optional<ImageProfile>& profile = {});
 
 }  // namespace place_recognition

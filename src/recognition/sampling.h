@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "base/rate_limit.h"
@@ -28,8 +30,27 @@ class FrameRate {
   double last_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Which of the samples to keep so that there are no more than `most` (and one of each group): of
-/// each group the same share, evenly over it. `groups`: of each sample, 0 or more.
-std::vector<bool> evenShare(const std::vector<int>& groups, std::size_t most);
+/// Which samples to keep so that there are no more than `most` (and one of each group): of each
+/// group the same share, by stratified sampling. The group is cut into as many stretches of equal
+/// length as are kept of it, and one sample is drawn from each: a fixed step would hit the period
+/// of a tripod's angles. `groups`: of each sample, 0 or more.
+std::vector<bool> stratifiedSample(const std::vector<int>& groups, std::size_t most,
+                                   std::uint64_t seed);
+
+/// Thins a stream out to one of every `step` members of a group, drawn at random but for the first,
+/// which always is the group's first member. For streams whose length is not known.
+class StratifiedStream {
+ public:
+  StratifiedStream(std::size_t step, std::uint64_t seed) : step_(step), random_(seed) {}
+
+  /// Whether the next member is kept.
+  bool keepsNext();
+
+ private:
+  std::size_t step_;
+  std::mt19937_64 random_;
+  std::size_t seen_ = 0;
+  std::size_t drawn_ = 0;  // of the current stretch
+};
 
 }  // namespace place_recognition

@@ -92,7 +92,8 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   const std::size_t places = samples.places.size();
   report(progress, "Choosing blocks of time", 0);
   const std::vector<Fold> folds = chooseFolds(samples, threads, options);
-  const TrainingTask task{samples.origins, places, folds, options.svm, threads, progress};
+  const TrainingTask task{samples.origins, places,   folds,       options.svm,
+                          threads,         progress, options.seed};
 
   const std::vector<ReductionOptions> reductions =
       reductionsInQuestion(options.reduction, samples.origins.size());
@@ -128,6 +129,7 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;
   model.places = samples.places;
+  model.images = samples.image_profile;
   if (followsLight(options)) model.colors = colorStatistics(samples.colors);
   model.adjacency = samples.adjacency;
   model.provenance = provenanceOf(samples);
@@ -174,7 +176,7 @@ Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vec
   }
   options.check();
   return timed([&] {
-    Samples fresh = collectSamples(runs, options, threads, progress, 1);
+    Samples fresh = collectSamples(runs, options, threads, progress, 1, model.images);
     Training training =
         learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads, progress);
     training.model.asked = model.asked;

@@ -52,7 +52,7 @@ void features(const FeaturesOptions& options) {
   TrainingOptions thesis;
   thesis.cues = {CueOptions()};
   const TrainingOptions training_options = options.configuration.read(thesis);
-  CueExtraction extraction(training_options);
+  CueExtraction extraction(training_options, ImageProfile());
   std::vector<Feature> features;
   if (!extraction.extract(readPicture(options.image), features)) {
     throw Error(options.image + " has no feature: " + extraction.reason() +

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -28,6 +29,11 @@ void printModel(const Model& model, const std::string& path, std::uint64_t bytes
             << "trained on       ";
   for (std::size_t i = 0; i < origin.inputs.size(); ++i) {
     std::cout << (i ? ", " : "") << origin.inputs[i];
+  }
+  if (model.images.known()) {
+    std::cout << "\nimages           " << model.images.width << " x " << model.images.height << ", "
+              << (model.images.colour ? "colour" : "grey") << ", mean brightness "
+              << std::lround(model.images.darkest) << " to " << std::lround(model.images.brightest);
   }
   std::cout << "\nskipped images   " << origin.skipped_images << "\n"
             << "support vectors  " << model.supportVectorCount() << "\n"
@@ -76,6 +82,7 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
           {"validation",
            {{"average_rate", model.validation.average_rate},
             {"calibration_error", model.validation.calibration_error}}},
+          {"image_size", {model.images.width, model.images.height}},
           {"options", writeOptions(model.options)}};
 }
 

@@ -9,6 +9,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
+#include "recognition/image_guard.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/verbs.h"
@@ -39,7 +40,8 @@ class Recognitions {
  public:
   explicit Recognitions(const RecognizeOptions& options)
       : output_(options.output),
-        recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))) {
+        recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))),
+        guard_(recognizer_.model()) {
     for (const std::string& place : recognizer_.model().places) {
       place_width_ = std::max(place_width_, place.size());
     }
@@ -47,14 +49,18 @@ class Recognitions {
 
   /// A picture by itself.
   void addPicture(const Frame& frame) {
-    requireImage(frame);
+    check(frame);
     add(frame, recognizer_.recognize(frame.image));
   }
 
-  void startRun() { recognizer_.forgetLight(); }
+  /// Frames of another run or camera follow.
+  void startRun() {
+    recognizer_.forgetLight();
+    guard_ = ImageGuard(recognizer_.model());
+  }
 
   void addFrame(const Frame& frame) {
-    requireImage(frame);
+    check(frame);
     add(frame, recognizer_.recognize(frame.image, frame.stamp));
   }
 
@@ -64,16 +70,21 @@ class Recognitions {
   }
 
  private:
+  void check(const Frame& frame) {
+    requireImage(frame);
+    for (const std::string& warning : guard_.judge(frame.image, frame.stamp)) {
+      std::cerr << "warning: " << frame.name << ": " << warning << "\n";
+    }
+  }
+
   void add(const Frame& frame, const Recognition& answer) {
     const std::string place =
         answer.place < 0 ? "" : recognizer_.model().places[static_cast<std::size_t>(answer.place)];
     if (output_.json != "-") print(frame.name, answer.known ? place : "unknown", answer);
     if (output_.json.empty()) return;
-    Json object = {{"image", frame.name},
-                   {"place", place},
-                   {"known", answer.known},
-                   {"confidence", answer.confidence},
-                   {"scores", scores(recognizer_.model(), answer)}};
+    Json object = {{"image", frame.name},         {"place", place},
+                   {"known", answer.known},       {"confidence", answer.confidence},
+                   {"evidence", answer.evidence}, {"scores", scores(recognizer_.model(), answer)}};
     if (answer.place < 0) object["reason"] = answer.reason;
     if (output_.json == "-") {
       std::cout << jsonLine(object) << std::flush;
@@ -94,6 +105,7 @@ class Recognitions {
 
   const OutputOptions& output_;
   Recognizer recognizer_;
+  ImageGuard guard_;
   std::string json_lines_;
   std::size_t name_width_ = 0;
   std::size_t place_width_ = std::string("unknown").size();
@@ -115,6 +127,7 @@ void recognize(const RecognizeOptions& options) {
       report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
       frame.image = readPicture(input);
       frame.name = input;
+      frame.stamp = static_cast<double>(i);
       recognitions.addPicture(frame);
       continue;
     }
@@ -144,7 +157,7 @@ void addRecognize(CommandLine& tool) {
   verb.footer(
       "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object "
       "a\n"
-      "line: image, place, known, confidence and the scores of every place.\n"
+      "line: image, place, known, confidence, evidence and the scores of every place.\n"
       "Example:\n"
       "  place_tool recognize --model office now.jpg");
   verb.run([options] { recognize(*options); });

@@ -91,7 +91,8 @@ class Reducer {
  private:
   Samples collect(const std::vector<std::string>& inputs) const {
     if (inputs.empty()) return {};
-    return collectSamples(options_.input.openers(inputs), model_.options, 0, progress_);
+    return collectSamples(options_.input.openers(inputs), model_.options, 0, progress_, 2,
+                          model_.images);
   }
 
   ReductionFigures measured(const Model& model) const {

@@ -9,7 +9,7 @@ namespace place_recognition {
 
 /// How the pictures of the runs are thinned out from round to round.
 struct Thinning {
-  std::size_t first;  ///< every so many-th picture of a place in the first round
+  std::size_t first;  ///< one of so many pictures of a place in the first round
   std::size_t last;   ///< and in the last
 };
 

@@ -4,17 +4,19 @@
 #include <string>
 #include <utility>
 
+#include "recognition/sampling.h"
+
 namespace place_recognition {
 namespace {
 
 class ThinnedRun : public Run {
  public:
-  ThinnedRun(std::unique_ptr<Run> run, std::size_t step)
-      : Run(run->name()), run_(std::move(run)), step_(step) {}
+  ThinnedRun(std::unique_ptr<Run> run, std::size_t step, std::uint64_t seed)
+      : Run(run->name()), run_(std::move(run)), step_(step), seed_(seed) {}
 
   bool next(Frame& frame) override {
     while (run_->next(frame)) {
-      if (!frame.place.empty() && seen_[frame.place]++ % step_ == 0) return true;
+      if (!frame.place.empty() && streamOf(frame.place).keepsNext()) return true;
     }
     return false;
   }
@@ -22,15 +24,20 @@ class ThinnedRun : public Run {
   double fraction() const override { return run_->fraction(); }
 
  private:
+  StratifiedStream& streamOf(const std::string& place) {
+    return streams_.try_emplace(place, step_, seed_ + streams_.size()).first->second;
+  }
+
   std::unique_ptr<Run> run_;
   std::size_t step_;
-  std::map<std::string, std::size_t> seen_;  // frames of each place so far
+  std::uint64_t seed_;
+  std::map<std::string, StratifiedStream> streams_;  // of each place so far
 };
 
 }  // namespace
 
-std::unique_ptr<Run> thinOut(std::unique_ptr<Run> run, std::size_t step) {
-  return std::make_unique<ThinnedRun>(std::move(run), step);
+std::unique_ptr<Run> thinOut(std::unique_ptr<Run> run, std::size_t step, std::uint64_t seed) {
+  return std::make_unique<ThinnedRun>(std::move(run), step, seed);
 }
 
 }  // namespace place_recognition

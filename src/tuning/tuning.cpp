@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "recognition/image_profile.h"
 #include "tuning/cue_selection.h"
 #include "tuning/family_rounds.h"
 
@@ -35,7 +36,7 @@ Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& ho
             const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   space.check();
-  Search search{{runs, hold_out}, base, space, threads, progress};
+  Search search{{runs, hold_out, commonSize(runs, progress)}, base, space, threads, progress};
   Tuning tuning;
   try {
     look(search, tuning.pictures);

@@ -6,16 +6,20 @@
 #include <utility>
 
 #include "recognition/block_choice.h"
+#include "recognition/names.h"
 #include "tuning/thinned_run.h"
 
 namespace place_recognition {
 namespace {
 
-std::vector<RunOpener> thinnedOpeners(const TuningRuns& runs, std::size_t step) {
+std::vector<RunOpener> thinnedOpeners(const TuningRuns& runs, std::size_t step,
+                                      std::uint64_t seed) {
+  constexpr std::uint64_t kSeedsOfRun = kMaxPlaces;  // one for each place
   std::vector<RunOpener> openers;
   for (const std::vector<RunOpener>* group : {&runs.runs, &runs.hold_out}) {
     for (const RunOpener& open : *group) {
-      openers.push_back([open, step] { return thinOut(open(), step); });
+      const std::uint64_t run_seed = seed + kSeedsOfRun * openers.size();
+      openers.push_back([open, step, run_seed] { return thinOut(open(), step, run_seed); });
     }
   }
   return openers;
@@ -65,10 +69,11 @@ std::vector<Fold> recordedFolds(const Samples& samples, const TuningRuns& runs,
 
 TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
                                    std::size_t step, unsigned threads, const Progress& progress) {
-  const std::vector<RunOpener> openers = thinnedOpeners(runs, step);
+  const std::vector<RunOpener> openers = thinnedOpeners(runs, step, options.seed);
   std::size_t opened = 0;
-  TuningSamples samples{
-      collectSamples(openers, options, threads, partOf(progress, openers.size(), opened)), {}};
+  TuningSamples samples{collectSamples(openers, options, threads,
+                                       partOf(progress, openers.size(), opened), 2, runs.images),
+                        {}};
   samples.folds = withCopies(recordedFolds(samples, runs, options, threads), samples.source, false);
   return samples;
 }

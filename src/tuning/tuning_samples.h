@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "learning/folds.h"
@@ -11,7 +12,8 @@ namespace place_recognition {
 /// The recordings that a search goes by.
 struct TuningRuns {
   const std::vector<RunOpener>& runs;
-  const std::vector<RunOpener>& hold_out;  ///< tested on and never trained on; may be empty
+  const std::vector<RunOpener>& hold_out;   ///< tested on and never trained on; may be empty
+  std::optional<ImageProfile> images = {};  ///< commonSize(runs), if that is known already
 };
 
 /// Samples to judge cues by, and how. Trained on is the light of the recording only: what looks
@@ -20,7 +22,8 @@ struct TuningSamples : Samples {
   std::vector<Fold> folds;  ///< tested in every light that there is of a sample
 };
 
-/// Features of every `step`-th labelled picture of each place. See collectSamples() for errors.
+/// Features of one of every `step` labelled pictures of each place, see thinOut(). See
+/// collectSamples() for errors.
 TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
                                    std::size_t step, unsigned threads, const Progress& progress);
 

@@ -84,7 +84,7 @@ def response(image, descriptor, t, options):
             return np.sqrt(t * (d(1, 0) ** 2 + d(0, 1) ** 2)), 0, limit
         if function == "lap":
             return t * (d(2, 0) + d(0, 2)), -limit, limit
-        return t ** 2 * (d(2, 0) * d(0, 2) - d(1, 1) ** 2), -limit, limit
+        return t ** 2 * (d(2, 0) * d(0, 2) - d(1, 1) ** 2), -limit / 4, limit / 4
     name = descriptor.rstrip("xy")
     suffix = descriptor[len(name):]
     value = jet(channel(image, name), t, options)(suffix.count("x"), suffix.count("y"))

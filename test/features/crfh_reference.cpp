@@ -75,7 +75,7 @@ Response respond(const cv::Mat& image, const std::string& descriptor, double t,
   if (op == "grad") return {std::sqrt(t) * std::hypot(l.dx(x, y), l.dy(x, y)), 0, range};
   if (op == "lap") return {t * (l.dxx(x, y) + l.dyy(x, y)), -range, range};
   if (op == "det") {
-    return {t * t * (l.dxx(x, y) * l.dyy(x, y) - std::pow(l.dxy(x, y), 2)), -range, range};
+    return {t * t * (l.dxx(x, y) * l.dyy(x, y) - std::pow(l.dxy(x, y), 2)), -range / 4, range / 4};
   }
   if (channel == "C1") return {l.smooth(x, y), -127.5, 127.5};
   if (channel == "C2") return {l.smooth(x, y), -255, 255};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 #include "place_recognition/recognizer.h"
@@ -33,19 +34,51 @@ TEST(Light, SamplesComeInOtherLightBehindThoseAsRecorded) {
   ASSERT_EQ(samples.recorded, 9u);
   ASSERT_EQ(samples.origins.size(), 18u);
   EXPECT_EQ(samples.images, (std::vector<std::uint64_t>{4, 5}));
-  CueExtraction extraction(options);
+  CueExtraction extraction(options, ImageProfile());
   std::vector<Feature> feature;
+  LightDraw draw(options.seed);
   std::size_t recorded = 0;
   for (const Frame& frame : frames) {
     if (frame.place.empty()) continue;
     const std::size_t copy = samples.recorded + recorded;
     EXPECT_EQ(samples.source[copy], static_cast<int>(recorded));
     EXPECT_EQ(samples.origins[copy].place, samples.origins[recorded].place);
-    const Light& light = otherLights()[(recorded + 1) % otherLights().size()];
-    extraction.extract(inLight(frame.image, light), feature);
+    extraction.extract(inLight(frame.image, draw.next(frame.place)), feature);
     EXPECT_EQ(std::get<SparseVector>(samples.features[0][copy]).values,
               std::get<SparseVector>(feature[0]).values);
     ++recorded;
+  }
+}
+
+bool same(const Light& a, const Light& b) {
+  return a.red == b.red && a.green == b.green && a.blue == b.blue;
+}
+
+TEST(LightDraw, GivesEveryLightItsTurnButNoAngleTheSameLight) {
+  const std::vector<Light>& lights = otherLights();
+  LightDraw draw(1), again(1), other(2);
+  constexpr std::size_t kAngles = 12;  // of a tripod; four lights in turn would always meet three
+  std::vector<std::vector<int>> count(kAngles, std::vector<int>(lights.size()));
+  bool differs = false;
+  for (std::size_t i = 0; i < 40 * kAngles; ++i) {
+    const Light light = draw.next("kitchen");
+    EXPECT_TRUE(same(light, again.next("kitchen")));
+    differs = differs || !same(light, other.next("kitchen"));
+    const auto which =
+        std::find_if(lights.begin(), lights.end(), [&](const Light& l) { return same(l, light); }) -
+        lights.begin();
+    ++count[i % kAngles][static_cast<std::size_t>(which)];
+    if (i % 3 == 0) again.next("corridor");  // each room has its own turns
+    if (i % 3 == 0) draw.next("corridor");
+  }
+  EXPECT_TRUE(differs);
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    int total = 0;
+    for (const std::vector<int>& angle : count) {
+      EXPECT_GT(angle[l], 0);
+      total += angle[l];
+    }
+    EXPECT_EQ(total, static_cast<int>(40 * kAngles / lights.size()));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -61,6 +62,30 @@ TEST(ModelFile, KeepsEverythingElse) {
   EXPECT_EQ(read.options.cues[1].kernel.gamma, model.options.cues[1].kernel.gamma);
   EXPECT_EQ(read.provenance.inputs, std::vector<std::string>{"drawn"});
   EXPECT_EQ(read.provenance.place_images, (std::vector<std::uint64_t>{12, 12, 12}));
+}
+
+TEST(ModelFile, KeepsWhatTheImagesWereLike) {
+  const ImageProfile& images = smallModel().images;
+  const ImageProfile read = parseModel(smallModelBytes(), "test").images;
+  EXPECT_EQ(read.width, 96);
+  EXPECT_EQ(read.height, 72);
+  EXPECT_EQ(read.colour, images.colour);
+  EXPECT_EQ(read.darkest, images.darkest);
+  EXPECT_EQ(read.brightest, images.brightest);
+
+  const auto changed = [](const std::function<void(proto::Model&)>& change) {
+    return parseModel(
+        tampered(smallModelBytes(), [&](ModelContents& contents) { change(contents.message); }),
+        "test");
+  };
+  EXPECT_FALSE(changed([](proto::Model& model) { model.clear_images(); }).images.known());
+  EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_width(0); }), Error);
+  EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_height(1 << 20); }),
+               Error);
+  EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_darkest(NAN); }),
+               Error);
+  EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_brightest(256); }),
+               Error);
 }
 
 TEST(ModelFile, KeepsWhichRoomsAdjoin) {

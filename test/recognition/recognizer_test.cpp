@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "place_recognition/model_file.h"
+#include "recognition/cue_extraction.h"
 #include "recognition/drawn_run.h"
 
 namespace place_recognition {
@@ -59,21 +60,60 @@ TEST(Recognizer, SaysWhyThereIsNoAnswer) {
 }
 
 TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
-  // The second cue needs a larger image than is shown: the answer is that of the first alone.
+  // The second cue needs a higher image than is shown: the answer is that of the first alone.
   TrainingOptions options = twoCueOptions();
-  std::get<CrfhOptions>(options.cues[1].feature).border = 30;
+  std::get<CrfhOptions>(options.cues[0].feature).border = 5;
   Model model = train({opener(drawFrames(3, 12))}, options).model;
   model.cue_weights = {0.5, 0.5};
-  const cv::Mat small = drawRoom(1, 300)(cv::Rect(0, 0, 50, 50)).clone();
+  const cv::Mat strip = drawRoom(1, 300)(cv::Rect(0, 20, 96, 24)).clone();
 
   Eigen::RowVectorXd both, first;
   Recognizer recognizer(std::make_shared<const Model>(parseModel(serializeModel(model), "test")));
-  both = recognizer.recognize(small).margins;
+  both = recognizer.recognize(strip).margins;
   model.cue_weights = {1, 0};
   Recognizer first_only(std::make_shared<const Model>(std::move(model)));
-  first = first_only.recognize(small).margins;
+  first = first_only.recognize(strip).margins;
   EXPECT_EQ(both, first);
   EXPECT_NE(both, Eigen::RowVectorXd::Zero(3));
+}
+
+TEST(Recognizer, DoesNotExtractCuesThatDoNotCount) {
+  Model model = train({opener(drawFrames(3, 12))}, twoCueOptions()).model;
+  model.cue_weights = {0, 1};
+  std::vector<Feature> features;
+  EXPECT_TRUE(CueExtraction(model).extract(drawRoom(1, 300), features));
+  ASSERT_EQ(features.size(), 2u);
+  EXPECT_TRUE(isMissing(features[0]));
+  EXPECT_FALSE(isMissing(features[1]));
+}
+
+/// Share of right answers to new frames of three drawn rooms, each `factor` times as large.
+double rateAt(const std::shared_ptr<const Model>& model, double factor) {
+  Recognizer recognizer(model);
+  double right = 0;
+  const std::vector<Frame> frames = drawFrames(3, 40, 5000);
+  for (const Frame& frame : frames) {
+    cv::Mat image;
+    cv::resize(frame.image, image, {}, factor, factor,
+               factor < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    const int place = recognizer.recognize(image).place;
+    right += model->places[static_cast<std::size_t>(place)] == frame.place ? 1 : 0;
+  }
+  return right / static_cast<double>(frames.size());
+}
+
+TEST(Recognizer, KnowsRoomsFromImagesOfAnotherSize) {
+  for (const char* descriptor : {"Lxx", "R"}) {
+    TrainingOptions options = quickOptions();
+    CrfhOptions& crfh = std::get<CrfhOptions>(options.cues[0].feature);
+    crfh.descriptors = {"L", descriptor};
+    crfh.scales = {4};  // detail that half the size still shows
+    const std::shared_ptr<const Model> model = modelOf(options);
+    const double rate = rateAt(model, 1);
+    for (const double factor : {0.5, 0.75, 1.25, 2.0, 4.0}) {
+      EXPECT_GE(rateAt(model, factor), rate - 0.03) << descriptor << " x " << factor;
+    }
+  }
 }
 
 TEST(Recognizer, ScalesWideImagesDown) {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
 #include "recognition/drawn_run.h"
 
@@ -33,26 +35,58 @@ TEST(FrameRate, TakesAllWhereStampsTellNothing) {
   }
 }
 
-TEST(EvenShare, TakesTheSameShareOfEachGroupEvenly) {
+TEST(StratifiedSample, DrawsOneFromEachStretchOfEachGroup) {
   std::vector<int> groups(900, 0);
   groups.insert(groups.end(), 90, 1);
   groups.insert(groups.end(), 10, 2);
-  const std::vector<bool> kept = evenShare(groups, 100);
+  const std::vector<bool> kept = stratifiedSample(groups, 100, 1);
   const auto count = [&](int from, int to) {
     return std::count(kept.begin() + from, kept.begin() + to, true);
   };
   EXPECT_EQ(count(0, 900), 90);
   EXPECT_EQ(count(900, 990), 9);
   EXPECT_EQ(count(990, 1000), 1);
-  for (int i = 0; i + 10 <= 900; ++i) EXPECT_EQ(count(i, i + 10), 1) << i;
+  for (int i = 0; i + 10 <= 900; i += 10) EXPECT_EQ(count(i, i + 10), 1) << i;
 }
 
-TEST(EvenShare, KeepsSomethingOfEveryGroupAndAllWhereThereAreFew) {
-  const std::vector<bool> kept = evenShare({0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2}, 2);
-  EXPECT_TRUE(kept[0] && kept[9] && kept[10]);
-  const std::vector<bool> all = evenShare({0, 1, 1}, 3);
+TEST(StratifiedSample, KeepsSomethingOfEveryGroupAndAllWhereThereAreFew) {
+  const std::vector<bool> kept = stratifiedSample({0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2}, 2, 1);
+  EXPECT_EQ(std::count(kept.begin(), kept.begin() + 9, true), 2);
+  EXPECT_TRUE(kept[9] && kept[10]);
+  const std::vector<bool> all = stratifiedSample({0, 1, 1}, 3, 1);
   EXPECT_EQ(std::count(all.begin(), all.end(), true), 3);
-  EXPECT_TRUE(evenShare({}, 5).empty());
+  EXPECT_TRUE(stratifiedSample({}, 5, 1).empty());
+}
+
+/// How many of `kept` stand at each of the twelve angles of a tripod that turns from mark to mark.
+std::array<int, 12> angles(const std::vector<bool>& kept) {
+  std::array<int, 12> count{};
+  for (std::size_t i = 0; i < kept.size(); ++i) count[i % 12] += kept[i] ? 1 : 0;
+  return count;
+}
+
+TEST(StratifiedSample, SeesEveryAngleOfATripod) {
+  // A fixed step of 6 or 12 would see two of them, or one.
+  const std::vector<int> one_room(1200, 0);
+  for (const std::size_t most : {200u, 100u}) {
+    for (const int count : angles(stratifiedSample(one_room, most, 1))) EXPECT_GT(count, 0) << most;
+  }
+  EXPECT_EQ(stratifiedSample(one_room, 100, 1), stratifiedSample(one_room, 100, 1));
+  EXPECT_NE(stratifiedSample(one_room, 100, 1), stratifiedSample(one_room, 100, 2));
+}
+
+TEST(StratifiedStream, KeepsTheFirstAndOneOfEachStretch) {
+  StratifiedStream stream(12, 1);
+  std::vector<bool> kept;
+  for (int i = 0; i < 1200; ++i) kept.push_back(stream.keepsNext());
+  EXPECT_TRUE(kept[0]);
+  for (auto stretch = kept.begin(); stretch != kept.end(); stretch += 12) {
+    EXPECT_EQ(std::count(stretch, stretch + 12, true), 1);
+  }
+  for (const int count : angles(kept)) EXPECT_GT(count, 0);
+
+  StratifiedStream all(1, 1);
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(all.keepsNext());
 }
 
 /// A hundred frames of each of two rooms, 20 a second.
@@ -84,6 +118,17 @@ TEST(Sampling, LearnsNoMoreThanItMayAndSaysSo) {
 
   options.augmentation.other_light = true;
   EXPECT_EQ(trainFast(options).images, 20u);  // and the same in other light
+}
+
+TEST(Sampling, TheSeedSaysWhichPicturesAreLearned) {
+  TrainingOptions options = quickOptions();
+  options.sampling.most = 40;
+  const std::string model = serializeModel(trainFast(options).model);
+  EXPECT_EQ(serializeModel(trainFast(options).model), model);
+  options.seed = 2;
+  Model other = trainFast(options).model;
+  other.options.seed = 1;
+  EXPECT_NE(serializeModel(other), model);
 }
 
 TEST(Sampling, OptionsOutOfRangeAreRefused) {

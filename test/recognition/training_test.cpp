@@ -89,6 +89,39 @@ TEST(Training, LeavesOutWhatItCannotUse) {
             "be decoded) were left out.");
 }
 
+/// The same frames from a camera of `factor` times the size.
+std::vector<Frame> resized(std::vector<Frame> frames, double factor) {
+  for (Frame& frame : frames) {
+    cv::resize(frame.image, frame.image, {}, factor, factor, cv::INTER_AREA);
+  }
+  return frames;
+}
+
+TEST(Training, RunsOfDifferentSizesAreLearnedAtTheSmallest) {
+  const std::vector<RunOpener> runs{opener(resized(drawFrames(3, 12), 4), "large"),
+                                    opener(drawFrames(3, 12, 100), "small"),
+                                    opener(resized(drawFrames(3, 12, 200), 2), "middle")};
+  const Training training = train(runs, quickOptions());
+  EXPECT_EQ(training.model.images.width, 96);
+  EXPECT_EQ(training.model.images.height, 72);
+  ASSERT_EQ(training.warnings.size(), 2u);
+  EXPECT_EQ(training.warnings[0].substr(0, 24), "large: Images of 384 x 2");
+  EXPECT_EQ(training.warnings[1].substr(0, 24), "middle: Images of 192 x ");
+  EXPECT_EQ(serializeModel(train(runs, quickOptions(), 3).model), serializeModel(training.model));
+
+  EXPECT_GT(rateOn(train(runs, quickOptions()), 3), 0.8);
+}
+
+TEST(Training, LearnsOnAtTheSizeOfTheModel) {
+  const Training before = train({opener(drawFrames(3, 12), "monday")}, quickOptions());
+  const std::vector<Frame> same = drawFrames(3, 12, 100);
+  Training after = learnOn(before.model, {opener(resized(same, 2), "tuesday")}, 0);
+  EXPECT_EQ(after.model.images.width, 96);
+  ASSERT_FALSE(after.warnings.empty());
+  EXPECT_NE(after.warnings.back().find("192 x 144 are scaled to 96 x 72"), std::string::npos);
+  EXPECT_GT(rateOn(std::move(after), 3), 0.8);
+}
+
 TEST(Training, SaysWhyItRefuses) {
   EXPECT_NE(refusal({}).find("no pictures in walk.bag"), std::string::npos) << refusal({});
   EXPECT_NE(refusal(drawFrames(1, 5)).find("'room0'"), std::string::npos);

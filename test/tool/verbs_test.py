@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The verbs of place_tool on painted rooms, as a person and as a program would use them."""
 import json
+import os
+import pathlib
 import unittest
 
 import cv2
@@ -107,6 +109,7 @@ class RecognizeTest(TrainedCase):
             self.assertEqual(answer["confidence"], probabilities[answer["place"]])
             self.assertEqual(answer["place"], answer["image"].split("/")[-2])
             self.assertTrue(all("margin" in scores for scores in answer["scores"].values()))
+            self.assertTrue(0 <= answer["evidence"] <= 1)
 
     def test_unlabelled_pictures_and_bags_are_welcome(self):
         self.write_picture("heap/1.png", paint("office", 1))
@@ -120,6 +123,61 @@ class RecognizeTest(TrainedCase):
         on_stdout = self.succeed("recognize", "tuesday", "--model", "./home.places", "--json", "-")
         self.succeed("recognize", "tuesday", "--model", "./home.places", "--json", "answers")
         self.assertEqual((self.folder / "answers").read_text(), on_stdout)
+
+
+class OtherImagesTest(TrainedCase):
+    """Images unlike those that the model was trained on."""
+
+    def write_changed(self, name, change):
+        for room in ROOMS:
+            for view in range(4):
+                self.write_picture(f"{name}/{room}/{view}.png", change(paint(room, view, 1)))
+
+    def expect_said_once(self, run, words):
+        for verb in ("evaluate", "recognize"):
+            result = self.run_tool(verb, run, "--model", "./home.places")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stderr.count(words), 1, result.stderr)
+
+    def test_another_size_is_scaled(self):
+        for size in ((64, 48), (256, 192)):
+            self.write_changed("other", lambda image: cv2.resize(
+                image, size, interpolation=cv2.INTER_AREA if size[0] < 128 else cv2.INTER_CUBIC))
+            self.expect_said_once("other", "to 128 x 96, the size that the model works at")
+            figures = self.figures("evaluate", "other", "--model", "./home.places")
+            self.assertEqual(figures["average_rate"], 1)
+
+    def test_another_aspect_ratio_is_said(self):
+        self.write_changed("other", lambda image: image[12:84])
+        self.expect_said_once("other", "another aspect ratio")
+
+    def test_grey_is_said(self):
+        self.write_changed("other", lambda image: cv2.cvtColor(image, cv2.COLOR_BGR2GRAY))
+        self.expect_said_once("other", "grey")
+
+    def test_a_camera_that_shows_nothing_is_said(self):
+        self.write_changed("other", lambda image: image // 64)
+        self.expect_said_once("other", "Images are black")
+
+    def test_frozen_frames_are_said(self):
+        frozen = paint("kitchen", 0)
+        for i in range(12):
+            self.write_picture(f"other/kitchen/{i}.png", frozen)
+        self.expect_said_once("other", "the same image again and again")
+
+
+class FieldSizesTest(ToolCase):
+    def test_half_and_double_size(self):
+        cases = pathlib.Path(os.environ.get("PLACE_RECOGNITION_TEST_DATA", "")) / "../cases"
+        if not (cases / "res_half.bag").exists():
+            self.skipTest("There are no bags of other sizes beside PLACE_RECOGNITION_TEST_DATA.")
+        self.succeed("train", cases / "base.bag", "--model", "./base.places", "--set",
+                     "cues.crfh.feature.scales=[4, 16]")
+        rates = [self.figures("evaluate", cases / f"{name}.bag", "--model",
+                              "./base.places")["average_rate"]
+                 for name in ("base_night", "res_half", "res_double")]
+        for rate in rates[1:]:
+            self.assertGreater(rate, rates[0] - 0.03)
 
 
 class EvaluateTest(TrainedCase):

@@ -70,13 +70,24 @@ TEST(TuningSamples, HeldOutRunsAreTestedAndNeverTrainedOn) {
   EXPECT_EQ(samples.folds[0].test.size(), 16u);
 }
 
-TEST(ThinnedRun, KeepsEveryThirdLabelledFrameOfEachPlace) {
-  std::vector<Frame> frames = drawFrames(2, 7);
-  frames[1].place.clear();  // the others of room0: 0 2 3 4 5 6, so 0 and 4 are kept
-  const auto run = thinOut(opener(frames)(), 3);
-  std::vector<std::string> kept;
-  for (Frame frame; run->next(frame);) kept.push_back(frame.name);
-  EXPECT_EQ(kept, (std::vector<std::string>{"frame0", "frame4", "frame7", "frame10", "frame13"}));
+TEST(ThinnedRun, KeepsOneOfEveryThreeLabelledFramesOfEachPlace) {
+  std::vector<Frame> frames = drawFrames(2, 30);
+  frames[1].place.clear();
+  const auto keptNames = [&](std::uint64_t seed) {
+    const auto run = thinOut(opener(frames)(), 3, seed);
+    std::vector<std::string> kept;
+    for (Frame frame; run->next(frame);) {
+      EXPECT_FALSE(frame.place.empty());
+      kept.push_back(frame.name);
+    }
+    return kept;
+  };
+  const std::vector<std::string> kept = keptNames(1);
+  EXPECT_NEAR(static_cast<double>(kept.size()), 20, 1);  // 29 frames do not end with a stretch
+  EXPECT_EQ(kept[0], "frame0");
+  EXPECT_EQ(std::count(kept.begin(), kept.end(), "frame30"), 1);  // the first of its place
+  EXPECT_EQ(keptNames(1), kept);
+  EXPECT_NE(keptNames(2), kept);
 }
 
 }  // namespace
