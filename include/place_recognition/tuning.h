@@ -44,8 +44,11 @@ struct SearchSpace {
         "judge held-out pictures a second time, in other light, and have `train` learn from such "
         "ones, too; not where the rooms are only ever seen in the light of the runs");
     visitor("first_pictures", self.first_pictures,
-            "the first round looks at about this many, each later one at twice as many");
-    visitor("max_pictures", self.max_pictures, "the last round looks at about this many");
+            "the first of at most two rounds, which compare scales and bins, looks at about this "
+            "many, the second at twice as many");
+    visitor("max_pictures", self.max_pictures,
+            "about this many are looked at for gamma, the combination of cues and C, and at most "
+            "in the rounds");
   }
   /// Throws Error naming the first field out of range.
   void check() const;
@@ -83,10 +86,11 @@ struct Tuning {
 /// only knows right and wrong. What is simpler wins if it is within one standard error (of the
 /// paired difference).
 ///
-/// 1. For each set of descriptors, scales and bins by successive halving: round by round fewer
-///    candidates and more pictures. 2. Gamma for each survivor. 3. Cues are added one at a time,
-///    with equal weights, while that gains two standard errors. 4. C. Measures between pictures are
-///    computed once a candidate and serve every gamma, C and combination.
+/// 1. For each set of descriptors, scales and bins by successive halving: a second round on
+///    twice as many pictures for the best quarter of the first. 2. Gamma for each survivor. 3. Cues
+///    are added one at a time, with equal weights, while that gains two standard errors. 4. C.
+///    Measures between pictures are computed once a candidate and serve every gamma, C and
+///    combination.
 ///
 /// Throws Error if the runs cannot be learned from; Cancelled if `progress` asks for a stop before
 /// anything was found, else what was found by then is returned. Independent of `threads`.
