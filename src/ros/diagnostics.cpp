@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ros/node_names.h"
+
 namespace place_recognition {
 namespace {
 
@@ -16,7 +18,7 @@ double secondsBetween(Diagnostics::Clock::time_point from, Diagnostics::Clock::t
 Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                          const std::string& node_name, const ModelSlot& model_slot)
     : model_slot_(model_slot),
-      timeout_(private_node.param("image_timeout", 5.0)),
+      timeout_(private_node.param("image_timeout", names::kImageTimeout)),
       max_image_age_(private_node.param("max_image_age", 0.0)),
       updater_(node, private_node, node_name) {
   updater_.setHardwareID("none");
@@ -54,6 +56,11 @@ void Diagnostics::unusable(const std::string& problem) {
   ++unusable_;
   ++recent_.unusable;
   last_problem_ = problem;
+}
+
+void Diagnostics::judged(const std::string& problem) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  image_problem_ = problem;
 }
 
 void Diagnostics::answered(const ros::Time& stamp, Clock::time_point arrival) {
@@ -107,10 +114,12 @@ void Diagnostics::reportImages(Status& status) {
 void Diagnostics::summarize(const Recent& recent, double silence, Status& status) const {
   if (!listening_) {
     status.summary(DiagnosticStatus::OK, "not listening: disabled, or nobody wants the answers");
-  } else if (silence > timeout_) {
+  } else if (timeout_ > 0 && silence > timeout_) {
     status.summaryf(DiagnosticStatus::WARN, "no image for %.0f s", silence);
   } else if (recent.unusable > 0) {
     status.summary(DiagnosticStatus::WARN, "unusable images: " + last_problem_);
+  } else if (!image_problem_.empty()) {
+    status.summary(DiagnosticStatus::WARN, image_problem_);
   } else if (max_image_age_ > 0 && last_age_ > max_image_age_) {
     status.summaryf(DiagnosticStatus::WARN, "images are %.1f s old when answered", last_age_);
   } else {

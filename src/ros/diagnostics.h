@@ -27,6 +27,8 @@ class Diagnostics {
   void skipped();  ///< a newer image came before its turn
   void leftOut();  ///< by the limit of the rate
   void unusable(const std::string& problem);
+  /// What is wrong with the last image, see ImageGuard; empty: nothing.
+  void judged(const std::string& problem);
   /// An answer was published to the image of `stamp` that came at `arrival`.
   void answered(const ros::Time& stamp, Clock::time_point arrival);
 
@@ -47,7 +49,7 @@ class Diagnostics {
   void summarize(const Recent& recent, double seconds, Status& status) const;
 
   const ModelSlot& model_slot_;
-  const double timeout_;        // s without an image that are worth a warning
+  const double timeout_;        // s without an image that are worth a warning; 0: none
   const double max_image_age_;  // s between stamp and answer; 0: any, as in a replay
 
   std::mutex mutex_;  // of all below
@@ -57,7 +59,8 @@ class Diagnostics {
   std::uint64_t unusable_ = 0;
   std::uint64_t answers_ = 0;
   std::string last_problem_;
-  double last_age_ = 0;  // s, of the image last answered
+  std::string image_problem_;  // as long as it lasts
+  double last_age_ = 0;        // s, of the image last answered
   bool listening_ = false;
   Clock::time_point last_arrival_ = Clock::now();
   Clock::time_point last_report_ = Clock::now();

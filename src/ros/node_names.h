@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// Names and queue sizes of what the nodes publish, subscribe to and serve. Those of the nodes' own
-/// things are private: `~recognition` is /place_recognizer/recognition.
+/// Names, queue sizes and a default of what the nodes publish, subscribe to and serve. Those of the
+/// nodes' own things are private: `~recognition` is /place_recognizer/recognition.
 namespace place_recognition::names {
 
 // place_recognizer
@@ -33,6 +33,9 @@ constexpr const char* kPose = "pose";
 
 /// What stands for a place that is not known.
 constexpr const char* kUnknown = "unknown";
+
+/// Default of `~image_timeout`, s.
+constexpr double kImageTimeout = 5;
 
 /// The newest image counts; older ones are of no use.
 constexpr std::uint32_t kImageQueue = 1;

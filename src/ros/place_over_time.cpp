@@ -85,8 +85,10 @@ std::vector<PlaceRecognition> PlaceOverTime::smooth(const PlaceRecognition& mess
   return smoothed_.take();
 }
 
-void PlaceOverTime::reset() {
+std::vector<PlaceRecognition> PlaceOverTime::reset() {
   if (filter_) filter_->reset();
+  smoothed_.finish();
+  return smoothed_.take();
 }
 
 }  // namespace place_recognition

@@ -37,7 +37,8 @@ class PlaceOverTime {
   /// Nobody is interested: messages that wait are forgotten.
   void dropSmoothed() { smoothed_.clear(); }
 
-  void reset();
+  /// Forgets what was seen. The messages that wait for what does not come now, as smooth().
+  std::vector<PlaceRecognition> reset();
 
  private:
   void onOdometry(const nav_msgs::OdometryConstPtr& odometry);

@@ -17,8 +17,15 @@ namespace {
 
 /// A stamp that lies further back than this, s, means that time has jumped, as in a looped bag.
 constexpr double kTimeJump = 0.5;
+/// Between two looks at whether images have stopped, s.
+constexpr double kCameraPeriod = 0.2;
 /// Between two warnings of one kind, s.
 constexpr double kWarningPeriod = 10;
+
+/// Of a clock that also runs where a camera sends the same stamp again.
+double secondsOf(std::chrono::steady_clock::time_point time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
 
 std::string modelText(const Model& model) {
   return model.name + " (version " + model.version + "): " + std::to_string(model.places.size()) +
@@ -32,6 +39,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
     : node_(node),
       private_node_(private_node),
       diagnostics_(node, private_node, name, model_slot_),
+      image_timeout_(private_node.param("image_timeout", names::kImageTimeout)),
       input_(
           node, private_node, [this](const ImageMessage& message) { onImage(message); },
           names::kImageQueue),
@@ -48,6 +56,11 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
   loadFirstModel();
   worker_ = std::thread([this] { work(); });
   updateSubscription();
+  // Wall time, as in diagnostics.
+  if (image_timeout_ > 0) {
+    camera_timer_ = private_node_.createWallTimer(
+        ros::WallDuration(kCameraPeriod), [this](const ros::WallTimerEvent&) { watchCamera(); });
+  }
 }
 
 PlaceRecognizer::~PlaceRecognizer() {
@@ -109,17 +122,22 @@ bool PlaceRecognizer::isWanted() const {
 }
 
 void PlaceRecognizer::updateSubscription() {
-  const std::lock_guard<std::mutex> lock(control_mutex_);
-  const bool wanted = isWanted();
-  if (wanted == subscribed_) return;
-  subscribed_ = wanted;
-  diagnostics_.listening(wanted);
-  if (wanted) {
-    input_.subscribe();
-  } else {
+  {
+    const std::lock_guard<std::mutex> lock(control_mutex_);
+    const bool wanted = isWanted();
+    if (wanted == subscribed_) return;
+    subscribed_ = wanted;
+    diagnostics_.listening(wanted);
+    if (wanted) {
+      input_.subscribe();
+      return;
+    }
     input_.unsubscribe();
     newest_.clear();
   }
+  // The latched room must not wait for whoever listens next.
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  forgetPlace();
 }
 
 void PlaceRecognizer::onImage(const ImageMessage& message) {
@@ -195,6 +213,7 @@ void PlaceRecognizer::answer(const ArrivedImage& arrived) {
   followClock(seconds);
   if (!rate_limit_.admits(seconds, config_.maximum_rate)) {
     diagnostics_.leftOut();
+    last_image_ = arrived.arrival;
     return;
   }
   if (!followModel()) {
@@ -203,6 +222,10 @@ void PlaceRecognizer::answer(const ArrivedImage& arrived) {
   }
   const auto start = Diagnostics::Clock::now();
   const cv::Mat image = arrived.message.image();
+  for (const std::string& warning : guard_->judge(image, secondsOf(arrived.arrival))) {
+    ROS_WARN("%s", warning.c_str());
+  }
+  diagnostics_.judged(guard_->problem());
   const Recognition& recognition = recognizer_->recognize(image, seconds);
   const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
   publish(arrived, image, recognition, spent.count());
@@ -222,6 +245,7 @@ bool PlaceRecognizer::followModel() {
   if (!model) return false;
   if (!recognizer_ || &recognizer_->model() != model.get()) {
     recognizer_ = std::make_unique<Recognizer>(model);
+    guard_.emplace(*model);
     place_over_time_.setModel(model, config_.smoothing);
   }
   const double wanted = config_.unknown_threshold;
@@ -236,8 +260,9 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
                               const Recognition& recognition, double seconds) {
   {
     const std::lock_guard<std::mutex> lock(control_mutex_);
-    if (!enabled_) return;
+    if (!subscribed_) return;
   }
+  last_image_ = arrived.arrival;
   const Model& model = recognizer_->model();
   const std_msgs::Header& header = arrived.message.header();
   const PlaceRecognition message = toPlaceRecognition(recognition, model, header, seconds);
@@ -282,9 +307,24 @@ void PlaceRecognizer::publishModelInfo() {
 void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   rate_limit_.reset();
-  place_over_time_.reset();
   if (recognizer_) recognizer_->forgetLight();
   last_stamp_ = 0;
+  forgetPlace();
+}
+
+void PlaceRecognizer::watchCamera() {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  if (last_place_ == names::kUnknown) return;
+  if (secondsOf(Diagnostics::Clock::now()) - secondsOf(last_image_) <= image_timeout_) return;
+  ROS_WARN("No usable image for %.1f s; the place is unknown.", image_timeout_);
+  forgetPlace();
+}
+
+/// Needs state_mutex_.
+void PlaceRecognizer::forgetPlace() {
+  for (const PlaceRecognition& answer : place_over_time_.reset()) {
+    smoothed_publisher_.publish(answer);
+  }
   publishPlace(names::kUnknown);
 }
 

@@ -11,11 +11,13 @@
 #include <boost/thread/recursive_mutex.hpp>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "base/rate_limit.h"
 #include "place_recognition/recognizer.h"
+#include "recognition/image_guard.h"
 #include "ros/diagnostics.h"
 #include "ros/image_input.h"
 #include "ros/model_slot.h"
@@ -62,11 +64,14 @@ class PlaceRecognizer {
   void publishSmoothed(const PlaceRecognition& message);
   void publishModelInfo();
   void reset();
+  void watchCamera();
+  void forgetPlace();
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   ModelSlot model_slot_;
   Diagnostics diagnostics_;
+  const double image_timeout_;  // s; 0: none
   ImageInput input_;
   NewestImage newest_;
 
@@ -78,10 +83,12 @@ class PlaceRecognizer {
   std::mutex state_mutex_;  // of what an answer depends on and leaves behind
   PlaceRecognizerConfig config_;
   std::unique_ptr<Recognizer> recognizer_;  // of the model in use
+  std::optional<ImageGuard> guard_;         // likewise
   PlaceOverTime place_over_time_;           // likewise
   RateLimit rate_limit_;
-  double last_stamp_ = 0;   // s
-  std::string last_place_;  // as published last
+  double last_stamp_ = 0;                      // s
+  Diagnostics::Clock::time_point last_image_;  // arrival of the last one that could be used
+  std::string last_place_;                     // as published last
 
   ros::Publisher recognition_publisher_;
   ros::Publisher place_publisher_;
@@ -93,6 +100,7 @@ class PlaceRecognizer {
   boost::recursive_mutex reconfigure_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<PlaceRecognizerConfig>> reconfigure_server_;
   std::thread worker_;
+  ros::WallTimer camera_timer_;
 };
 
 }  // namespace place_recognition

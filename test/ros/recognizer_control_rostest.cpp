@@ -52,6 +52,80 @@ TEST_F(RecognizerNode, CanBeSwitchedOff) {
   EXPECT_TRUE(answerTo(answers, drawRoom(1, 3)));
 }
 
+/// One whose `~image_timeout` is a second.
+class ImpatientRecognizerNode : public RecognizerNode {
+ protected:
+  ImpatientRecognizerNode() : RecognizerNode("/impatient_recognizer") {}
+
+  bool placeBecomes(Inbox<std_msgs::String>& places, const std::string& place) {
+    return places.find([&](const auto& message) { return message.data == place; }).has_value();
+  }
+
+  /// Shows a room until `~place` says so.
+  bool showRoom1(Inbox<std_msgs::String>& places) {
+    if (!eventually([this] { return listeners() > 0; })) return false;
+    for (unsigned i = 0; i < 3; ++i) {
+      camera_.send(drawRoom(1, i), nextStamp().toSec());
+      ros::WallDuration(0.1).sleep();
+    }
+    return placeBecomes(places, "room1");
+  }
+};
+
+TEST_F(ImpatientRecognizerNode, ThePlaceEndsWithItsCamera) {
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  ASSERT_TRUE(showRoom1(places));
+  places.clear();
+  EXPECT_TRUE(placeBecomes(places, "unknown"));
+  places.clear();
+  EXPECT_TRUE(showRoom1(places));
+}
+
+TEST_F(ImpatientRecognizerNode, ThePlaceEndsWhereImagesCannotBeUsed) {
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  ASSERT_TRUE(showRoom1(places));
+  places.clear();
+  for (int i = 0; i < 20; ++i) {
+    sensor_msgs::Image bad = toImageMessage(drawRoom(1, 1), headerAt(nextStamp().toSec()));
+    bad.encoding = "32FC1";
+    camera_.send(bad);
+    ros::WallDuration(0.1).sleep();
+  }
+  EXPECT_TRUE(placeBecomes(places, "unknown"));
+}
+
+TEST_F(ImpatientRecognizerNode, NobodyIsToldAnOldPlace) {
+  {
+    Inbox<std_msgs::String> places(node_, name_ + "/place");
+    ASSERT_TRUE(showRoom1(places));
+    places.clear();
+    enable(false);
+    EXPECT_TRUE(placeBecomes(places, "unknown"));
+    enable(true);
+    ASSERT_TRUE(showRoom1(places));
+  }
+  ASSERT_TRUE(eventually([this] { return listeners() == 0; }));
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  ASSERT_TRUE(eventually([&] { return !places.messages().empty(); }));
+  EXPECT_EQ(places.messages().front().data, "unknown");
+}
+
+TEST_F(RecognizerNode, SaysWhatIsWrongWithImages) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  cv::Mat grey;
+  cv::cvtColor(drawRoom(1, 1), grey, cv::COLOR_BGR2GRAY);
+  ASSERT_TRUE(answerTo(answers, grey));
+  const auto report = status("Images");
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->level, diagnostic_msgs::DiagnosticStatus::WARN);
+  EXPECT_NE(report->message.find("grey"), std::string::npos) << report->message;
+  ASSERT_TRUE(answerTo(answers, drawRoom(1, 1)));
+  EXPECT_TRUE(eventually([this] {
+    const auto now = status("Images");
+    return now && now->message.find("grey") == std::string::npos;
+  }));
+}
+
 TEST_F(RecognizerNode, TakesItsThresholdLive) {
   Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
   reconfigure("unknown_threshold", 0);
