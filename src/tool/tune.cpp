@@ -165,6 +165,8 @@ void addTune(CommandLine& tool) {
   verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
+      "Two rounds compare scales and bins on few pictures (--space: first_pictures), then gamma,\n"
+      "the combination of cues and C are chosen on more of them (max_pictures).\n"
       "Cues of --config are tried beside those of the search space. Ctrl-C keeps the best so far.\n"
       "Example:\n"
       "  place_tool tune monday.bag tuesday.bag --out office.yaml\n"
