@@ -21,8 +21,13 @@ cv::Size narrowed(cv::Size size, int max_width) {
 
 int longerSide(cv::Size size) { return std::max(size.width, size.height); }
 
+/// Means over the areas of the new pixels.
 void shrink(const cv::Mat& image, cv::Size size, cv::Mat& result) {
-  cv::resize(image, result, size, 0, 0, cv::INTER_AREA);
+  // The border of a new pixel cuts old ones, which is as if they were blurred; that shows where the
+  // new ones are little larger than the old. So these are cut out of an enlarged image first.
+  const bool cuts = size.width * (image.cols / size.width) != image.cols;
+  const bool shows = image.cols < 2 * size.width;
+  cv::resize(cuts && shows ? enlarged(image, size * 2) : image, result, size, 0, 0, cv::INTER_AREA);
 }
 
 }  // namespace

@@ -64,6 +64,21 @@ TEST(Enlarged, MeansOverPixelsAreThePixelsAgain) {
   }
 }
 
+TEST(ImageScaler, ShrinkingALittleDoesNotBlur) {
+  const cv::Mat image = texture(160, 120, CV_8UC3);
+  ImageProfile trained;
+  trained.width = image.cols;
+  trained.height = image.rows;
+  for (const double factor : {1.25, 1.5}) {
+    const cv::Mat large =
+        enlarged(image, cv::Size(static_cast<int>(160 * factor), static_cast<int>(120 * factor)));
+    const double difference = meanDifference(ImageScaler(trained, 0).scaled(large), image);
+    cv::Mat plain;
+    cv::resize(large, plain, image.size(), 0, 0, cv::INTER_AREA);
+    EXPECT_LT(difference, 0.5 * meanDifference(plain, image)) << factor;
+  }
+}
+
 TEST(Enlarged, KeepsWhatDerivativesSeeInTheOriginal) {
   const cv::Mat original = texture(320, 240, CV_8UC1);
   for (const double factor : {0.5, 0.75}) {
