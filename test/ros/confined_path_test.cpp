@@ -85,6 +85,44 @@ TEST_F(ConfinedPaths, MessagesTellNothingOfOtherFiles) {
   EXPECT_EQ(message, messageOf(missing));
 }
 
+TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
+  const auto expectSays = [this](const std::string& path, const std::vector<std::string>& parts) {
+    try {
+      confined(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& e) {
+      for (const std::string& part : parts) {
+        EXPECT_NE(std::string(e.what()).find(part), std::string::npos)
+            << part << " in: " << e.what();
+      }
+    }
+  };
+  const std::string elsewhere = scratch_ / "elsewhere";
+  fs::create_directory_symlink(elsewhere, root_ + "/linked");
+  fs::create_directory_symlink("linked", root_ + "/twice");
+  fs::create_directory_symlink("../../elsewhere", root_ + "/deep/relative");
+  fs::create_symlink(elsewhere + "/d.bag", root_ + "/link.bag");
+  fs::create_symlink(scratch_ / "gone/d.bag", root_ + "/dangling.bag");
+  const std::string remedy = "add " + elsewhere + " to ~bag_roots";
+  // The same words whether the bag is there or not.
+  for (const std::string bag : {"d.bag", "missing.bag", "sub/d.bag"}) {
+    expectSays("linked/" + bag, {root_ + "/linked, which leads to " + elsewhere + ",", remedy});
+    expectSays(root_ + "/linked/" + bag, {root_ + "/linked", remedy});
+  }
+  expectSays("twice/d.bag", {root_ + "/twice", "leads to " + elsewhere + ",", remedy});
+  expectSays("deep/relative/d.bag", {root_ + "/deep/relative, which leads to " + elsewhere});
+  expectSays("link.bag", {root_ + "/link.bag", "leads to " + elsewhere + "/d.bag", remedy});
+  expectSays("dangling.bag", {root_ + "/dangling.bag", "leads to " + (scratch_ / "gone/d.bag")});
+  // A way out by ".." or from outside is not explained.
+  expectSays("linked/../../elsewhere/d.bag", {"is no bag (*.bag) below " + root_});
+  expectSays(elsewhere + "/d.bag", {"is no bag (*.bag) below " + root_});
+}
+
+TEST_F(ConfinedPaths, ALinkBetweenRootsIsFollowed) {
+  fs::create_directory_symlink(scratch_ / "bags2", root_ + "/linked");
+  EXPECT_EQ(confinedBagPath("linked/c.bag", {root_, scratch_ / "bags2"}), scratch_ / "bags2/c.bag");
+}
+
 TEST_F(ConfinedPaths, ATildeIsTheHomeFolder) {
   setenv("HOME", root_.c_str(), 1);
   EXPECT_EQ(confined("~/a.bag"), root_ + "/a.bag");
