@@ -17,9 +17,10 @@ find_package(catkin REQUIRED COMPONENTS
 include(place_recognition_rosrun)
 
 add_message_files(FILES ModelInfo.msg PlaceRecognition.msg PlaceScore.msg)
-add_service_files(FILES LoadModel.srv Retrain.srv SayPlace.srv)
+add_service_files(FILES LoadModel.srv Recognize.srv SayPlace.srv)
+include(place_recognition_retrain)
 add_action_files(FILES Train.action)
-generate_messages(DEPENDENCIES actionlib_msgs std_msgs)
+generate_messages(DEPENDENCIES actionlib_msgs sensor_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/PlaceRecognizer.cfg)
 
 # Include paths are set target by target, not by include_directories().

@@ -5,7 +5,7 @@ install(DIRECTORY include/${PROJECT_NAME}/
 if(PLACE_RECOGNITION_ROS)
   install(TARGETS auto_labeler bag_reader place_labeler place_recognizer place_tool trainer
     RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  catkin_install_python(PROGRAMS scripts/place_monitor.py
+  catkin_install_python(PROGRAMS scripts/place_monitor.py scripts/play_bag.py
     DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   install(DIRECTORY config launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
   install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

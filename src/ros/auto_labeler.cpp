@@ -4,12 +4,16 @@
 
 #include "place_recognition/error.h"
 #include "ros/node_names.h"
+#include "ros/user_path.h"
 
 namespace place_recognition {
 namespace {
 
-RoomPolygons roomsOf(const ros::NodeHandle& private_node) {
-  const auto path = private_node.param<std::string>("rooms", "");
+/// How often poses are looked up for the images that wait, s.
+constexpr double kPosePoll = 0.02;
+
+RoomPolygons roomsOf(Parameters& parameters) {
+  const std::string path = userPath(parameters.text("rooms"));
   if (path.empty()) throw Error("The parameter ~rooms is not set; name a file of room polygons.");
   return readRoomPolygons(path);
 }
@@ -26,46 +30,89 @@ double deviation(const geometry_msgs::PoseWithCovariance& pose) {
 }  // namespace
 
 AutoLabeler::AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : rooms_(roomsOf(private_node)),
-      map_frame_(private_node.param<std::string>("map_frame", "map")),
-      robot_frame_(private_node.param<std::string>("robot_frame", "base_link")),
-      margin_(private_node.param("margin", 0.3)),
-      max_deviation_(private_node.param("max_deviation", 0.5)),
-      patience_(private_node.param("pose_timeout", 0.2)),
-      recording_(node, private_node),
+    : AutoLabeler(node, private_node, Parameters(private_node)) {}
+
+AutoLabeler::AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                         Parameters parameters)
+    : rooms_(roomsOf(parameters)),
+      map_frame_(parameters.text("map_frame", "map")),
+      robot_frame_(parameters.text("robot_frame", "base_link")),
+      margin_(parameters.real("margin", 0.3, 0)),
+      max_deviation_(parameters.real("max_deviation", 0.5, 0)),
+      patience_(parameters.real("pose_timeout", 0.2, 0)),
+      recording_(node, parameters),
       input_(
-          node, private_node, [this](const ImageMessage& image) { onImage(image); },
+          node, private_node, parameters, [this](const ImageMessage& image) { onImage(image); },
           names::kRecordingQueue) {
+  parameters.warnOfDoubts();
   pose_subscriber_ = ros::NodeHandle(node).subscribe(names::kPose, 1, &AutoLabeler::onPose, this);
+  timer_ = ros::NodeHandle(node).createWallTimer(
+      ros::WallDuration(kPosePoll), [this](const ros::WallTimerEvent&) { labelWaiting(); });
   input_.subscribe();
+  recording_.expectImages();
   ROS_INFO("%zu rooms; labelling by the pose of %s in %s.", rooms_.size(), robot_frame_.c_str(),
            map_frame_.c_str());
 }
 
+void AutoLabeler::finish() {
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    label(waiting_.front(), positionAt(waiting_.front().stamp));
+  }
+  if (labelled_ == 0 && unlabelled_ > 0) {
+    ROS_WARN("None of %lu images has a label. %s", static_cast<unsigned long>(unlabelled_),
+             problem_.c_str());
+  } else {
+    ROS_INFO("%lu images have a label, %lu have none.", static_cast<unsigned long>(labelled_),
+             static_cast<unsigned long>(unlabelled_));
+  }
+  recording_.finish();
+}
+
 void AutoLabeler::onImage(const ImageMessage& image) {
-  const ros::Time now = ros::Time::now();  // label and image have the same time in the bag
-  const std::optional<Eigen::Vector2d> position = positionAt(image.header().stamp);
-  const bool sure = position && deviation_ <= max_deviation_;  // false if it is NaN
-  recording_.say(sure ? rooms_.at(*position, margin_) : "", now);
+  const ros::Time now = ros::Time::now();
   recording_.add(image, now);
+  if (now < ros::TIME_MIN) return;  // not recorded: there is no clock yet
+  waiting_.push_back({image.header().stamp, now});
+  labelWaiting();
 }
 
 void AutoLabeler::onPose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose) {
   deviation_ = deviation(pose->pose);
 }
 
-std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) const {
+void AutoLabeler::labelWaiting() {
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    const std::optional<Eigen::Vector2d> position = positionAt(waiting_.front().stamp);
+    if (!position && mayStillCome(waiting_.front())) return;
+    label(waiting_.front(), position);
+  }
+}
+
+bool AutoLabeler::mayStillCome(const Waiting& image) const {
+  const ros::Duration age = ros::Time::now() - image.arrival;
+  // Time may have jumped back, as in a looped bag.
+  return !image.stamp.isZero() && age >= ros::Duration(0) && age < patience_;
+}
+
+void AutoLabeler::label(const Waiting& image, const std::optional<Eigen::Vector2d>& position) {
+  if (!position) ROS_WARN_THROTTLE(10, "%s", problem_.c_str());
+  const bool sure = position && deviation_ <= max_deviation_;  // false if it is NaN
+  const std::string room = sure ? rooms_.at(*position, margin_) : "";
+  ++(room.empty() ? unlabelled_ : labelled_);
+  recording_.say(room, image.arrival);
+}
+
+std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
   if (stamp.isZero()) {  // tf would take it for "the latest"
-    ROS_WARN_THROTTLE(10, "The images have no stamp; they cannot be labelled by the pose.");
+    problem_ = "The images have no stamp; they cannot be labelled by the pose.";
     return std::nullopt;
   }
   try {
     const geometry_msgs::Vector3 position =
-        transforms_.lookupTransform(map_frame_, robot_frame_, stamp, patience_)
-            .transform.translation;
+        transforms_.lookupTransform(map_frame_, robot_frame_, stamp).transform.translation;
     return Eigen::Vector2d(position.x, position.y);
   } catch (const tf2::TransformException& e) {
-    ROS_WARN_THROTTLE(10, "No label for want of a pose: %s", e.what());
+    problem_ = std::string("No label for want of a pose: ") + e.what();
     return std::nullopt;
   }
 }

@@ -2,8 +2,12 @@
 
 #include "ros/auto_labeler.h"
 
-#include "ros/labeler_main.h"
+#include "ros/node_main.h"
 
 int main(int argc, char** argv) {
-  return place_recognition::runLabeler<place_recognition::AutoLabeler>(argc, argv, "auto_labeler");
+  return place_recognition::runNode(argc, argv, "auto_labeler", [] {
+    place_recognition::AutoLabeler labeler(ros::NodeHandle(), ros::NodeHandle("~"));
+    place_recognition::spinUntilEnd(1);
+    labeler.finish();
+  });
 }

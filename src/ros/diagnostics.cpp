@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ros/image_topics.h"
 #include "ros/node_names.h"
 
 namespace place_recognition {
@@ -16,17 +17,22 @@ double secondsBetween(Diagnostics::Clock::time_point from, Diagnostics::Clock::t
 }  // namespace
 
 Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                         const std::string& node_name, const ModelSlot& model_slot)
+                         Parameters& parameters, const std::string& node_name,
+                         const ModelSlot& model_slot, const ImageInput& input)
     : model_slot_(model_slot),
-      timeout_(private_node.param("image_timeout", names::kImageTimeout)),
-      max_image_age_(private_node.param("max_image_age", 0.0)),
+      input_(input),
+      timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
+      max_image_age_(parameters.real("max_image_age", 0, 0)),
       updater_(node, private_node, node_name) {
   updater_.setHardwareID("none");
   updater_.add("Model", [this](Status& status) { reportModel(status); });
   updater_.add("Images", [this](Status& status) { reportImages(status); });
   // Wall time: a paused simulation must not silence the node.
-  timer_ = ros::NodeHandle(node).createWallTimer(
-      ros::WallDuration(1), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  timer_ = ros::NodeHandle(node).createWallTimer(ros::WallDuration(1),
+                                                 [this](const ros::WallTimerEvent&) {
+                                                   updater_.force_update();
+                                                   warnOfSilence();
+                                                 });
 }
 
 void Diagnostics::listening(bool subscribed) {
@@ -39,6 +45,7 @@ void Diagnostics::arrived() {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++recent_.images;
   last_arrival_ = Clock::now();
+  warned_of_silence_ = false;
 }
 
 void Diagnostics::skipped() {
@@ -115,7 +122,8 @@ void Diagnostics::summarize(const Recent& recent, double silence, Status& status
   if (!listening_) {
     status.summary(DiagnosticStatus::OK, "not listening: disabled, or nobody wants the answers");
   } else if (timeout_ > 0 && silence > timeout_) {
-    status.summaryf(DiagnosticStatus::WARN, "no image for %.0f s", silence);
+    status.summaryf(DiagnosticStatus::WARN, "no image on %s for %.0f s", input_.topic().c_str(),
+                    silence);
   } else if (recent.unusable > 0) {
     status.summary(DiagnosticStatus::WARN, "unusable images: " + last_problem_);
   } else if (!image_problem_.empty()) {
@@ -125,6 +133,19 @@ void Diagnostics::summarize(const Recent& recent, double silence, Status& status
   } else {
     status.summary(DiagnosticStatus::OK, "images are answered");
   }
+}
+
+bool Diagnostics::silenceBegins() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (timeout_ == 0 || !listening_ || warned_of_silence_) return false;
+  warned_of_silence_ = secondsBetween(last_arrival_, Clock::now()) > timeout_;
+  return warned_of_silence_;
+}
+
+void Diagnostics::warnOfSilence() {
+  if (!silenceBegins()) return;
+  ROS_WARN("No image has come on %s for %.0f s. %s", input_.topic().c_str(), timeout_,
+           explainSilence(input_.topic(), input_.transport()).c_str());
 }
 
 }  // namespace place_recognition

@@ -8,19 +8,23 @@
 #include <mutex>
 #include <string>
 
+#include "ros/image_input.h"
 #include "ros/model_slot.h"
+#include "ros/parameters.h"
 
 namespace place_recognition {
 
 /// What place_recognizer tells on /diagnostics each second: the state of the model, and of the
-/// images and answers. Thread-safe.
+/// images and answers. Once in each silence of the camera it also logs what may be wrong.
+/// Thread-safe.
 class Diagnostics {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `model_slot` must outlive it.
+  /// `model_slot` and `input` must outlive it.
   Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-              const std::string& node_name, const ModelSlot& model_slot);
+              Parameters& parameters, const std::string& node_name, const ModelSlot& model_slot,
+              const ImageInput& input);
 
   void listening(bool subscribed);  ///< no image is missed while the node does not listen
   void arrived();
@@ -47,8 +51,12 @@ class Diagnostics {
   void reportModel(Status& status) const;
   void reportImages(Status& status);
   void summarize(const Recent& recent, double seconds, Status& status) const;
+  void warnOfSilence();
+  /// Whether a silence has become worth a warning just now.
+  bool silenceBegins();
 
   const ModelSlot& model_slot_;
+  const ImageInput& input_;
   const double timeout_;        // s without an image that are worth a warning; 0: none
   const double max_image_age_;  // s between stamp and answer; 0: any, as in a replay
 
@@ -62,6 +70,7 @@ class Diagnostics {
   std::string image_problem_;  // as long as it lasts
   double last_age_ = 0;        // s, of the image last answered
   bool listening_ = false;
+  bool warned_of_silence_ = false;
   Clock::time_point last_arrival_ = Clock::now();
   Clock::time_point last_report_ = Clock::now();
 

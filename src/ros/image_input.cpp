@@ -1,7 +1,6 @@
 #include "ros/image_input.h"
 
 #include "ros/conversions.h"
-#include "ros/node_names.h"
 
 namespace place_recognition {
 
@@ -15,18 +14,19 @@ cv::Mat ImageMessage::image() const {
 }
 
 ImageInput::ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                       Callback callback, std::uint32_t queue)
+                       Parameters& parameters, Callback callback, std::uint32_t queue)
     : node_(node),
       private_node_(private_node),
+      transport_name_(parameters.text("image_transport", "raw")),
       callback_(std::move(callback)),
       queue_(queue),
       transport_(node) {}
 
 void ImageInput::subscribe() {
-  if (private_node_.param<std::string>("image_transport", "raw") == "compressed") {
+  if (transport_name_ == "compressed") {
     // As image_transport does: a remapping of `image` holds for what is appended to it.
-    const std::string topic = node_.resolveName(names::kImage) + names::kCompressedSuffix;
-    compressed_subscriber_ = node_.subscribe(topic, queue_, &ImageInput::onCompressed, this);
+    compressed_subscriber_ = node_.subscribe(topic() + names::kCompressedSuffix, queue_,
+                                             &ImageInput::onCompressed, this);
   } else {
     subscribeThroughPlugin();
   }

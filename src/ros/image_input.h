@@ -10,6 +10,9 @@
 #include <string>
 #include <variant>
 
+#include "ros/node_names.h"
+#include "ros/parameters.h"
+
 namespace place_recognition {
 
 /// An image as it came.
@@ -42,12 +45,16 @@ class ImageInput {
   using Callback = std::function<void(const ImageMessage&)>;
 
   /// While the callback is busy, the newest `queue` images wait.
-  ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node, Callback callback,
-             std::uint32_t queue);
+  ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+             Parameters& parameters, Callback callback, std::uint32_t queue);
 
   /// Both may be called at any time, by one thread at a time.
   void subscribe();
   void unsubscribe();
+
+  /// The topic without what the transport appends to it.
+  std::string topic() const { return node_.resolveName(names::kImage); }
+  const std::string& transport() const { return transport_name_; }
 
  private:
   void onImage(const sensor_msgs::ImageConstPtr& message) { callback_(ImageMessage(message)); }
@@ -58,6 +65,7 @@ class ImageInput {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
+  const std::string transport_name_;
   Callback callback_;
   const std::uint32_t queue_;
   image_transport::ImageTransport transport_;

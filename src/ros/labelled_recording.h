@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ros/image_input.h"
+#include "ros/parameters.h"
 #include "ros/staged_bag.h"
 
 namespace place_recognition {
@@ -18,9 +19,9 @@ namespace place_recognition {
 class LabelledRecording {
  public:
   /// Throws Error if the file exists already, complete or not, or cannot be written.
-  LabelledRecording(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  LabelledRecording(const ros::NodeHandle& node, Parameters& parameters);
 
-  /// Completes the file.
+  /// As finish(), but what is wrong is only logged.
   ~LabelledRecording();
   LabelledRecording(const LabelledRecording&) = delete;
   LabelledRecording& operator=(const LabelledRecording&) = delete;
@@ -28,11 +29,19 @@ class LabelledRecording {
   /// Whether images are wanted.
   bool isRecording() const { return bag_ != nullptr; }
 
-  /// From `time` on the robot is in `place`; empty: in none. Throws Error if it is no place name.
+  /// From now on images should come: logs now and then how many have, or why none may come.
+  void expectImages();
+
+  /// From `time` on, which may lie before images that have been added, the robot is in `place`;
+  /// empty: in none. Throws Error if it is no place name.
   void say(const std::string& place, const ros::Time& time);
 
   /// An image that came at `time`.
   void add(const ImageMessage& image, const ros::Time& time);
+
+  /// Completes the file, once. Throws Error if it cannot be completed, if the disk has refused
+  /// something meanwhile, or if no image has come; then there is no file.
+  void finish();
 
  private:
   void recordLabel(const ros::Time& time);
@@ -41,6 +50,7 @@ class LabelledRecording {
   void reportProgress();
 
   std::string image_topic_;
+  std::string image_transport_;
   std::string label_topic_;
   std::unique_ptr<StagedBag> bag_;  // none: nothing is recorded
 
@@ -48,9 +58,12 @@ class LabelledRecording {
   std::string place_;
   std::string recorded_place_;
   std::uint64_t images_ = 0;
+  std::uint64_t timeless_ = 0;  // images that came before simulated time did
   std::uint64_t reported_images_ = 0;
   bool failed_ = false;
 
+  ros::Time reported_time_;
+  ros::NodeHandle node_;
   ros::Publisher publisher_;
   ros::WallTimer timer_;
 };

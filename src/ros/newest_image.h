@@ -1,9 +1,15 @@
 #pragma once
 
+#include <place_recognition/PlaceRecognition.h>
+
 #include <chrono>
 #include <condition_variable>
+#include <deque>
+#include <future>
 #include <mutex>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "ros/image_input.h"
 
@@ -15,8 +21,17 @@ struct ArrivedImage {
   std::chrono::steady_clock::time_point arrival;
 };
 
+/// A picture that somebody asks about, and where the answer goes.
+struct Question {
+  ImageMessage message;
+  std::promise<PlaceRecognition> answer;
+};
+
+using Work = std::variant<ArrivedImage, Question>;
+
 /// Hands images from the thread that receives them to the one that works on them. Holds one at
-/// most: while the worker is busy, the newest takes the place of the one before. Thread-safe.
+/// most: while the worker is busy, the newest takes the place of the one before. Questions, for
+/// which somebody waits, go first and none is lost. Thread-safe.
 class NewestImage {
  public:
   /// False: an image that nobody has taken was replaced.
@@ -28,13 +43,29 @@ class NewestImage {
     return free;
   }
 
-  /// Waits for an image; nothing after close().
-  std::optional<ArrivedImage> take() {
+  /// The answer comes in the worker's turn; std::future_error after close().
+  std::future<PlaceRecognition> ask(const ImageMessage& message) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Question question{message, {}};
+    std::future<PlaceRecognition> answer = question.answer.get_future();
+    if (!closed_) questions_.push_back(std::move(question));
+    changed_.notify_one();
+    return answer;
+  }
+
+  /// Waits for work; nothing after close().
+  std::optional<Work> take() {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] { return image_ || closed_; });
+    changed_.wait(lock, [this] { return image_ || !questions_.empty() || closed_; });
     if (closed_) return std::nullopt;
-    std::optional<ArrivedImage> taken;
-    taken.swap(image_);
+    std::optional<Work> taken;
+    if (questions_.empty()) {
+      taken = std::move(*image_);
+      image_.reset();
+    } else {
+      taken = std::move(questions_.front());
+      questions_.pop_front();
+    }
     return taken;
   }
 
@@ -47,6 +78,7 @@ class NewestImage {
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
     closed_ = true;
+    questions_.clear();
     changed_.notify_all();
   }
 
@@ -54,6 +86,7 @@ class NewestImage {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<ArrivedImage> image_;
+  std::deque<Question> questions_;
   bool closed_ = false;
 };
 

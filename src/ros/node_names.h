@@ -20,6 +20,7 @@ constexpr const char* kLoadModel = "load_model";
 constexpr const char* kReloadModel = "reload_model";
 constexpr const char* kSetEnabled = "set_enabled";
 constexpr const char* kReset = "reset";
+constexpr const char* kRecognize = "recognize";
 
 // trainer
 constexpr const char* kTrain = "train";

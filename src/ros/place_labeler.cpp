@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "place_recognition/error.h"
+#include "ros/node_main.h"
 #include "ros/node_names.h"
 
 namespace place_recognition {
@@ -10,21 +11,25 @@ namespace {
 
 constexpr char kEndKey = 'q';
 
-LabelKeys labelKeys(const ros::NodeHandle& private_node) {
-  return LabelKeys(private_node.param("places", std::vector<std::string>()),
-                   private_node.param("buttons", std::vector<int>()),
-                   private_node.param("no_place_button", -1));
+LabelKeys labelKeys(Parameters& parameters) {
+  return LabelKeys(parameters.texts("places"), parameters.integers("buttons"),
+                   parameters.integer("no_place_button", -1, -1));
 }
 
 }  // namespace
 
 PlaceLabeler::PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : keys_(labelKeys(private_node)),
-      recording_(node, private_node),
+    : PlaceLabeler(node, private_node, Parameters(private_node)) {}
+
+PlaceLabeler::PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                           Parameters parameters)
+    : keys_(labelKeys(parameters)),
+      recording_(node, parameters),
       input_(
-          node, private_node,
+          node, private_node, parameters,
           [this](const ImageMessage& image) { recording_.add(image, ros::Time::now()); },
           names::kRecordingQueue) {
+  parameters.warnOfDoubts();
   ros::NodeHandle public_handle(node);
   ros::NodeHandle private_handle(private_node);
   say_subscriber_ =
@@ -32,16 +37,22 @@ PlaceLabeler::PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& p
   joy_subscriber_ =
       public_handle.subscribe(names::kJoy, names::kAnswerQueue, &PlaceLabeler::onJoy, this);
   say_server_ = private_handle.advertiseService(names::kSay, &PlaceLabeler::onSayService, this);
-  if (recording_.isRecording()) input_.subscribe();
+  if (recording_.isRecording()) {
+    input_.subscribe();
+    recording_.expectImages();
+  }
   if (Keyboard::isUsable(STDIN_FILENO)) {
     keyboard_ = std::make_unique<Keyboard>(STDIN_FILENO, [this](char key) { onKey(key); });
     ROS_INFO("Press: %s, %c end.", keys_.help().c_str(), kEndKey);
+  } else {
+    ROS_INFO("There is no terminal for keys; say a room by a button or on %s. Rooms: %s.",
+             say_server_.getService().c_str(), keys_.help().c_str());
   }
 }
 
 void PlaceLabeler::onKey(char key) {
   if (key == kEndKey) {
-    ros::requestShutdown();
+    requestEnd();
   } else if (const std::optional<std::string> place = keys_.placeOfKey(key)) {
     say(*place);
   } else {

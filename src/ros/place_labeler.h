@@ -11,6 +11,7 @@
 #include "ros/keyboard.h"
 #include "ros/label_keys.h"
 #include "ros/labelled_recording.h"
+#include "ros/parameters.h"
 
 namespace place_recognition {
 
@@ -22,7 +23,12 @@ class PlaceLabeler {
   /// Throws Error if a parameter is wrong or the bag cannot be written.
   PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
+  /// Ends the recording. Throws Error if there is none to keep.
+  void finish() { recording_.finish(); }
+
  private:
+  PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+               Parameters parameters);
   void onKey(char key);
   void onSay(const std_msgs::StringConstPtr& message);
   void onJoy(const sensor_msgs::JoyConstPtr& message);

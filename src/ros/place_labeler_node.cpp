@@ -2,9 +2,12 @@
 
 #include "ros/place_labeler.h"
 
-#include "ros/labeler_main.h"
+#include "ros/node_main.h"
 
 int main(int argc, char** argv) {
-  return place_recognition::runLabeler<place_recognition::PlaceLabeler>(argc, argv,
-                                                                        "place_labeler");
+  return place_recognition::runNode(argc, argv, "place_labeler", [] {
+    place_recognition::PlaceLabeler labeler(ros::NodeHandle(), ros::NodeHandle("~"));
+    place_recognition::spinUntilEnd(1);
+    labeler.finish();
+  });
 }

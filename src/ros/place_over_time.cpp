@@ -1,10 +1,10 @@
 #include "ros/place_over_time.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "place_recognition/error.h"
 #include "ros/node_names.h"
+#include "ros/user_path.h"
 
 namespace place_recognition {
 namespace {
@@ -21,10 +21,10 @@ OdometryPose toPose(const nav_msgs::Odometry& odometry) {
 
 }  // namespace
 
-PlaceOverTime::PlaceOverTime(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : adjacency_path_(private_node.param<std::string>("adjacency", "")),
-      smoothed_(std::clamp(private_node.param("smoothing_lag", 1.0), 0.0, kLongestLag)) {
-  if (private_node.param("use_odometry", false)) {
+PlaceOverTime::PlaceOverTime(const ros::NodeHandle& node, Parameters& parameters)
+    : adjacency_path_(userPath(parameters.text("adjacency"))),
+      smoothed_(parameters.real("smoothing_lag", 1, 0, kLongestLag)) {
+  if (parameters.flag("use_odometry", false)) {
     odometry_subscriber_ = ros::NodeHandle(node).subscribe(names::kOdometry, names::kOdometryQueue,
                                                            &PlaceOverTime::onOdometry, this);
   }

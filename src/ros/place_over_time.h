@@ -8,6 +8,7 @@
 
 #include "place_recognition/temporal_filter.h"
 #include "ros/driven_way.h"
+#include "ros/parameters.h"
 #include "ros/smoothed_answers.h"
 
 namespace place_recognition {
@@ -19,7 +20,7 @@ namespace place_recognition {
 /// odometry, which may come at any time.
 class PlaceOverTime {
  public:
-  PlaceOverTime(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+  PlaceOverTime(const ros::NodeHandle& node, Parameters& parameters);
 
   /// From now on frames are answered by `model`. A map that does not fit it is reported and left
   /// out. `smoothing`, s: see the parameter; 0: the answer is that to the single frame.

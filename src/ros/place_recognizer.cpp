@@ -4,6 +4,8 @@
 #include <place_recognition/PlaceRecognition.h>
 #include <std_msgs/String.h>
 
+#include <boost/make_shared.hpp>
+#include <exception>
 #include <opencv2/core/utility.hpp>
 
 #include "place_recognition/error.h"
@@ -32,20 +34,56 @@ std::string modelText(const Model& model) {
          " places, " + std::to_string(model.supportVectorCount()) + " support vectors";
 }
 
+ImageMessage pictureOf(const Recognize::Request& request) {
+  if (request.image.data.empty() == request.compressed.data.empty()) {
+    throw Error("Give one picture, either as image or as compressed.");
+  }
+  if (request.image.data.empty()) {
+    return ImageMessage(boost::make_shared<const sensor_msgs::CompressedImage>(request.compressed));
+  }
+  return ImageMessage(boost::make_shared<const sensor_msgs::Image>(request.image));
+}
+
+/// dynamic_reconfigure reads these itself, but takes a value that it does not understand for the
+/// default one and moves others into their limits, without a word.
+void checkLiveParameters(Parameters& parameters, const ros::NodeHandle& private_node) {
+  const auto check = [&](const char* name, double PlaceRecognizerConfig::*field) {
+    const double least = PlaceRecognizerConfig::__getMin__().*field;
+    const double most = PlaceRecognizerConfig::__getMax__().*field;
+    const double initial = PlaceRecognizerConfig::__getDefault__().*field;
+    private_node.setParam(name, parameters.real(name, initial, least, most));
+  };
+  check("unknown_threshold", &PlaceRecognizerConfig::unknown_threshold);
+  check("smoothing", &PlaceRecognizerConfig::smoothing);
+  check("maximum_rate", &PlaceRecognizerConfig::maximum_rate);
+}
+
 }  // namespace
 
 PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                                  const std::string& name)
+    : PlaceRecognizer(node, private_node, name, Parameters(private_node)) {}
+
+PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                                 const std::string& name, Parameters parameters)
     : node_(node),
       private_node_(private_node),
-      diagnostics_(node, private_node, name, model_slot_),
-      image_timeout_(private_node.param("image_timeout", names::kImageTimeout)),
       input_(
-          node, private_node, [this](const ImageMessage& message) { onImage(message); },
+          node, private_node, parameters, [this](const ImageMessage& message) { onImage(message); },
           names::kImageQueue),
-      lazy_(private_node.param("lazy", true)),
-      place_over_time_(node, private_node) {
-  const int threads = private_node_.param("threads", 0);
+      diagnostics_(node, private_node, parameters, name, model_slot_, input_),
+      image_timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
+      lazy_(parameters.flag("lazy", true)),
+      place_over_time_(node, parameters) {
+  const std::string model = parameters.text("model");
+  const int threads = parameters.integer("threads", 0, 0);
+  if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
+    ROS_WARN(
+        "~simulated_time has no effect by itself: remap /use_sim_time to it, as recognize.launch "
+        "does.");
+  }
+  checkLiveParameters(parameters, private_node);
+  parameters.warnOfDoubts();
   if (threads > 0) cv::setNumThreads(threads);
   advertise();
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaceRecognizerConfig>>(
@@ -53,7 +91,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
   reconfigure_server_->setCallback(
       [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
   publishPlace(names::kUnknown);
-  loadFirstModel();
+  loadFirstModel(model);
   worker_ = std::thread([this] { work(); });
   updateSubscription();
   // Wall time, as in diagnostics.
@@ -96,11 +134,11 @@ void PlaceRecognizer::advertise() {
       private_node_.advertiseService(names::kLoadModel, &PlaceRecognizer::onLoadModel, this),
       private_node_.advertiseService(names::kReloadModel, &PlaceRecognizer::onReloadModel, this),
       private_node_.advertiseService(names::kSetEnabled, &PlaceRecognizer::onSetEnabled, this),
-      private_node_.advertiseService(names::kReset, &PlaceRecognizer::onReset, this)};
+      private_node_.advertiseService(names::kReset, &PlaceRecognizer::onReset, this),
+      private_node_.advertiseService(names::kRecognize, &PlaceRecognizer::onRecognize, this)};
 }
 
-void PlaceRecognizer::loadFirstModel() {
-  const std::string name = private_node_.param<std::string>("model", "");
+void PlaceRecognizer::loadFirstModel(const std::string& name) {
   try {
     if (name.empty()) throw Error("The parameter ~model is not set.");
     model_slot_.load(name);
@@ -195,18 +233,46 @@ bool PlaceRecognizer::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Re
   return true;
 }
 
+bool PlaceRecognizer::onRecognize(Recognize::Request& request, Recognize::Response& response) {
+  try {
+    response.recognition = newest_.ask(pictureOf(request)).get();
+    response.success = true;
+  } catch (const std::exception& e) {
+    response.message = e.what();
+  }
+  return true;
+}
+
 void PlaceRecognizer::work() {
-  while (const std::optional<ArrivedImage> arrived = newest_.take()) {
-    try {
-      answer(*arrived);
-    } catch (const std::exception& e) {
-      diagnostics_.unusable(e.what());
-      ROS_WARN_THROTTLE(kWarningPeriod, "An image cannot be used: %s", e.what());
-    }
+  while (std::optional<Work> work = newest_.take()) {
+    std::visit([this](auto& item) { answer(item); }, *work);
+  }
+}
+
+void PlaceRecognizer::answer(Question& question) {
+  try {
+    const std::lock_guard<std::mutex> lock(state_mutex_);
+    if (!followModel()) throw Error("There is no model to recognize with; call ~load_model.");
+    const auto start = Diagnostics::Clock::now();
+    const Recognition& recognition = recognizer_->recognize(question.message.image());
+    const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
+    question.answer.set_value(toPlaceRecognition(recognition, recognizer_->model(),
+                                                 question.message.header(), spent.count()));
+  } catch (...) {
+    question.answer.set_exception(std::current_exception());
   }
 }
 
 void PlaceRecognizer::answer(const ArrivedImage& arrived) {
+  try {
+    recognize(arrived);
+  } catch (const std::exception& e) {
+    diagnostics_.unusable(e.what());
+    ROS_WARN_THROTTLE(kWarningPeriod, "An image cannot be used: %s", e.what());
+  }
+}
+
+void PlaceRecognizer::recognize(const ArrivedImage& arrived) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   const ros::Time stamp = arrived.message.header().stamp;
   const double seconds = (stamp.isZero() ? ros::Time::now() : stamp).toSec();

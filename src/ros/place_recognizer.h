@@ -4,6 +4,7 @@
 #include <image_transport/image_transport.h>
 #include <place_recognition/LoadModel.h>
 #include <place_recognition/PlaceRecognizerConfig.h>
+#include <place_recognition/Recognize.h>
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -22,6 +23,7 @@
 #include "ros/image_input.h"
 #include "ros/model_slot.h"
 #include "ros/newest_image.h"
+#include "ros/parameters.h"
 #include "ros/place_over_time.h"
 
 namespace place_recognition {
@@ -30,7 +32,8 @@ namespace place_recognition {
 /// from any number of threads; images are worked on in a thread of its own, always the newest.
 class PlaceRecognizer {
  public:
-  /// `name` is that of the node or nodelet, for diagnostics.
+  /// `name` is that of the node or nodelet, for diagnostics. Throws Error if a parameter is wrong;
+  /// a model that cannot be loaded is only reported, for ~load_model may name another.
   PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                   const std::string& name);
   ~PlaceRecognizer();
@@ -38,8 +41,10 @@ class PlaceRecognizer {
   PlaceRecognizer& operator=(const PlaceRecognizer&) = delete;
 
  private:
+  PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                  const std::string& name, Parameters parameters);
   void advertise();
-  void loadFirstModel();
+  void loadFirstModel(const std::string& name);
   void updateSubscription();
   bool isWanted() const;
 
@@ -48,6 +53,7 @@ class PlaceRecognizer {
   bool onLoadModel(LoadModel::Request& request, LoadModel::Response& response);
   bool onReloadModel(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onSetEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool onRecognize(Recognize::Request& request, Recognize::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   /// Calls `load` and tells in `response` how that went.
@@ -56,6 +62,9 @@ class PlaceRecognizer {
 
   void work();
   void answer(const ArrivedImage& arrived);
+  void recognize(const ArrivedImage& arrived);
+  /// Asked by ~recognize: changes nothing that an answer to a frame depends on.
+  void answer(Question& question);
   void followClock(double stamp);
   bool followModel();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
@@ -70,9 +79,9 @@ class PlaceRecognizer {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   ModelSlot model_slot_;
+  ImageInput input_;
   Diagnostics diagnostics_;
   const double image_timeout_;  // s; 0: none
-  ImageInput input_;
   NewestImage newest_;
 
   std::mutex control_mutex_;  // of what decides whether images are wanted

@@ -2,12 +2,13 @@
 
 #include <ros/ros.h>
 
+#include "ros/node_main.h"
 #include "ros/place_recognizer.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "place_recognizer");
-  const ros::NodeHandle private_node("~");
-  place_recognition::PlaceRecognizer recognizer(ros::NodeHandle(), private_node,
-                                                ros::this_node::getName());
-  ros::MultiThreadedSpinner(4).spin();  // images, services and loading do not wait for each other
+  return place_recognition::runNode(argc, argv, "place_recognizer", [] {
+    const place_recognition::PlaceRecognizer recognizer(ros::NodeHandle(), ros::NodeHandle("~"),
+                                                        ros::this_node::getName());
+    place_recognition::spinUntilEnd(4);  // images, services and loading do not wait for each other
+  });
 }

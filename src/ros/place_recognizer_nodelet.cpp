@@ -3,6 +3,7 @@
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "place_recognition/error.h"
 #include "ros/place_recognizer.h"
 
 namespace place_recognition {
@@ -11,8 +12,13 @@ namespace place_recognition {
 class PlaceRecognizerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
-    recognizer_ =
-        std::make_unique<PlaceRecognizer>(getMTNodeHandle(), getMTPrivateNodeHandle(), getName());
+    try {
+      recognizer_ =
+          std::make_unique<PlaceRecognizer>(getMTNodeHandle(), getMTPrivateNodeHandle(), getName());
+    } catch (const Error& e) {
+      NODELET_FATAL("%s", e.what());
+      throw;  // the manager, which does not say why, does not load it
+    }
   }
 
   std::unique_ptr<PlaceRecognizer> recognizer_;

@@ -10,6 +10,7 @@
 #include "ros/child_process.h"
 #include "ros/confined_path.h"
 #include "ros/labels.h"
+#include "ros/message_fields.h"
 
 namespace place_recognition {
 namespace {
@@ -62,6 +63,16 @@ void check(const TrainGoal& goal) {
           "recognizers are no names of nodes");
 }
 
+/// Fields that are not the option of place_tool by the same name.
+const std::vector<std::string> kOtherFields = {"bags",      "preset",       "yaml",
+                                               "reduction", "vector_limit", "recognizers"};
+
+/// `--image-topic` of image_topic.
+std::string optionOf(std::string field) {
+  std::replace(field.begin(), field.end(), '_', '-');
+  return "--" + field;
+}
+
 }  // namespace
 
 std::vector<std::string> trainCommand(const TrainGoal& goal,
@@ -74,15 +85,16 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
   const auto add = [&command](const std::string& option, const std::string& value) {
     if (!value.empty()) command.push_back(option + "=" + value);
   };
-  add("--model", goal.model);
+  for (const MessageField& field : fieldsOf(goal)) {
+    if (std::count(kOtherFields.begin(), kOtherFields.end(), field.name) > 0) continue;
+    for (const std::string& value : field.values) {
+      const bool is_unset = field.type != "string" && value == "0";
+      if (!is_unset) add(optionOf(field.name), value);
+    }
+  }
   add("--config", goal.yaml.empty() ? goal.preset : yaml_path);
   add("--set", goal.reduction.empty() ? "" : "reduction.method=" + goal.reduction);
-  add("--add-to", goal.add_to);
   add("--limit", goal.vector_limit == 0 ? "" : std::to_string(goal.vector_limit));
-  add("--threads", goal.threads == 0 ? "" : std::to_string(goal.threads));
-  add("--image-topic", goal.image_topic);
-  add("--label-topic", goal.label_topic);
-  add("--label", goal.label);
   command.insert(command.end(), {"--progress=json", "--json=-"});
   return command;
 }

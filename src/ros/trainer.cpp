@@ -2,8 +2,13 @@
 
 #include <place_recognition/LoadModel.h>
 
+#include <filesystem>
+
 #include "ros/confined_path.h"
+#include "ros/message_fields.h"
 #include "ros/node_names.h"
+#include "ros/parameters.h"
+#include "ros/user_path.h"
 
 namespace place_recognition {
 namespace {
@@ -14,37 +19,26 @@ constexpr double kServiceTimeout = 2;
 constexpr const char* kBusy = "Another training is running; wait for it or cancel it.";
 
 std::vector<std::string> bagRoots(const ros::NodeHandle& private_node) {
-  const auto roots = private_node.param("bag_roots", std::vector<std::string>());
+  Parameters parameters(private_node);
+  std::vector<std::string> roots = parameters.texts("bag_roots");
+  parameters.warnOfDoubts();
+  for (std::string& root : roots) {
+    root = userPath(root);
+    if (!std::filesystem::is_directory(root)) {
+      ROS_WARN("There is no folder %s, which ~bag_roots lists.", root.c_str());
+    }
+  }
   return roots.empty() ? defaultBagRoots() : roots;
 }
 
-// The request and the response of ~retrain have the fields of the goal and the result of ~train.
-
-TrainGoal toGoal(const Retrain::Request& request) {
-  TrainGoal goal;
-  goal.bags = request.bags;
-  goal.image_topic = request.image_topic;
-  goal.label_topic = request.label_topic;
-  goal.label = request.label;
-  goal.model = request.model;
-  goal.preset = request.preset;
-  goal.yaml = request.yaml;
-  goal.reduction = request.reduction;
-  goal.add_to = request.add_to;
-  goal.vector_limit = request.vector_limit;
-  goal.threads = request.threads;
-  goal.recognizers = request.recognizers;
-  return goal;
-}
-
-void copyResult(const TrainResult& result, Retrain::Response& response) {
-  response.success = result.success;
-  response.message = result.message;
-  response.images = result.images;
-  response.places = result.places;
-  response.support_vectors = result.support_vectors;
-  response.validation_rate = result.validation_rate;
-  response.seconds = result.seconds;
+/// Whether there is such a service now or soon, by wall time: simulated time may stand still.
+bool appears(const std::string& service) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kServiceTimeout);
+  while (!ros::service::exists(service, false)) {
+    if (ros::WallTime::now() > end) return false;
+    ros::WallDuration(0.05).sleep();
+  }
+  return true;
 }
 
 void log(const TrainResult& result) {
@@ -131,7 +125,7 @@ void Trainer::work(GoalHandle handle, const std::shared_ptr<TrainJob>& job) {
 }
 
 bool Trainer::onRetrain(Retrain::Request& request, Retrain::Response& response) {
-  const TrainGoal goal = toGoal(request);
+  const auto goal = sameFields<TrainGoal>(request);  // Retrain.srv is made of Train.action
   const std::shared_ptr<TrainJob> job = begin(goal);
   if (!job) {
     response.message = kBusy;
@@ -141,7 +135,7 @@ bool Trainer::onRetrain(Retrain::Request& request, Retrain::Response& response) 
   if (result.success) reloadRecognizers(goal, result);
   log(result);
   end();
-  copyResult(result, response);
+  response = sameFields<Retrain::Response>(result);
   return true;
 }
 
@@ -157,7 +151,7 @@ std::string Trainer::reload(const std::string& recognizer, const std::string& mo
   ros::ServiceClient client = node_.serviceClient<LoadModel>(recognizer + "/" + names::kLoadModel);
   LoadModel call;
   call.request.name = model;
-  if (!client.waitForExistence(ros::Duration(kServiceTimeout))) {
+  if (!appears(client.getService())) {
     return "there is no service " + client.getService() + ".";
   }
   if (!client.call(call)) return client.getService() + " does not answer.";

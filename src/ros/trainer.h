@@ -20,6 +20,7 @@ namespace place_recognition {
 /// threads, of which ~retrain holds one as long as it lasts.
 class Trainer {
  public:
+  /// Throws Error if a parameter is wrong.
   Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
   ~Trainer();
   Trainer(const Trainer&) = delete;

@@ -2,11 +2,12 @@
 
 #include <ros/ros.h>
 
+#include "ros/node_main.h"
 #include "ros/trainer.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "trainer");
-  const ros::NodeHandle private_node("~");
-  place_recognition::Trainer trainer(ros::NodeHandle(), private_node);
-  ros::MultiThreadedSpinner(4).spin();  // a training by ~retrain leaves three for the rest
+  return place_recognition::runNode(argc, argv, "trainer", [] {
+    const place_recognition::Trainer trainer(ros::NodeHandle(), ros::NodeHandle("~"));
+    place_recognition::spinUntilEnd(4);  // a training by ~retrain leaves three for the rest
+  });
 }

@@ -19,11 +19,40 @@ ImageMessage numbered(std::uint32_t number) {
   return ImageMessage(sensor_msgs::ImageConstPtr(message));
 }
 
+std::uint32_t numberOf(const Work& work) {
+  return std::visit([](const auto& item) { return item.message.header().seq; }, work);
+}
+
+TEST(NewestImage, KeepsQuestionsAndHandsThemOutFirst) {
+  NewestImage newest;
+  newest.put(numbered(1));
+  std::future<PlaceRecognition> first = newest.ask(numbered(2));
+  std::future<PlaceRecognition> second = newest.ask(numbered(3));
+  std::optional<Work> work = newest.take();
+  EXPECT_EQ(numberOf(*work), 2u);
+  PlaceRecognition answer;
+  answer.place = "kitchen";
+  std::get<Question>(*work).answer.set_value(answer);
+  EXPECT_EQ(first.get().place, "kitchen");
+  EXPECT_EQ(numberOf(*newest.take()), 3u);
+  EXPECT_THROW(second.get(), std::future_error);  // whoever took it has gone without an answer
+  EXPECT_EQ(numberOf(*newest.take()), 1u);
+}
+
+TEST(NewestImage, LeavesNobodyWaitingWhenItIsClosed) {
+  NewestImage newest;
+  std::future<PlaceRecognition> before = newest.ask(numbered(1));
+  newest.close();
+  std::future<PlaceRecognition> after = newest.ask(numbered(2));
+  EXPECT_THROW(before.get(), std::future_error);
+  EXPECT_THROW(after.get(), std::future_error);
+}
+
 TEST(NewestImage, ReplacesTheOneThatWaits) {
   NewestImage newest;
   EXPECT_TRUE(newest.put(numbered(1)));
   EXPECT_FALSE(newest.put(numbered(2)));
-  EXPECT_EQ(newest.take()->message.header().seq, 2u);
+  EXPECT_EQ(numberOf(*newest.take()), 2u);
   EXPECT_TRUE(newest.put(numbered(3)));
   newest.clear();
   EXPECT_TRUE(newest.put(numbered(4)));
@@ -33,7 +62,7 @@ TEST(NewestImage, WakesTheWorker) {
   NewestImage newest;
   std::uint32_t last = 0;
   std::thread worker([&] {
-    while (const auto image = newest.take()) last = image->message.header().seq;
+    while (const auto work = newest.take()) last = numberOf(*work);
   });
   for (std::uint32_t i = 1; i <= 1000; ++i) newest.put(numbered(i));
   while (!newest.put(numbered(1001))) std::this_thread::yield();

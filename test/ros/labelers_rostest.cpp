@@ -132,8 +132,7 @@ class AutoLabelers : public testing::Test {
     ASSERT_TRUE(eventually([this] { return pose_.getNumSubscribers() > 0; }));
   }
 
-  /// Sends the robot to (x, 2) and a picture that it takes there, and waits for its label, which
-  /// comes only if it is another than before.
+  /// Sends a picture that the robot takes at (x, 2) and, as robots do, a little later where it was.
   void visit(double x, int room, unsigned number) {
     geometry_msgs::TransformStamped transform;
     transform.header.frame_id = "map";
@@ -142,9 +141,9 @@ class AutoLabelers : public testing::Test {
     transform.transform.translation.x = x;
     transform.transform.translation.y = 2;
     transform.transform.rotation.w = 1;
-    transforms_.sendTransform(transform);
     camera_.send(drawRoom(room, number), transform.header.stamp.toSec());
     ros::WallDuration(0.03).sleep();
+    transforms_.sendTransform(transform);
   }
 
   /// The last one heard; "none" before.

@@ -43,7 +43,8 @@ class PlacesOverTime : public testing::Test {
   /// The place after a second in the hall and then two of frames that rather show the lab than the
   /// kitchen, through which alone the lab can be reached.
   std::string afterTheHall(std::shared_ptr<Model> model) {
-    PlaceOverTime places(node_, node_);
+    Parameters parameters(node_);
+    PlaceOverTime places(node_, parameters);
     places.setModel(std::move(model), 0.2);
     double stamp = 0;
     for (; stamp < 1; stamp += 0.1) places.update(stamp, frameOf(0.98, 0.01, 0.01));
@@ -100,7 +101,8 @@ PlaceRecognition messageOf(double stamp, const std::string& model = "rooms") {
 
 TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
   node_.setParam("smoothing_lag", 0.5);
-  PlaceOverTime places(node_, node_);
+  Parameters parameters(node_);
+  PlaceOverTime places(node_, parameters);
   places.setModel(threeRooms(), 0.2);
   std::vector<PlaceRecognition> all;
   for (int i = 0; i < 40; ++i) {
@@ -129,7 +131,8 @@ TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
 }
 
 TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
-  PlaceOverTime places(node_, node_);
+  Parameters parameters(node_);
+  PlaceOverTime places(node_, parameters);
   places.setModel(threeRooms(), 0.2);
   std::vector<PlaceRecognition> all;
   for (int i = 0; i < 60; ++i) {
@@ -149,7 +152,8 @@ TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
 }
 
 TEST_F(PlacesOverTime, WhatWaitsComesWhenSmoothingEnds) {
-  PlaceOverTime places(node_, node_);
+  Parameters parameters(node_);
+  PlaceOverTime places(node_, parameters);
   places.setModel(threeRooms(), 0.2);
   for (int i = 0; i < 5; ++i) {
     places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
@@ -161,7 +165,8 @@ TEST_F(PlacesOverTime, WhatWaitsComesWhenSmoothingEnds) {
 }
 
 TEST_F(PlacesOverTime, NothingIsSmoothedWithoutSmoothing) {
-  PlaceOverTime places(node_, node_);
+  Parameters parameters(node_);
+  PlaceOverTime places(node_, parameters);
   places.setModel(threeRooms(), 0);
   for (int i = 0; i < 30; ++i) {
     places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
@@ -173,7 +178,8 @@ class PlacesWithOdometry : public PlacesOverTime {
  protected:
   PlacesWithOdometry() {
     node_.setParam("use_odometry", true);
-    places_ = std::make_unique<PlaceOverTime>(node_, node_);
+    Parameters parameters(node_);
+    places_ = std::make_unique<PlaceOverTime>(node_, parameters);
     places_->setModel(threeRooms(), 0.2);
     publisher_ = node_.advertise<nav_msgs::Odometry>("odom", 10);
     EXPECT_TRUE(eventually([this] { return publisher_.getNumSubscribers() > 0; }));

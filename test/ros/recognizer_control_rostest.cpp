@@ -1,8 +1,10 @@
 // Switches, thresholds and diagnostics of place_recognizer, and images that cannot be used.
 
+#include <place_recognition/Recognize.h>
 #include <std_msgs/String.h>
 #include <visualization_msgs/Marker.h>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 
@@ -28,6 +30,48 @@ TEST_F(RecognizerNode, UnusableImagesAreReportedAndSurvived) {
   ASSERT_TRUE(report);
   EXPECT_GE(std::stoi(valueOf(*report, "unusable")), 2);
   EXPECT_NE(valueOf(*report, "last problem").find("32FC1"), std::string::npos);
+}
+
+TEST_F(RecognizerNode, AnswersOnePictureWhenAskedAndPublishesNothing) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  reconfigure("smoothing", 0);
+  ASSERT_TRUE(answerTo(answers, drawRoom(0, 1)));
+  ASSERT_TRUE(places.find([](const auto& place) { return place.data == "room0"; }));
+  answers.clear();
+  places.clear();
+  const std_msgs::Header header = headerAt(5);
+  Recognize raw, compressed, both, none;
+  raw.request.image = toImageMessage(drawRoom(2, 1), header);
+  compressed.request.compressed.header = header;
+  cv::imencode(".png", drawRoom(2, 1), compressed.request.compressed.data);
+  both.request.image = raw.request.image;
+  both.request.compressed = compressed.request.compressed;
+  for (Recognize* call : {&raw, &compressed}) {
+    ASSERT_TRUE(ros::service::call(name_ + "/recognize", *call));
+    EXPECT_TRUE(call->response.success) << call->response.message;
+    EXPECT_EQ(call->response.recognition.place, "room2");
+    EXPECT_EQ(call->response.recognition.header.stamp, header.stamp);
+    EXPECT_EQ(call->response.recognition.model_name, "three");
+  }
+  EXPECT_EQ(raw.response.recognition.confidence, compressed.response.recognition.confidence);
+  for (Recognize* call : {&both, &none}) {
+    ASSERT_TRUE(ros::service::call(name_ + "/recognize", *call));
+    EXPECT_FALSE(call->response.success);
+    EXPECT_NE(call->response.message.find("one picture"), std::string::npos);
+  }
+  raw.request.image.encoding = "32FC1";
+  ASSERT_TRUE(ros::service::call(name_ + "/recognize", raw));
+  EXPECT_FALSE(raw.response.success);
+  EXPECT_NE(raw.response.message.find("32FC1"), std::string::npos);
+  enable(false);
+  ASSERT_TRUE(ros::service::call(name_ + "/recognize", compressed));
+  EXPECT_TRUE(compressed.response.success);
+  enable(true);
+  ros::WallDuration(0.3).sleep();
+  EXPECT_TRUE(answers.messages().empty());
+  for (const auto& place : places.messages()) EXPECT_NE(place.data, "room2");
+  reconfigure("smoothing", 0.2);
 }
 
 TEST_F(RecognizerNode, ListensOnlyWhileSomebodyListensToIt) {

@@ -69,6 +69,8 @@ TEST_F(TrainCommand, OfEveryField) {
   EXPECT_TRUE(has("--image-topic=/camera/image_raw"));
   EXPECT_TRUE(has("--label-topic=/label"));
   EXPECT_TRUE(has("--label=--help"));
+  goal_.label = "0";  // a room's name, no number that is not set
+  EXPECT_TRUE(has("--label=0"));
   goal_.preset.clear();
   goal_.yaml = "seed: 2";
   EXPECT_TRUE(has("--config=/tmp/c.yaml"));

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <ros/message_traits.h>
+#include <ros/serialization.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// A field of a message: one value, or those of a list.
+struct MessageField {
+  std::string type;  ///< "string", "bool" or "uint32", also of the elements of a list
+  std::string name;
+  std::vector<std::string> values;  ///< text as it is, numbers in decimal, bool as 0 or 1
+};
+
+using MessageBytes = std::vector<std::uint8_t>;
+
+template <typename Message>
+MessageBytes serialized(const Message& message) {
+  MessageBytes bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
+}
+
+/// The fields of a message by its `definition` (the text of its .msg file), in their order. They
+/// must be strings, bools, uint32, or lists of these (asserted).
+std::vector<MessageField> fieldsOf(const std::string& definition, MessageBytes bytes);
+
+template <typename Message>
+std::vector<MessageField> fieldsOf(const Message& message) {
+  return fieldsOf(ros::message_traits::Definition<Message>::value(), serialized(message));
+}
+
+/// The message of type To whose fields are those of `from`, in the same order.
+template <typename To, typename From>
+To sameFields(const From& from) {
+  To to;
+  MessageBytes bytes = serialized(from);
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::deserialize(stream, to);
+  return to;
+}
+
+}  // namespace place_recognition

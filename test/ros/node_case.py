@@ -1,0 +1,149 @@
+"""What the tests share that start nodes as people do: a master of their own, programs whose output is
+read, a camera."""
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import cv2
+import rosgraph
+import rospy
+from sensor_msgs.msg import CompressedImage, Image
+
+SOURCE = pathlib.Path(os.environ["PLACE_RECOGNITION_SOURCE_DIR"])
+PROGRAMS = pathlib.Path(os.environ["PLACE_RECOGNITION_PROGRAMS"])
+PATIENCE = 30  # s
+
+sys.path.append(str(SOURCE / "test/tool"))
+from tool_case import paint  # noqa: E402,F401
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Program:
+    """A program that runs, with all that it writes."""
+
+    def __init__(self, command, cwd, environment):
+        self.log = tempfile.TemporaryFile("w+")
+        self.process = subprocess.Popen([str(word) for word in command], cwd=cwd, env=environment,
+                                        stdin=subprocess.DEVNULL, stdout=self.log,
+                                        stderr=subprocess.STDOUT, start_new_session=True)
+
+    @property
+    def output(self):
+        return os.pread(self.log.fileno(), 1 << 20, 0).decode()
+
+    def wait(self):
+        """Its exit code."""
+        return self.process.wait(PATIENCE)
+
+    def interrupt(self):
+        """Asks it to end, as Ctrl-C does; its exit code."""
+        self.process.send_signal(signal.SIGINT)
+        return self.wait()
+
+    def kill(self):
+        try:
+            os.killpg(self.process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        self.process.wait()
+        self.log.close()
+
+
+class NodeCase(unittest.TestCase):
+    """A test in a scratch folder, which holds the home folder too. All tests of a program have the same
+    master."""
+    master = None
+
+    @classmethod
+    def setUpClass(cls):
+        if NodeCase.master is None:
+            port = free_port()
+            os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_IP="127.0.0.1",
+                              ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
+            environment = dict(os.environ, ROS_LOG_DIR=tempfile.gettempdir())
+            NodeCase.master = Program(["/usr/bin/rosmaster", "--core", "-p", port], None, environment)
+            unittest.addModuleCleanup(NodeCase.master.kill)
+            while not rosgraph.is_master_online():
+                time.sleep(0.05)
+            rospy.init_node("person", disable_signals=True)
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="place recognition ")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.home = self.folder / "home"
+        self.home.mkdir()
+
+    def start(self, *command, cwd=None):
+        environment = dict(os.environ, HOME=str(self.home), ROS_HOME=str(self.folder / "ros_home"))
+        program = Program(command, cwd or self.folder, environment)
+        self.addCleanup(program.kill)
+        return program
+
+    def start_node(self, node, *arguments, name=None, cwd=None):
+        """As rosrun does. Parameters of a test before are forgotten."""
+        name = name or node
+        if rospy.has_param(f"/{name}"):
+            rospy.delete_param(f"/{name}")
+        return self.start(PROGRAMS / node, f"__name:={name}", *arguments, cwd=cwd)
+
+    def launch(self, file, *arguments, cwd=None):
+        return self.start("roslaunch", SOURCE / "launch" / file, *arguments, cwd=cwd)
+
+    def wait_for(self, condition, what):
+        end = time.time() + PATIENCE
+        while not condition():
+            self.assertLess(time.time(), end, what() if callable(what) else what)
+            time.sleep(0.05)
+
+    def expect(self, program, *texts):
+        """Waits until the program has written all of the texts."""
+        self.wait_for(lambda: all(text in program.output for text in texts),
+                      lambda: f"{texts} in:\n{program.output}")
+
+    def expect_end(self, program, status, *texts):
+        """The program ends by itself, with that exit code and those texts."""
+        self.assertEqual(program.wait(), status, program.output)
+        for text in texts:
+            self.assertIn(text, program.output)
+
+
+class Camera:
+    """Publishes pictures of a room on `topic` as Image or, with "/compressed" after it, JPEG."""
+
+    def __init__(self, topic="/camera/image_raw", compressed=True, queue_size=100):
+        self.compressed = compressed
+        self.count = 0
+        self.publisher = rospy.Publisher(topic + ("/compressed" if compressed else ""),
+                                         CompressedImage if compressed else Image,
+                                         queue_size=queue_size)
+
+    def listeners(self):
+        return self.publisher.get_num_connections()
+
+    def message(self, stamp=None):
+        picture = paint("kitchen", self.count % 4)
+        if self.compressed:
+            message = CompressedImage(format="jpeg", data=cv2.imencode(".jpg", picture)[1].tobytes())
+        else:
+            message = Image(height=96, width=128, encoding="bgr8", step=384, data=picture.tobytes())
+        message.header.stamp = stamp or rospy.Time.from_sec(time.time())
+        self.count += 1
+        return message
+
+    def send(self, stamp=None):
+        self.publisher.publish(self.message(stamp))
+
+    def close(self):
+        self.publisher.unregister()

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Parameters as people give them, by rosrun, by launch files and by rosparam."""
+import os
+import sys
+import unittest
+
+import rospy
+
+sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
+from node_case import PROGRAMS, NodeCase  # noqa: E402
+
+
+class ParametersTest(NodeCase):
+    def keys(self, places):
+        """The keys that record.launch offers for the argument `places`."""
+        program = self.launch("record.launch", "bag:=run.bag", f"places:={places}")
+        self.expect(program, "Rooms: ", "0 no place.")
+        program.interrupt()
+        return program.output.split("Rooms: ")[1].splitlines()[0].replace("\x1b[0m", "")
+
+    def test_places_are_what_was_written(self):
+        self.assertEqual(self.keys("[101, 102]"), "1 101, 2 102, 0 no place.")
+        self.assertEqual(self.keys("[kitchen, 007, on]"), "1 kitchen, 2 007, 3 on, 0 no place.")
+        self.assertEqual(self.keys("kitchen"), "1 kitchen, 0 no place.")
+
+    def test_typed_lists_are_read_as_they_are_meant(self):
+        rospy.set_param("/typed/places", ["kitchen", 101, 1.5])
+        node = self.start(PROGRAMS / "place_labeler", "__name:=typed")
+        self.expect(node, "1 kitchen, 2 101, 3 1.5, 0 no place")
+        node.interrupt()
+
+    def test_a_wrong_type_ends_the_node_with_a_sentence(self):
+        for node, argument, message in (
+                ("place_labeler", "_places:=true", "~places[0] is the truth value true"),
+                ("place_labeler", "_places:=[kitchen", "~places"),
+                ("place_labeler", "_buttons:=[one]", "~buttons[0] is 'one'; give a whole number"),
+                ("place_labeler", "_no_place_button:=x", "~no_place_button is 'x'"),
+                ("auto_labeler", "_rooms:=true", "~rooms is the truth value true"),
+                ("place_recognizer", "_lazy:=maybe", "~lazy is 'maybe'; give true or false"),
+                ("place_recognizer", "_smoothing:=much", "~smoothing is 'much'; give a number"),
+                ("place_recognizer", "_smoothing:=-1", "~smoothing is -1; give a number from 0 to 60"),
+                ("place_recognizer", "_smoothing_lag:=99", "~smoothing_lag is 99"),
+                ("place_recognizer", "_threads:=2.5", "~threads is 2.5; give a whole number"),
+                ("place_recognizer", "_model:=true", "~model is the truth value true"),
+                ("trainer", "_bag_roots:=false", "~bag_roots[0] is the truth value false")):
+            with self.subTest(argument):
+                self.expect_end(self.start_node(node, argument), 1, message)
+
+    def test_numbers_stand_for_flags_and_names(self):
+        node = self.start_node("place_recognizer", "_model:=2024", "_lazy:=0", "_use_odometry:=1",
+                               "image:=/camera")
+        self.expect(node, "2024.places")
+        master = rospy.get_master()
+
+        def listens(topic):
+            subscribers = dict(master.getSystemState()[2][1])
+            return "/place_recognizer" in subscribers.get(topic, [])
+
+        self.wait_for(lambda: listens("/camera") and listens("/odom"), "no subscription")
+        self.assertEqual(node.interrupt(), 0)
+
+    def test_misspelt_parameters_are_named(self):
+        node = self.start_node("place_recognizer", "_modle:=rooms", "_image_transport:=raw",
+                               "lazy:=false", "_diagnostic_period:=1")
+        self.expect(node, "~modle of /place_recognizer is not known", "is ~model meant?",
+                    "write _lazy:=false")
+        self.assertNotIn("~image_transport", node.output)
+        self.assertNotIn("~diagnostic_period", node.output)
+        self.assertEqual(node.interrupt(), 0)
+        node = self.start_node("trainer", "_bag_root:=/data")
+        self.expect(node, "is ~bag_roots meant?")
+        node.interrupt()
+
+
+if __name__ == "__main__":
+    unittest.main()

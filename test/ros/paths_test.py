@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Paths as people give them to launch files and nodes: with blanks and quotes, from the home folder,
+from the folder where they are."""
+import os
+import sys
+import unittest
+
+import rosbag
+import rospy
+
+sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
+from node_case import Camera, NodeCase  # noqa: E402
+
+ROOMS = "places: [{name: kitchen, position: [[0, 0], [4, 0], [4, 3]]}]"
+
+
+class PathsTest(NodeCase):
+    def setUp(self):
+        super().setUp()
+        self.trip = self.folder / "Monday's trip"
+        self.trip.mkdir()
+
+    def record(self, program, path):
+        """The program records an image to that path, and says so."""
+        self.expect(program, f"to {path}.")
+        camera = Camera()
+        self.addCleanup(camera.close)
+        self.wait_for(camera.listeners, "nobody listens")
+        self.wait_for(lambda: camera.send() or f"{path}.active" and
+                      os.path.getsize(f"{path}.active") > 5000, lambda: program.output)
+        self.assertEqual(program.interrupt(), 0, program.output)
+        self.assertTrue(path.exists(), program.output)
+        self.assertIn(f"{path}: ", program.output)
+
+    def test_record_in_every_way(self):
+        for given, path in ((self.trip / "the run.bag", self.trip / "the run.bag"),
+                            ("~/run.bag", self.home / "run.bag"),
+                            ("run 1.bag", self.trip / "run 1.bag"),
+                            ("./run2", self.trip / "run2.bag"),
+                            ("../run3.bag", self.trip / "../run3.bag")):
+            with self.subTest(str(given)):
+                self.record(self.launch("record.launch", f"bag:={given}", cwd=self.trip), path)
+        self.record(self.start_node("place_labeler", "_bag:=by rosrun.bag", "image:=/camera/image_raw",
+                                    "_image_transport:=compressed", cwd=self.trip),
+                    self.trip / "by rosrun.bag")
+
+    def test_auto_record_and_its_rooms(self):
+        (self.trip / "the rooms.yaml").write_text(ROOMS)
+        self.record(self.launch("auto_record.launch", "bag:=run.bag", "rooms:=the rooms.yaml",
+                                cwd=self.trip), self.trip / "run.bag")
+        missing = self.launch("auto_record.launch", "bag:=run.bag", "rooms:=~/rooms.yaml", cwd=self.trip)
+        self.expect(missing, str(self.home / "rooms.yaml"))
+
+    def test_refusals_name_the_whole_path(self):
+        node = self.start_node("place_labeler", "_bag:=nowhere/run.bag", cwd=self.trip)
+        self.expect_end(node, 1, str(self.trip / "nowhere/run.bag"))
+        (self.trip / "run.bag").touch()
+        node = self.start_node("place_labeler", "_bag:=run.bag", cwd=self.trip)
+        self.expect_end(node, 1, f"There is a file {self.trip / 'run.bag'} already")
+        node = self.start_node("place_labeler", f"_bag:={self.trip}")
+        self.expect_end(node, 1, f"{self.trip} is a folder")
+        node = self.start_node("place_labeler", "_bag:=~nobody_of_this_name/run.bag")
+        self.expect_end(node, 1, "There is no user 'nobody_of_this_name'")
+
+    def test_bag_roots(self):
+        node = self.launch("train.launch", "bag_roots:=[Monday's trip, ~/bags]")
+        self.expect(node, f"There is no folder {self.home}/bags")
+        self.assertEqual(node.output.count("There is no folder"), 1, node.output)
+        node.interrupt()
+
+    def test_adjacency(self):
+        (self.trip / "the map.yaml").write_text("rooms: {}")
+        node = self.launch("recognize.launch", "adjacency:=the map.yaml", cwd=self.trip)
+        self.expect(node, "no model to recognize with")
+        node.interrupt()
+
+    def test_replay(self):
+        camera_message = Camera("/unused")
+        self.addCleanup(camera_message.close)
+        for path in (self.trip / "the run.bag", self.home / "run.bag"):
+            with rosbag.Bag(str(path), "w") as bag:
+                for second in range(2):
+                    bag.write("/camera/image_raw/compressed", camera_message.message(),
+                              rospy.Time(1000 + second))
+        for given in (self.trip / "the run.bag", "the run.bag", "~/run.bag"):
+            with self.subTest(str(given)):
+                program = self.launch("replay.launch", f"bag:={given}", "rate:=10", cwd=self.trip)
+                program.wait()
+                self.assertIn("Playing /", program.output)
+                self.assertNotIn("exit code", program.output)
+                self.assertFalse(rospy.has_param("/use_sim_time"))
+        missing = self.launch("replay.launch", "bag:=the lost run.bag", cwd=self.trip)
+        self.expect(missing, f"There is no file {self.trip / 'the lost run.bag'}; give")
+
+
+if __name__ == "__main__":
+    unittest.main()
