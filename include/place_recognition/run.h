@@ -4,6 +4,7 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
 namespace place_recognition {
 
@@ -31,16 +32,23 @@ class Run {
   /// As the user named it.
   const std::string& name() const { return name_; }
 
+  /// What a person should know of the recording as a whole, a sentence each: folders that give no
+  /// picture, labels that were read in an unusual way.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
  protected:
   explicit Run(std::string name) : name_(std::move(name)) {}
+
+  std::vector<std::string> warnings_;
 
  private:
   std::string name_;
 };
 
-/// A folder of `room/picture` files (png, jpg, jpeg): the sub-folder is the place, the order that
-/// of the names as people number them (9 before 10), one second apart. Pictures directly in
-/// `folder` are unlabelled. Throws Error if there is no picture.
+/// A folder of `room/picture` files: the sub-folder is the place, the order that of the names as
+/// people number them (9 before 10), one second apart. The pictures of a room may lie in folders
+/// below its own. Pictures directly in `folder` are unlabelled. Throws Error if there is no
+/// picture.
 std::unique_ptr<Run> openFolderRun(const std::string& folder);
 
 }  // namespace place_recognition

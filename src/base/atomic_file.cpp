@@ -60,10 +60,29 @@ void syncFolder(const std::filesystem::path& folder) {
   close(fd);
 }
 
+/// Writes to what is no file and must not become one: a terminal, a pipe, /dev/null.
+void writeInto(const std::string& path, std::string_view bytes) {
+  const int fd = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const bool written = fd >= 0 && writeAll(fd, bytes);
+  const int reason = errno;
+  if (fd >= 0) close(fd);
+  errno = reason;
+  if (!written) throwCannotWrite(path);
+}
+
+bool isSpecial(const std::string& path) {
+  struct stat status;
+  return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
 }  // namespace
 
 void writeFileAtomically(const std::string& path, std::string_view bytes,
                          const std::function<void()>& before_rename) {
+  if (isSpecial(path)) {
+    writeInto(path, bytes);
+    return;
+  }
   TemporaryFile file(path);
   const mode_t mask = umask(0);
   umask(mask);

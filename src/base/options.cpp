@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "base/yaml_guard.h"
 
 namespace place_recognition {
@@ -131,7 +132,7 @@ YAML::Node parseYaml(const std::string& text, const std::string& where) {
 
 YAML::Node readYamlFile(const std::string& path) {
   constexpr std::size_t kMaxFileSize = 64 << 20;
-  return parseYaml(readFile(path, kMaxFileSize), path);
+  return parseYaml(toUtf8(readFile(path, kMaxFileSize)), path);
 }
 
 void assignOption(const YAML::Node& root, const std::string& assignment) {

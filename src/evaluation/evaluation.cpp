@@ -11,6 +11,7 @@
 #include "place_recognition/recognizer.h"
 #include "place_recognition/temporal_filter.h"
 #include "recognition/image_guard.h"
+#include "recognition/names.h"
 
 namespace place_recognition {
 namespace {
@@ -55,12 +56,13 @@ class Evaluator {
     const std::string stage = "Recognizing " + run.name();
     report(progress, stage, 0);
     std::uint64_t unlabelled = 0, unreadable = 0;
+    std::string first_problem;
     for (Frame frame; run.next(frame);) {
       ++pictures_;
       if (frame.place.empty()) {
         ++unlabelled;
       } else if (frame.image.empty()) {
-        ++unreadable;
+        if (unreadable++ == 0) first_problem = frame.name + ": " + frame.problem;
       } else {
         for (const std::string& warning : guard.judge(frame.image, frame.stamp)) {
           evaluation_.warnings.push_back(run.name() + ": " + warning);
@@ -71,8 +73,10 @@ class Evaluator {
     }
     smoother_.finish();
     takeSmoothed();
+    evaluation_.warnings.insert(evaluation_.warnings.end(), run.warnings().begin(),
+                                run.warnings().end());
     warn(run.name(), unlabelled, "have no label");
-    warn(run.name(), unreadable, "cannot be decoded");
+    warn(run.name(), unreadable, "cannot be used (" + first_problem + ")");
   }
 
   Evaluation finish() {
@@ -81,6 +85,9 @@ class Evaluator {
       evaluation_.warnings.push_back(
           "The model has not learned '" + evaluation_.places[k] +
           "'; its pictures count only for telling known places from unknown ones.");
+    }
+    for (const std::string& warning : warnOfCase(evaluation_.places)) {
+      evaluation_.warnings.push_back(warning);
     }
     return std::move(evaluation_);
   }

@@ -5,7 +5,7 @@
 #include "base/atomic_file.h"
 #include "evaluation/text_table.h"
 #include "experiments/digest.h"
-#include "recognition/image_file.h"
+#include "recognition/picture_sequence.h"
 
 namespace place_recognition {
 namespace {
@@ -14,12 +14,16 @@ constexpr std::size_t kMaxPictureBytes = 256 << 20;
 
 class PictureSetRun : public Run {
  public:
-  explicit PictureSetRun(const PictureSet& set) : Run(set.name), set_(set) {}
+  explicit PictureSetRun(const PictureSet& set) : Run(set.name), set_(set) {
+    std::vector<std::string> paths;
+    for (const LabelledPicture& picture : set.pictures) paths.push_back(picture.path);
+    pictures_ = PictureSequence(std::move(paths));
+  }
 
   bool next(Frame& frame) override {
     if (position_ == set_.pictures.size()) return false;
+    DecodedImage decoded = pictures_.read(position_);
     const LabelledPicture& picture = set_.pictures[position_++];
-    DecodedImage decoded = readImageFile(picture.path);
     frame.image = std::move(decoded.image);
     frame.problem = std::move(decoded.problem);
     frame.place = picture.place;
@@ -34,6 +38,7 @@ class PictureSetRun : public Run {
 
  private:
   const PictureSet& set_;
+  PictureSequence pictures_;
   std::size_t position_ = 0;
 };
 

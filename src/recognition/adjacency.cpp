@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "base/options.h"
+#include "recognition/names.h"
 
 namespace place_recognition {
 namespace {
@@ -12,7 +13,7 @@ const char* const kForm = "give 'rooms: {kitchen: [corridor], ...}'";
 
 int indexOf(const std::string& name, const std::string& where,
             const std::vector<std::string>& places) {
-  const auto found = std::find(places.begin(), places.end(), name);
+  const auto found = std::find(places.begin(), places.end(), placeName(name));
   if (found != places.end()) return static_cast<int>(found - places.begin());
   std::string known;
   for (const std::string& place : places) known += (known.empty() ? "" : ", ") + place;

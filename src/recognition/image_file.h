@@ -8,15 +8,19 @@ namespace place_recognition {
 
 /// A picture, or why there is none.
 struct DecodedImage {
-  cv::Mat image;        ///< CV_8UC3 BGR or CV_8UC1; empty if there is a problem
+  cv::Mat image;        ///< grey or BGR, of 8 or 16 bits a channel; empty if there is a problem
   std::string problem;  ///< for a person, without a full stop
 };
 
-/// Decodes a PNG or JPEG picture in memory; nothing else, and nothing that announces more than 64
-/// million pixels, reaches the decoder. Never throws for bad bytes. Thread-safe.
+/// Decodes a picture as cameras send them, PNG, JPEG or WebP, in memory. Only whole pictures that
+/// announce at most 64 million pixels reach the decoder. Never throws for bad bytes. Thread-safe.
 DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size);
 
-/// The same for a file.
+/// The same for a file, which may also be BMP, TIFF, PNM (P4 to P6) or JPEG 2000.
+DecodedImage readDeepImageFile(const std::string& path);
+
+/// The same, brought to 8 bits by the range of this picture alone; for several pictures see
+/// PictureSequence.
 DecodedImage readImageFile(const std::string& path);
 
 }  // namespace place_recognition

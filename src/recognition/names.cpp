@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
@@ -46,6 +49,21 @@ bool isPlaceName(const std::string& name) {
     if (control) return false;
   }
   return true;
+}
+
+std::string placeName(const std::string& text) { return isUtf8(text) ? tidied(text) : text; }
+
+std::vector<std::string> warnOfCase(const std::vector<std::string>& names) {
+  std::vector<std::string> warnings;
+  std::map<std::string, std::string> seen;
+  for (const std::string& name : names) {
+    const auto [first, is_new] = seen.emplace(caseFolded(name), name);
+    if (is_new || first->second == name) continue;
+    warnings.push_back("'" + first->second + "' and '" + name +
+                       "' differ in upper and lower case only, and are two places; rename one of "
+                       "them if they are the same room.");
+  }
+  return warnings;
 }
 
 bool isPlainName(const std::string& name) {

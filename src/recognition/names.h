@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace place_recognition {
 
@@ -14,6 +15,14 @@ bool isUtf8(const std::string& text);
 /// Whether `name` can name a place: 1 to 128 bytes of valid UTF-8 without control characters. Such
 /// names pass through messages, JSON, YAML and file listings unchanged.
 bool isPlaceName(const std::string& name);
+
+/// `text` as the name of a place: composed (Unicode NFC), with single blanks inside and none at its
+/// ends, so that one room written in two ways is one place. Text that is not UTF-8 is left as it
+/// is.
+std::string placeName(const std::string& text);
+
+/// A sentence for each two of `names` that differ in upper and lower case only.
+std::vector<std::string> warnOfCase(const std::vector<std::string>& names);
 
 /// Whether `name` is [A-Za-z0-9_-]{1,64}: models and cues, whose names become parts of paths and of
 /// option keys.

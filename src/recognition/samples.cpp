@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <set>
 
 #include "place_recognition/error.h"
@@ -84,6 +85,7 @@ class Collector {
       add(std::move(frame), guard);
       report(progress, stage, run.fraction());
     }
+    warnings_.insert(warnings_.end(), run.warnings().begin(), run.warnings().end());
   }
 
   Samples finish(std::size_t cues, std::size_t least_places) {
@@ -97,11 +99,12 @@ class Collector {
     thinOut(samples);
     fill(samples, cues);
     learnRooms(samples);
+    samples.warnings.insert(samples.warnings.end(), warnings_.begin(), warnings_.end());
     for (std::size_t r = 0; r < inputs_.size(); ++r) {
       samples.skipped += skipped_[r].total();
       if (skipped_[r].total() > 0) samples.warnings.push_back(warningOf(inputs_[r], skipped_[r]));
     }
-    samples.warnings.insert(samples.warnings.end(), warnings_.begin(), warnings_.end());
+    warnOfPlaces(samples);
     return samples;
   }
 
@@ -153,6 +156,20 @@ class Collector {
     if (places_.size() > kMaxPlaces) {
       throw Error("The runs show " + std::to_string(places_.size()) + " places, more than " +
                   std::to_string(kMaxPlaces) + "; train a model for each part of the building.");
+    }
+  }
+
+  /// Names the places that were labelled but have no picture that can be used.
+  void warnOfPlaces(Samples& samples) const {
+    std::map<std::string, std::uint64_t> labelled;
+    for (const std::vector<Seen>& run : seen_) {
+      for (const Seen& seen : run) ++labelled[seen.place];
+    }
+    labelled.erase("");
+    for (const auto& [place, count] : labelled) {
+      if (places_.count(place) > 0) continue;
+      samples.warnings.push_back("'" + place + "' is not learned: none of its " +
+                                 std::to_string(count) + " pictures can be used.");
     }
   }
 
@@ -245,13 +262,13 @@ class Collector {
   std::vector<std::string> inputs_;
   std::vector<std::vector<Seen>> seen_;  // one a run
   std::vector<Skipped> skipped_;         // one a run
+  std::vector<std::string> warnings_;    // of the runs
   std::deque<Record> records_;           // stay where they are while threads fill them
   std::set<std::string> places_;
   std::uint64_t frames_ = 0;
   const ImageOptions image_options_;
   const ImageProfile expected_;  // to which images are brought, and are held against
   ImageProfile profile_;         // with those that came
-  std::vector<std::string> warnings_;
   SamplingOptions sampling_;
   FrameRate rate_{0};  // of the current run
   std::uint64_t passed_over_ = 0;

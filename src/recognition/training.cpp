@@ -9,6 +9,7 @@
 #include "recognition/combination.h"
 #include "recognition/cue_training.h"
 #include "recognition/model_validation.h"
+#include "recognition/names.h"
 #include "recognition/reduction_choice.h"
 #include "recognition/remembered_samples.h"
 #include "recognition/samples.h"
@@ -138,6 +139,9 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   training.passed_over = samples.passed_over;
   training.warnings = samples.warnings;
   warnOfFewImages(samples, options.validation.folds, training.warnings);
+  for (std::string& warning : warnOfCase(model.places)) {
+    training.warnings.push_back(std::move(warning));
+  }
   report(progress, "Calibrating", 1);
   return training;
 }

@@ -10,13 +10,17 @@
 #include <std_msgs/String.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <map>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "place_recognition/error.h"
+#include "recognition/depth_scale.h"
 #include "ros/bag_guard.h"
 #include "ros/bag_records.h"
 #include "ros/bag_run.h"
@@ -35,6 +39,19 @@ struct Topic {
 
   bool hasImages() const { return type == kImageType || type == kCompressedType; }
 };
+
+/// What is behind the slashes that old recorders leave out at the start.
+std::string bareName(const std::string& topic) {
+  const std::size_t start = topic.find_first_not_of('/');
+  return start == std::string::npos ? "" : topic.substr(start);
+}
+
+/// Whether the pictures are distances, which no camera's picture can be taken for.
+bool isCompressedDepth(const std::string& topic) {
+  const std::string ending = "compressedDepth";
+  return topic.size() >= ending.size() &&
+         topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
+}
 
 /// By name.
 using Topics = std::map<std::string, Topic>;
@@ -82,7 +99,6 @@ cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
     record.kind = BagRecordKind::kImage;
     record.rows = static_cast<std::uint32_t>(image.rows);
     record.cols = static_cast<std::uint32_t>(image.cols);
-    record.type = image.type();
   } catch (const Error& e) {
     record.kind = BagRecordKind::kProblem;
     record.detail = e.what();
@@ -90,14 +106,47 @@ cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
   return image;
 }
 
-void sendSpan(const rosbag::Bag& bag) {
+/// The first and the last of most images: those that no gap of more than a day sets apart, as a
+/// clock does that was not set.
+std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
+  static const ros::Duration kGap(24 * 60 * 60);
+  std::pair<ros::Time, ros::Time> span;
+  std::uint32_t most = 0, count = 0;
+  ros::Time first, last;
+  for (const rosbag::MessageInstance& image : images) {
+    const ros::Time time = image.getTime();
+    if (count == 0 || time - last > kGap) {
+      first = time;
+      count = 0;
+    }
+    last = time;
+    if (++count >= most) {
+      most = count;
+      span = {first, last};
+    }
+  }
+  return span;
+}
+
+/// The time of the bag: of all messages within a day of the images.
+std::pair<ros::Time, ros::Time> spanOf(const rosbag::Bag& bag) {
   rosbag::View all(bag);
+  if (all.size() == 0) return {};
+  rosbag::View images(bag, rosbag::TypeQuery({kImageType, kCompressedType}));
+  if (images.size() == 0) return {all.getBeginTime(), all.getEndTime()};
+  static const ros::Duration kDay(24 * 60 * 60);
+  const auto [first, last] = spanOfImages(images);
+  const ros::Time from = first > ros::TIME_MIN + kDay ? first - kDay : ros::TIME_MIN;
+  rosbag::View near(bag, from, last < ros::TIME_MAX - kDay ? last + kDay : ros::TIME_MAX);
+  return {near.getBeginTime(), near.getEndTime()};
+}
+
+void sendSpan(const rosbag::Bag& bag) {
+  const auto [begin, end] = spanOf(bag);
   BagRecord record;
   record.kind = BagRecordKind::kSpan;
-  if (all.size() > 0) {
-    record.time = all.getBeginTime().toSec();
-    record.stamp = all.getEndTime().toSec();
-  }
+  record.time = begin.toSec();
+  record.stamp = end.toSec();
   send(record);
 }
 
@@ -119,14 +168,17 @@ void sendTopics(const rosbag::Bag& bag, const Topics& topics, bool with_sizes) {
 std::string join(const Topics& topics, bool images_only) {
   std::string text;
   for (const auto& [name, topic] : topics) {
-    if (images_only && !topic.hasImages()) continue;
+    if (images_only && (!topic.hasImages() || isCompressedDepth(name))) continue;
     text += (text.empty() ? "" : ", ") + name + " (" + topic.type + ")";
   }
   return text.empty() ? "none" : text;
 }
 
 void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string& label_topic) {
-  const auto found = topics.find(label_topic);
+  auto found = topics.find(label_topic);
+  for (auto topic = topics.begin(); found == topics.end() && topic != topics.end(); ++topic) {
+    if (bareName(topic->first) == bareName(label_topic)) found = topic;
+  }
   if (found == topics.end()) {
     if (label_topic.empty() || label_topic == BagRunOptions().label_topic) return;
     throw Error("it has no topic " + label_topic + " for labels; its topics are " +
@@ -137,7 +189,7 @@ void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string&
                 kLabelType);
   }
   for (const rosbag::MessageInstance& instance :
-       rosbag::View(bag, rosbag::TopicQuery(label_topic))) {
+       rosbag::View(bag, rosbag::TopicQuery(found->first))) {
     const auto message = instance.instantiate<std_msgs::String>();
     BagRecord record;
     record.kind = BagRecordKind::kLabel;
@@ -147,31 +199,67 @@ void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string&
   }
 }
 
-/// The topic that is meant by `wanted`, also by its name without "/compressed"; the only one if it
-/// is empty.
+/// The topic that is meant by `wanted`, also by its name without "/compressed" or slashes at its
+/// start; the only camera's if it is empty.
 std::string chooseImageTopic(const Topics& topics, const std::string& wanted) {
-  std::string only;
-  int count = 0;
+  std::vector<std::string> candidates;  // in order of name, so that compressed ones follow raw ones
   for (const auto& [name, topic] : topics) {
-    if (!topic.hasImages()) continue;
-    if (name == wanted || name == wanted + "/compressed") return name;
-    only = name;
-    ++count;
+    if (!topic.hasImages() || isCompressedDepth(name)) continue;
+    if (name == wanted) return name;
+    candidates.push_back(name);
   }
-  if (count == 0) throw Error("it has no images; its topics are " + join(topics, false));
+  if (candidates.empty()) throw Error("it has no images; its topics are " + join(topics, false));
   if (!wanted.empty()) {
+    for (const char* suffix : {"", "/compressed"}) {
+      const auto meant = [&](const std::string& name) {
+        return bareName(name) == bareName(wanted) + suffix;
+      };
+      const auto found = std::find_if(candidates.begin(), candidates.end(), meant);
+      if (found != candidates.end()) return *found;
+    }
     throw Error("it has no images on " + wanted + "; topics of images are " + join(topics, true));
   }
-  if (count > 1) throw Error("name one of its image topics: " + join(topics, true));
-  return only;
+  const std::string& first = candidates.front();
+  const bool one_camera = std::all_of(
+      candidates.begin(), candidates.end(),
+      [&first](const std::string& name) { return name == first || name == first + "/compressed"; });
+  if (!one_camera) {
+    throw Error("it has several topics of images; name one with --image-topic: " +
+                join(topics, true));
+  }
+  return first;
+}
+
+/// Sets the scale by images of 16 bits from all of a topic, and tells of it.
+void setScale(const rosbag::Bag& bag, const std::string& topic, DepthScale& scale) {
+  constexpr std::uint32_t kSamples = 16;
+  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  const std::uint32_t step = std::max(view.size() / kSamples, std::uint32_t{1});
+  std::uint32_t number = 0;
+  for (const rosbag::MessageInstance& instance : view) {
+    if (number++ % step != 0) continue;
+    boost::shared_ptr<void> owner;
+    BagRecord ignored;
+    const cv::Mat image = readImage(instance, ignored, owner);
+    if (!image.empty() && image.depth() != CV_16U) return;
+    if (!image.empty()) scale.see(image);
+  }
+  if (!scale.hasSeen()) return;
+  BagRecord note;
+  note.kind = BagRecordKind::kNote;
+  note.text = "images of 16 bits on " + topic + " are shown in 8, " + scale.text() + ".";
+  send(note);
 }
 
 void sendImages(const rosbag::Bag& bag, const std::string& topic) {
+  DepthScale scale;
+  setScale(bag, topic, scale);
   int number = 0;
   for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
     boost::shared_ptr<void> owner;
     BagRecord record;
-    const cv::Mat image = readImage(instance, record, owner);
+    const cv::Mat image = scale.toEightBits(readImage(instance, record, owner));
+    record.type = image.type();
     record.text = topic + " #" + std::to_string(++number);
     send(record);
     if (record.kind != BagRecordKind::kImage) continue;
@@ -200,10 +288,23 @@ void readBag(bool images, const std::string& path, const std::string& image_topi
   rosbag::Bag bag(path, rosbag::bagmode::Read);
   try {
     sendAll(bag, images, image_topic, label_topic);
+  } catch (const Error&) {
+    throw;  // of what was asked for, not of a place in the bag
   } catch (...) {
     failed_at = bagOffset();
     throw;
   }
+}
+
+std::string whyUnindexed(const std::string& path) {
+  const std::string reindex = "run: rosbag reindex " + path;
+  const std::string active = ".active";
+  if (path.size() <= active.size() ||
+      path.compare(path.size() - active.size(), active.size(), active) != 0) {
+    return "it has no index, as when recording was cut short; " + reindex;
+  }
+  return "it is being recorded, or was left by a recorder that was killed; in the latter case " +
+         reindex + ", and rename it to " + path.substr(0, path.size() - active.size());
 }
 
 /// readBag() with every error told to the other end of the pipe.
@@ -216,7 +317,7 @@ int run(bool images, const std::string& path, const std::string& image_topic,
     readBag(images, path, image_topic, label_topic, record.number);
     return 0;
   } catch (const rosbag::BagUnindexedException&) {
-    record.detail = "it has no index, as when recording was cut short; run: rosbag reindex " + path;
+    record.detail = whyUnindexed(path);
   } catch (const std::bad_alloc&) {
     record.detail = "it asks for more than " + std::to_string(kMaxMemory >> 30) +
                     " GB of memory; it is probably damaged";

@@ -7,13 +7,14 @@
 namespace place_recognition {
 
 // What bag_reader tells openBagRun() and bagInfo() through a pipe. In this order: one kSpan, a
-// kTopic each topic, the kLabel in order of time, the kImage or kProblem in order of time, kEnd;
-// or, at any point, kError or kCrash as the last.
+// kTopic each topic, the kLabel in order of time, perhaps a kNote, the kImage or kProblem in order
+// of time, kEnd; or, at any point, kError or kCrash as the last.
 
 enum class BagRecordKind : std::uint32_t {
   kSpan,     ///< time and stamp: first and last bag time
   kTopic,    ///< text: name; detail: type; number: messages; rows and cols of the first picture
   kLabel,    ///< text: label; time
+  kNote,     ///< text: how the pictures are read, for a person
   kImage,    ///< text: name; time; stamp; rows, cols, type; rows x cols pixels follow
   kProblem,  ///< a picture that cannot be decoded: text: name; detail: why; time; stamp
   kError,    ///< detail: why the bag cannot be read, for a person; number: byte offset

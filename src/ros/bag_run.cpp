@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <sstream>
 
 #include "place_recognition/error.h"
+#include "recognition/names.h"
+#include "ros/bag_file.h"
 #include "ros/bag_records.h"
 #include "ros/child_process.h"
 #include "ros/conversions.h"
@@ -94,8 +97,11 @@ Labels readLabels(BagRecords& records, const BagInfo& info, const BagRunOptions&
     return Labels::fromFile(labels_file, info.start, info.start + info.duration);
   }
   Labels labels;
+  if (!options.initial_label.empty()) {
+    labels.add(-std::numeric_limits<double>::infinity(), options.initial_label);
+  }
   for (; record.kind == BagRecordKind::kLabel; record = records.next()) {
-    if (!record.text.empty()) {
+    if (!placeName(record.text).empty()) {
       std::ostringstream where;
       where << records.path() << ", " << options.label_topic << " at " << record.time - info.start
             << " s";
@@ -120,6 +126,7 @@ struct OpenBag {
                              static_cast<int>(record.cols), static_cast<int>(record.rows)});
     }
     labels = readLabels(records, info, options, labels_file, record);
+    for (; record.kind == BagRecordKind::kNote; record = records.next()) note = record.text;
     following = std::move(record);
   }
 
@@ -127,13 +134,17 @@ struct OpenBag {
   BagRecords records;
   BagInfo info;
   Labels labels;
+  std::string note;     ///< how the images are read; empty if as usual
   BagRecord following;  ///< the first record after the labels
 };
 
 class BagRun : public Run {
  public:
   BagRun(const std::string& path, const BagRunOptions& options)
-      : Run(path), bag_(path, "images", options) {}
+      : Run(path), bag_(path, "images", options) {
+    if (!bag_.labels.note().empty()) warnings_.push_back(bag_.labels.note());
+    if (!bag_.note.empty()) warnings_.push_back(path + ": " + bag_.note);
+  }
 
   bool next(Frame& frame) override {
     const BagRecord record = std::move(bag_.following);
@@ -166,12 +177,12 @@ bool hasImages(const BagTopic& topic) { return topic.type.find("Image") != std::
 }  // namespace
 
 std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options) {
-  if (!fs::is_regular_file(path)) throw Error("There is no bag " + path + ".");
+  requireBag(path);
   return std::make_unique<BagRun>(path, options);
 }
 
 BagInfo bagInfo(const std::string& path, const BagRunOptions& options) {
-  if (!fs::is_regular_file(path)) throw Error("There is no bag " + path + ".");
+  requireBag(path);
   OpenBag bag(path, "info", options);
   std::stable_partition(bag.info.topics.begin(), bag.info.topics.end(), hasImages);
   bag.labels.forEach(
@@ -179,6 +190,8 @@ BagInfo bagInfo(const std::string& path, const BagRunOptions& options) {
       [&bag](double from, double to, const std::string& place) {
         bag.info.labels.push_back({from - bag.info.start, to - bag.info.start, place});
       });
+  bag.info.last_label = bag.labels.at(bag.info.start + bag.info.duration);
+  bag.info.labels_file = bag.labels_file;
   return bag.info;
 }
 

@@ -14,16 +14,18 @@ namespace place_recognition {
 struct BagRunOptions {
   std::string image_topic;  ///< empty: the only topic of images
   std::string label_topic =
-      "/place_label";  ///< std_msgs/String: holds until the next; see labels.h
-  std::string label;   ///< one place for the whole bag
+      "/place_label";         ///< std_msgs/String: holds until the next; see labels.h
+  std::string label;          ///< one place for the whole bag
+  std::string initial_label;  ///< what was said before the bag starts, for labels of its topic
   std::string
       labels_file;  ///< empty: RUN.labels.yaml or labels.dat beside RUN.bag, if there is one
 };
 
 /// Reads the images of a bag (sensor_msgs/Image or CompressedImage; not, bz2- or lz4-compressed)
 /// with their labels, one at a time. The bag is opened by a child process, because rosbag_storage
-/// can crash on a damaged one: that too is an Error. Throws Error if the file is no bag, is not
-/// indexed, has no images, or more than one topic of them and none is named.
+/// can crash on a damaged one: that too is an Error. Slashes at the start of topics do not matter.
+/// Throws Error if the file is no bag, is not indexed, has no images, or more than one topic of
+/// them and none is named.
 std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options = {});
 
 /// A topic of a bag.
@@ -44,10 +46,13 @@ struct BagLabel {
 
 /// What is in a bag.
 struct BagInfo {
-  double start = 0;              ///< s since 1970, or of simulated time
+  double start = 0;  ///< s since 1970, or of simulated time; without messages that lie more than a
+                     ///< day apart from most images, as those of a clock that was not set
   double duration = 0;           ///< s
   std::vector<BagTopic> topics;  ///< of images first, then in order of name
   std::vector<BagLabel> labels;  ///< in order of time; empty: the bag is not labelled
+  std::string last_label;        ///< at its end; empty: none
+  std::string labels_file;       ///< where the labels are from; empty: from the bag
 };
 
 /// Looks into a bag. Throws Error like openBagRun(), but not for want of images.

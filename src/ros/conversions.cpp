@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "place_recognition/error.h"
-#include "recognition/image_file.h"
 
 namespace place_recognition {
 namespace {
@@ -64,16 +63,6 @@ std::string sizeText(std::uint64_t width, std::uint64_t height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-void checkSize(std::uint64_t width, std::uint64_t height) {
-  if (width == 0 || height == 0) {
-    throw Error("The image is empty (" + sizeText(width, height) + " pixels).");
-  }
-  if (width > kMaxImageSide || height > kMaxImageSide) {
-    throw Error("The image claims " + sizeText(width, height) + " pixels, more than " +
-                sizeText(kMaxImageSide, kMaxImageSide) + ".");
-  }
-}
-
 /// Throws unless the message holds what it claims; in 64 bits, for step * height wraps in 32.
 void checkData(const sensor_msgs::Image& message, const Encoding& encoding) {
   const std::uint64_t row_bytes = std::uint64_t{message.width} * encoding.channels * encoding.bytes;
@@ -94,24 +83,24 @@ void checkData(const sensor_msgs::Image& message, const Encoding& encoding) {
   }
 }
 
-/// The more significant byte of each 16-bit channel.
-cv::Mat upperBytes(const cv::Mat& bytes, int channels, bool big_endian) {
-  cv::Mat upper(bytes.size(), CV_8UC(channels));
-  std::vector<int> from_to;
-  for (int c = 0; c < channels; ++c) {
-    from_to.push_back(2 * c + (big_endian ? 0 : 1));
-    from_to.push_back(c);
+cv::Mat withSwappedBytes(const cv::Mat& image) {
+  cv::Mat swapped(image.size(), image.type());
+  for (int row = 0; row < image.rows; ++row) {
+    const auto* from = image.ptr<std::uint16_t>(row);
+    auto* to = swapped.ptr<std::uint16_t>(row);
+    for (int i = 0; i < image.cols * image.channels(); ++i) {
+      to[i] = static_cast<std::uint16_t>(from[i] << 8 | from[i] >> 8);
+    }
   }
-  cv::mixChannels({bytes}, {upper}, from_to);
-  return upper;
+  return swapped;
 }
 
 cv::Mat convert(const sensor_msgs::Image& message, const Encoding& encoding) {
   // The const_cast is safe: the picture is only read.
   cv::Mat image(static_cast<int>(message.height), static_cast<int>(message.width),
-                CV_8UC(encoding.channels * encoding.bytes),
+                CV_MAKETYPE(encoding.bytes == 2 ? CV_16U : CV_8U, encoding.channels),
                 const_cast<std::uint8_t*>(message.data.data()), message.step);
-  if (encoding.bytes == 2) image = upperBytes(image, encoding.channels, message.is_bigendian);
+  if (encoding.bytes == 2 && message.is_bigendian) image = withSwappedBytes(image);
   if (encoding.conversion == kAsIs) return image;
   cv::Mat converted;
   cv::cvtColor(image, converted, encoding.conversion);
@@ -126,9 +115,19 @@ std::string featureText(const CueOptions& cue) {
 
 }  // namespace
 
+void checkImageSize(std::uint64_t width, std::uint64_t height) {
+  if (width == 0 || height == 0) {
+    throw Error("The image is empty (" + sizeText(width, height) + " pixels).");
+  }
+  if (width > kMaxImageSide || height > kMaxImageSide) {
+    throw Error("The image claims " + sizeText(width, height) + " pixels, more than " +
+                sizeText(kMaxImageSide, kMaxImageSide) + ".");
+  }
+}
+
 cv::Mat toImage(const sensor_msgs::Image& message) {
   const Encoding& encoding = findEncoding(message.encoding);
-  checkSize(message.width, message.height);
+  checkImageSize(message.width, message.height);
   checkData(message, encoding);
   cv::Mat image;
   try {
@@ -137,18 +136,10 @@ cv::Mat toImage(const sensor_msgs::Image& message) {
     throw Error("The image of " + sizeText(message.width, message.height) + " pixels of " +
                 message.encoding + " cannot be converted: " + e.what());
   }
-  if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_8UC1)) {
+  if (image.empty() || (image.channels() != 3 && image.channels() != 1)) {
     throw Error("The image of encoding " + message.encoding + " cannot be converted.");
   }
   return image;
-}
-
-cv::Mat toImage(const sensor_msgs::CompressedImage& message) {
-  const DecodedImage decoded = decodeImage(message.data.data(), message.data.size());
-  if (decoded.image.empty()) throw Error("The compressed image: " + decoded.problem + ".");
-  checkSize(static_cast<std::uint64_t>(decoded.image.cols),
-            static_cast<std::uint64_t>(decoded.image.rows));
-  return decoded.image;
 }
 
 PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model& model,

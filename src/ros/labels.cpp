@@ -5,16 +5,14 @@
 #include <filesystem>
 #include <sstream>
 
-#include "base/atomic_file.h"
 #include "base/options.h"
 #include "place_recognition/error.h"
 #include "recognition/names.h"
+#include "ros/label_lines.h"
 #include "ros/node_names.h"
 
 namespace place_recognition {
 namespace {
-
-constexpr std::size_t kMaxFileBytes = 64 << 20;
 
 struct Interval {
   double from = 0;
@@ -86,33 +84,21 @@ void addIntervals(std::vector<Interval> intervals, const std::string& path, Labe
   }
 }
 
-Labels readLines(const std::string& path) {
-  std::istringstream lines(readFile(path, kMaxFileBytes));
-  Labels labels;
-  std::string line;
+void addLines(const std::vector<LabelLine>& lines, const std::string& path, Labels& labels) {
   double before = -std::numeric_limits<double>::infinity();
-  for (int number = 1; std::getline(lines, line); ++number) {
-    std::istringstream words(line);
-    const std::string where = path + ", line " + std::to_string(number);
-    double time = 0;
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-    std::string label;
-    if (!(words >> time) || !std::getline(words >> std::ws, label)) {
-      throw Error(where + " is not 'timestamp label'.");
-    }
-    label.erase(label.find_last_not_of(" \t\r") + 1);
-    checkLabel(label, where);
-    if (time < before) throw Error(where + ": time runs backwards; sort the lines.");
-    labels.add(time, label);
-    before = time;
+  for (const LabelLine& line : lines) {
+    const std::string where = path + ", line " + std::to_string(line.number);
+    if (!line.label.empty()) checkLabel(line.label, where);
+    if (line.time < before) throw Error(where + ": time runs backwards; sort the lines.");
+    labels.add(line.time, line.label);
+    before = line.time;
   }
-  return labels;
 }
 
 }  // namespace
 
 void checkLabel(const std::string& label, const std::string& where) {
-  if (isPlaceName(label)) return;
+  if (isPlaceName(placeName(label))) return;
   throw Error(
       where + ": the label " + inQuotes(label) +
       " is no place name (1 to 128 bytes of UTF-8 without line breaks and the like); a file "
@@ -121,7 +107,7 @@ void checkLabel(const std::string& label, const std::string& where) {
 
 void checkNewLabel(const std::string& label, const std::string& where) {
   checkLabel(label, where);
-  if (label == names::kUnknown) {
+  if (placeName(label) == names::kUnknown) {
     throw Error(where +
                 ": 'unknown' is the answer for places that are not known; choose another "
                 "name, or an empty one for no place.");
@@ -143,7 +129,9 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
     addIntervals(readIntervals(path, start), path, labels);
     labels.forEach(start, end, [&fits](double, double, const std::string&) { fits = true; });
   } else {
-    labels = readLines(path);
+    const LabelLines lines = readLabelLines(path);
+    if (!lines.note.empty()) labels.note_ = path + " " + lines.note;
+    addLines(lines.lines, path, labels);
     fits = !labels.changes_.empty() && labels.changes_.front().first <= end &&
            labels.changes_.back().first >= start;
   }
@@ -157,7 +145,8 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
   return labels;
 }
 
-void Labels::add(double time, const std::string& place) {
+void Labels::add(double time, const std::string& label) {
+  const std::string place = placeName(label);
   if (!changes_.empty() && changes_.back().first == time) changes_.pop_back();
   const bool changes = changes_.empty() ? !place.empty() : changes_.back().second != place;
   if (changes) changes_.emplace_back(time, place);

@@ -8,7 +8,8 @@
 
 namespace place_recognition {
 
-/// Throws Error unless `label` is a place name (see isPlaceName()); `where` tells where it stands.
+/// Throws Error unless placeName() of `label` can name a place (see isPlaceName()); `where` tells
+/// where it stands.
 void checkLabel(const std::string& label, const std::string& where);
 
 /// The same for a label that is being given, which may not be 'unknown' either.
@@ -29,17 +30,20 @@ class Labels {
   ///       - {from: 0, to: 12.5, place: kitchen}
   ///       - {from: 15, place: corridor}   # no `to`: until the next interval
   ///
-  /// and its intervals do not overlap. Any other file has lines `timestamp label` in order of time
-  /// (COLD's labels.dat); each holds until the next. Throws Error naming the line at fault, or if
-  /// no label falls into the bag.
+  /// and its intervals do not overlap. Any other file has lines `timestamp label` in order of time,
+  /// each of which holds until the next; see readLabelLines(). Throws Error naming the line at
+  /// fault, or if no label falls into the bag.
   static Labels fromFile(const std::string& path, double start, double end);
 
-  /// From `time`, not before the one before it, the label is `place`; empty: none. Of two labels at
-  /// one time the later counts.
-  void add(double time, const std::string& place);
+  /// From `time`, not before the one before it, the label is `label`, as placeName() has it; empty:
+  /// none. Of two labels at one time the later counts.
+  void add(double time, const std::string& label);
 
   /// The place at `time`, empty before the first label.
   const std::string& at(double time) const;
+
+  /// How a file was read, a sentence for a person, if not as it should be written; else empty.
+  const std::string& note() const { return note_; }
 
   /// Calls visit(from, to, place) for each labelled stretch between `start` and `end`.
   template <typename Visit>
@@ -55,6 +59,7 @@ class Labels {
 
  private:
   std::vector<std::pair<double, std::string>> changes_;  // in order of time
+  std::string note_;
 };
 
 }  // namespace place_recognition

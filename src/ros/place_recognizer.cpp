@@ -254,7 +254,10 @@ void PlaceRecognizer::answer(Question& question) {
     const std::lock_guard<std::mutex> lock(state_mutex_);
     if (!followModel()) throw Error("There is no model to recognize with; call ~load_model.");
     const auto start = Diagnostics::Clock::now();
-    const Recognition& recognition = recognizer_->recognize(question.message.image());
+    DepthScale scale = depth_scale_;
+    const cv::Mat arrived = question.message.image();
+    const cv::Mat image = arrived.depth() == CV_16U ? scale.toEightBits(arrived) : arrived;
+    const Recognition& recognition = recognizer_->recognize(image);
     const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
     question.answer.set_value(toPlaceRecognition(recognition, recognizer_->model(),
                                                  question.message.header(), spent.count()));
@@ -287,7 +290,7 @@ void PlaceRecognizer::recognize(const ArrivedImage& arrived) {
     return;
   }
   const auto start = Diagnostics::Clock::now();
-  const cv::Mat image = arrived.message.image();
+  const cv::Mat image = inEightBits(arrived.message.image());
   for (const std::string& warning : guard_->judge(image, secondsOf(arrived.arrival))) {
     ROS_WARN("%s", warning.c_str());
   }
@@ -320,6 +323,16 @@ bool PlaceRecognizer::followModel() {
   place_over_time_.setSmoothing(config_.smoothing);
   place_over_time_.setUnknownThreshold(threshold);
   return true;
+}
+
+cv::Mat PlaceRecognizer::inEightBits(const cv::Mat& image) {
+  if (image.depth() != CV_16U) return image;
+  const std::string before = depth_scale_.hasSeen() ? depth_scale_.text() : "";
+  const cv::Mat scaled = depth_scale_.toEightBits(image);
+  if (depth_scale_.text() != before) {
+    ROS_INFO("Images of 16 bits are used in 8, %s.", depth_scale_.text().c_str());
+  }
+  return scaled;
 }
 
 void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,

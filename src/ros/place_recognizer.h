@@ -19,6 +19,7 @@
 #include "base/rate_limit.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/image_guard.h"
+#include "recognition/depth_scale.h"
 #include "ros/diagnostics.h"
 #include "ros/image_input.h"
 #include "ros/model_slot.h"
@@ -65,6 +66,7 @@ class PlaceRecognizer {
   void recognize(const ArrivedImage& arrived);
   /// Asked by ~recognize: changes nothing that an answer to a frame depends on.
   void answer(Question& question);
+  cv::Mat inEightBits(const cv::Mat& image);
   void followClock(double stamp);
   bool followModel();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
@@ -95,6 +97,7 @@ class PlaceRecognizer {
   std::optional<ImageGuard> guard_;         // likewise
   PlaceOverTime place_over_time_;           // likewise
   RateLimit rate_limit_;
+  DepthScale depth_scale_;                     // of the images that came
   double last_stamp_ = 0;                      // s
   Diagnostics::Clock::time_point last_image_;  // arrival of the last one that could be used
   std::string last_place_;                     // as published last

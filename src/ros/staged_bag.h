@@ -2,13 +2,14 @@
 
 #include <rosbag/bag.h>
 
+#include <memory>
 #include <mutex>
 #include <string>
 
 namespace place_recognition {
 
-/// A bag that has its name only once it is complete; until then it is a file beside it.
-/// Thread-safe.
+/// A bag that has its name only once it is complete; until then it is a file beside it. A disk that
+/// is full is an Error. Thread-safe.
 class StagedBag {
  public:
   /// Opens `path` + `suffix` for writing. Throws Error if the folder cannot be written to.
@@ -17,14 +18,14 @@ class StagedBag {
   /// What has not been completed or discarded stays behind under the name with the suffix.
   ~StagedBag();
 
-  void setCompression(rosbag::CompressionType type) { bag_.setCompression(type); }
+  void setCompression(rosbag::CompressionType type) { bag_->setCompression(type); }
 
   /// Throws Error if the disk refuses.
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     try {
-      bag_.write(topic, time, message);
+      bag_->write(topic, time, message);
     } catch (const rosbag::BagException& e) {
       throwCannotWrite(e.what());
     }
@@ -39,12 +40,13 @@ class StagedBag {
   const std::string& path() const { return path_; }
 
  private:
+  void abandon();
   [[noreturn]] void throwCannotWrite(const std::string& reason) const;
 
   std::string path_;
   std::string staged_path_;
   std::mutex mutex_;  // of the bag
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
 };
 
 }  // namespace place_recognition

@@ -1,12 +1,12 @@
+#include <iostream>
 #include <memory>
-#include <ostream>
 #include <set>
 
-#include "place_recognition/error.h"
+#include "recognition/picture_sequence.h"
 #include "ros/labelled_bag_writer.h"
-#include "tool/inputs.h"
 #include "tool/layouts.h"
 #include "tool/output.h"
+#include "tool/unusable_pictures.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -22,7 +22,9 @@ struct ImportOptions {
 
 void importPictures(const ImportOptions& options) {
   requireWritable(options.out);
-  const std::vector<LabelledPicture> pictures = listPictures(options.folder, options.layout);
+  std::vector<std::string> warnings;
+  const std::vector<LabelledPicture> pictures =
+      listPictures(options.folder, options.layout, warnings);
 
   LabelledBagOptions bag_options;
   bag_options.jpeg = !options.raw;
@@ -33,18 +35,35 @@ void importPictures(const ImportOptions& options) {
   const Progress progress = display.callback();
   LabelledBagWriter bag(options.out, bag_options);
   std::set<std::string> places;
+  UnusablePictures unusable;
+  std::vector<std::string> paths;
+  for (const LabelledPicture& picture : pictures) paths.push_back(picture.path);
+  PictureSequence sequence(std::move(paths));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const LabelledPicture& picture = pictures[i];
     report(progress, "Importing", static_cast<double>(i) / pictures.size());
-    bag.write(readPicture(picture.path), picture.place, picture.stamp);
+    const DecodedImage decoded = sequence.read(i);
+    if (decoded.image.empty()) {
+      unusable.add(picture.path, decoded.problem);
+      continue;
+    }
+    bag.write(decoded.image, picture.place, picture.stamp);
     places.insert(picture.place);
   }
+  unusable.requireOthers(pictures.size());
+  if (!sequence.note().empty()) warnings.push_back(options.folder + ": " + sequence.note());
   bag.close();
   display.clear();
-  options.output.text() << options.out << ": " << pictures.size() << " pictures of "
-                        << places.size() << " places" << std::endl;
-  options.output.writeJson(
-      {{"path", options.out}, {"images", pictures.size()}, {"places", places}});
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
+  unusable.warn(std::cerr);
+  const std::size_t images = pictures.size() - unusable.count();
+  options.output.text() << options.out << ": " << images << " pictures of " << places.size()
+                        << " places" << std::endl;
+  options.output.writeJson({{"path", options.out},
+                            {"images", images},
+                            {"unusable_images", unusable.count()},
+                            {"places", places},
+                            {"warnings", warnings}});
 }
 
 }  // namespace

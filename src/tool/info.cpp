@@ -5,7 +5,10 @@
 #include <memory>
 
 #include "base/options.h"
+#include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
+#include "recognition/names.h"
+#include "ros/bag_file.h"
 #include "ros/bag_run.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
@@ -124,6 +127,23 @@ Json bagFigures(const BagInfo& bag, const std::string& path) {
           {"labels", labels}};
 }
 
+/// The file of the model that `name` means. Throws Error for a file or folder that is none.
+std::string modelPathOf(const std::string& name) {
+  std::error_code ignored;
+  const bool exists = std::filesystem::exists(name, ignored);
+  if (!exists || (isPlainName(name) && std::filesystem::exists(modelPath(name), ignored))) {
+    return modelPath(name);
+  }
+  const std::string what = whyNoRecording(name);
+  if (!what.empty()) throw Error(name + " is " + what + ".");
+  if (std::filesystem::is_directory(name, ignored)) {
+    throw Error(name + " is a folder; give a bag or a model.");
+  }
+  const bool is_model = std::filesystem::path(name).extension() == ".places";
+  if (!is_model) throw Error(name + " is neither a bag nor a model; give a .bag or .places file.");
+  return name;
+}
+
 void info(const InfoOptions& options) {
   if (isBag(options.name)) {
     const BagInfo bag = bagInfo(options.name, options.input.bag);
@@ -131,7 +151,7 @@ void info(const InfoOptions& options) {
     options.output.writeJson(bagFigures(bag, options.name));
     return;
   }
-  const std::string path = modelPath(options.name);
+  const std::string path = modelPathOf(options.name);
   const Model model = loadModel(path);
   const std::uint64_t bytes = std::filesystem::file_size(path);
   if (options.output.json != "-") printModel(model, path, bytes);

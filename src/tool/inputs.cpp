@@ -2,75 +2,111 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
+#include <system_error>
 
 #include "place_recognition/error.h"
 #include "recognition/image_file.h"
+#include "recognition/picture_folder.h"
+#include "ros/bag_file.h"
+#include "tool/carried_labels.h"
 
 namespace place_recognition::tool {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string extension(const std::string& path) {
-  std::string text = fs::path(path).extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+bool isRun(const std::string& path) {
+  return isBag(path) || (fs::is_directory(path) && holdsRoomPictures(path));
+}
+
+/// Why a folder that holds no run gives nothing.
+std::string whyNoRun(const std::string& folder) {
+  const FolderEntries entries = entriesOf(folder);
+  if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
+  const FoundPictures found = findRoomPictures(folder);
+  if (!found.pictures.empty()) {
+    return "its pictures lie too deep, as " + found.pictures.front().path +
+           "; arrange them as room/picture";
+  }
+  std::string text = "it holds no room/picture files";
+  for (const std::string& warning : found.warnings) text += "; " + warning;
   return text;
 }
 
-std::vector<std::string> children(const std::string& folder) {
-  std::vector<std::string> paths;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    paths.push_back(entry.path().string());
+/// Why `path`, in a folder of runs, is none; empty if nobody would take it for one.
+std::string whyPassedOver(const std::string& path) {
+  std::error_code ignored;
+  if (isActiveBag(path)) return "it was left by a recorder that was killed, or is being recorded";
+  const std::string what = whyNoRecording(path);
+  const bool is_folder = fs::is_directory(path, ignored);
+  if (!what.empty()) return is_folder || isBag(path) ? "it is " + what : "";
+  return is_folder && !isRun(path) ? whyNoRun(path) : "";
+}
+
+/// The runs directly in a folder; names what could be one and gives nothing.
+void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
+  const FolderEntries entries = entriesOf(folder);
+  if (!entries.problem.empty()) {
+    throw Error("Cannot read the folder " + folder + ": " + entries.problem +
+                "; check its permissions.");
   }
-  std::sort(paths.begin(), paths.end());
-  return paths;
+  std::vector<std::string> names = entries.folders;
+  names.insert(names.end(), entries.others.begin(), entries.others.end());
+  std::sort(names.begin(), names.end(), naturalLess);
+  const std::size_t before = runs.size();
+  std::vector<std::string> passed_over;  // sentences
+  const auto pass_over = [&](const std::string& path, const std::string& why) {
+    passed_over.push_back("Nothing is taken from " + path + ": " + why + ".");
+  };
+  for (const std::string& name : names) {
+    const std::string path = (fs::path(folder) / name).string();
+    const std::string why = whyPassedOver(path);
+    if (!why.empty()) {
+      pass_over(path, why);
+    } else if (isRun(path)) {
+      runs.push_back(path);
+    }
+  }
+  for (const std::string& name : entries.dead) {
+    pass_over((fs::path(folder) / name).string(), "it is a link that leads nowhere");
+  }
+  std::string text;
+  for (const std::string& sentence : passed_over) text += " " + sentence;
+  if (runs.size() == before) {
+    throw Error("The folder " + folder +
+                " holds neither bags nor room/picture files (png, jpg, webp, bmp or tiff); put the "
+                "pictures of each room into a folder with the room's name." +
+                text);
+  }
+  for (const std::string& sentence : passed_over) std::cerr << "warning: " << sentence << "\n";
 }
-
-bool holdsPicture(const std::string& folder) {
-  const fs::directory_iterator entries(folder);
-  return std::any_of(begin(entries), end(entries),
-                     [](const auto& entry) { return isPicture(entry.path().string()); });
-}
-
-/// A folder of `room/picture`, or of pictures without labels.
-bool isFolderRun(const std::string& path) {
-  if (!fs::is_directory(path)) return false;
-  if (holdsPicture(path)) return true;
-  const fs::directory_iterator entries(path);
-  return std::any_of(begin(entries), end(entries), [](const auto& entry) {
-    return entry.is_directory() && holdsPicture(entry.path().string());
-  });
-}
-
-bool isRun(const std::string& path) { return isBag(path) || isFolderRun(path); }
 
 void findRunsOf(const std::string& input, std::vector<std::string>& runs) {
-  if (!fs::exists(input)) throw Error(input + " does not exist; check the path.");
+  std::error_code failure;
+  if (!fs::exists(input, failure)) {
+    const bool is_link = fs::is_symlink(input, failure);
+    throw Error(input + (is_link ? " is a link that leads nowhere" : " does not exist") +
+                "; check the path.");
+  }
+  const std::string what = whyNoRecording(input);
+  if (!what.empty()) throw Error(input + " is " + what + ".");
   if (isRun(input)) {
     runs.push_back(input);
-    return;
-  }
-  if (!fs::is_directory(input)) {
+  } else if (fs::is_directory(input)) {
+    findRunsIn(input, runs);
+  } else {
     throw Error(input +
                 " is neither a bag nor a folder; give a file that ends in .bag or a "
                 "folder of room/picture files.");
-  }
-  const std::size_t before = runs.size();
-  for (const std::string& child : children(input)) {
-    if (isRun(child)) runs.push_back(child);
-  }
-  if (runs.size() == before) {
-    throw Error("The folder " + input +
-                " holds neither bags nor room/picture files (png, jpg); "
-                "put the pictures of each room into a folder with the room's name.");
   }
 }
 
 }  // namespace
 
 const char* const kInputHelp =
-    "Labelled runs: bags, folders of room/picture files (png, jpg), or folders of these";
+    "Labelled runs: bags, folders of room/picture files (png, jpg, webp, bmp, tiff), or folders of "
+    "these";
 
 void InputOptions::addTo(Verb& verb) {
   const char* const kGroup = "Options on bags";
@@ -93,9 +129,14 @@ std::vector<RunOpener> InputOptions::openers(const std::vector<std::string>& inp
     throw Error("--labels " + bag.labels_file +
                 " is for one bag; put a file RUN.labels.yaml beside each of several.");
   }
+  const std::vector<std::string> carried = carriedLabels(runs, bag);
   std::vector<RunOpener> openers;
-  for (const std::string& run : runs) {
-    openers.push_back([this, run] { return open(run); });
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    openers.push_back([this, run = runs[i], label = carried[i]] {
+      InputOptions options = *this;
+      options.bag.initial_label = label;
+      return options.open(run);
+    });
   }
   return openers;
 }
@@ -110,28 +151,22 @@ std::vector<std::string> findRuns(const std::vector<std::string>& inputs) {
   return runs;
 }
 
-cv::Mat readPicture(const std::string& path) {
+Frame pictureFrame(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw Error("There is no picture " + path + "; check the path.");
+  DecodedImage decoded = readImageFile(path);
   Frame frame;
   frame.name = path;
-  if (!fs::exists(path)) throw Error("There is no picture " + path + "; check the path.");
-  DecodedImage decoded = readImageFile(path);
   frame.image = std::move(decoded.image);
   frame.problem = std::move(decoded.problem);
-  requireImage(frame);
-  return frame.image;
+  return frame;
 }
 
-void requireImage(const Frame& frame) {
-  if (!frame.image.empty()) return;
-  throw Error("The picture " + frame.name + " is of no use: " + frame.problem +
+cv::Mat readPicture(const std::string& path) {
+  const Frame frame = pictureFrame(path);
+  if (!frame.image.empty()) return frame.image;
+  throw Error("The picture " + path + " is of no use: " + frame.problem +
               "; remove it or put a good one in its place.");
-}
-
-bool isBag(const std::string& path) { return extension(path) == ".bag"; }
-
-bool isPicture(const std::string& path) {
-  const std::string ending = extension(path);
-  return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
 }  // namespace place_recognition::tool

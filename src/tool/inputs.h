@@ -29,19 +29,15 @@ struct InputOptions {
 };
 
 /// The runs that `inputs` stand for, in the order given: a bag; a folder of `room/picture`; a
-/// folder of such bags or folders, in order of their names. Throws Error for anything else.
+/// folder of such bags or folders, in natural order of their names, of which those that give
+/// nothing are named on stderr. Throws Error for anything else.
 std::vector<std::string> findRuns(const std::vector<std::string>& inputs);
+
+/// A picture as a frame without a label; it has no image if it is damaged. Throws Error if there is
+/// none at `path`.
+Frame pictureFrame(const std::string& path);
 
 /// A picture, CV_8UC3 BGR or CV_8UC1. Throws Error if there is none at `path`, or it is damaged.
 cv::Mat readPicture(const std::string& path);
-
-/// Throws Error if `frame` of a run has no image.
-void requireImage(const Frame& frame);
-
-/// Whether `path` ends as a bag does.
-bool isBag(const std::string& path);
-
-/// Whether `path` ends as a picture that can be read does: png, jpg or jpeg.
-bool isPicture(const std::string& path);
 
 }  // namespace place_recognition::tool

@@ -1,11 +1,11 @@
 #include "tool/layout_sets.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <map>
 
 #include "place_recognition/error.h"
-#include "tool/inputs.h"
+#include "recognition/picture_folder.h"
 #include "tool/layouts.h"
 
 namespace place_recognition::tool {
@@ -15,12 +15,17 @@ namespace fs = std::filesystem;
 
 constexpr int kBlocks = 4;  // KTH-TIPS2 has four samples a material
 
+/// The entries of a folder that a data set is read from.
+FolderEntries openedEntries(const fs::path& folder) {
+  FolderEntries entries = entriesOf(folder.string());
+  if (entries.problem.empty()) return entries;
+  throw Error("Cannot read the folder " + folder.string() + ": " + entries.problem +
+              "; check its permissions.");
+}
+
 std::vector<fs::path> foldersIn(const fs::path& folder) {
   std::vector<fs::path> folders;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.is_directory()) folders.push_back(entry.path());
-  }
-  std::sort(folders.begin(), folders.end());
+  for (const std::string& name : openedEntries(folder).folders) folders.push_back(folder / name);
   return folders;
 }
 
@@ -31,6 +36,23 @@ std::string conditionOf(const fs::path& sequence) {
     if (name.find(condition) != std::string::npos) return condition;
   }
   return "";
+}
+
+/// Pictures directly in `folder`, 9.jpg before 10.jpg.
+std::vector<std::string> picturesIn(const fs::path& folder) {
+  std::vector<std::string> paths;
+  for (const std::string& name : openedEntries(folder).pictures) {
+    paths.push_back((folder / name).string());
+  }
+  return paths;
+}
+
+/// Tells on stderr of folders that give nothing.
+std::vector<LabelledPicture> listAndWarn(const std::string& folder, const Layout& layout) {
+  std::vector<std::string> warnings;
+  std::vector<LabelledPicture> pictures = listPictures(folder, layout, warnings);
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
+  return pictures;
 }
 
 /// The pictures of all sequences below `folder`, by condition.
@@ -44,21 +66,9 @@ void addSequences(const fs::path& folder, const Layout& layout,
     }
     PictureSet& set = sets[condition];
     set.name = condition;
-    const auto pictures = listPictures(child.string(), layout);
+    const auto pictures = listAndWarn(child.string(), layout);
     set.pictures.insert(set.pictures.end(), pictures.begin(), pictures.end());
   }
-}
-
-/// Pictures directly in `folder`, 9.jpg before 10.jpg.
-std::vector<std::string> picturesIn(const fs::path& folder) {
-  std::vector<std::string> paths;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (isPicture(entry.path().string())) paths.push_back(entry.path().string());
-  }
-  std::sort(paths.begin(), paths.end(), [](const std::string& a, const std::string& b) {
-    return a.size() != b.size() ? a.size() < b.size() : a < b;
-  });
-  return paths;
 }
 
 /// The samples of one material, each a list of pictures.
@@ -89,7 +99,7 @@ std::vector<PictureSet> conditionSets(const std::string& folder, const std::stri
   if (layout == "indecs") {
     for (const std::string& condition : indecsConditions(folder)) {
       one.condition = condition;
-      sets[condition] = {condition, listPictures(folder, one)};
+      sets[condition] = {condition, listAndWarn(folder, one)};
     }
   } else {
     addSequences(folder, one, sets);

@@ -4,15 +4,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <sstream>
 #include <tuple>
 
+#include "base/atomic_file.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
+#include "recognition/names.h"
+#include "recognition/picture_folder.h"
 #include "ros/labels.h"
-#include "tool/inputs.h"
 
 namespace place_recognition::tool {
 namespace {
@@ -47,19 +49,35 @@ double numberBehindLetter(const std::string& word) {
   return end && *end == '\0' ? value : NAN;
 }
 
+using Warnings = std::vector<std::string>;
+
 void stampByRate(std::vector<LabelledPicture>& pictures, double rate) {
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     pictures[i].stamp = static_cast<double>(i) / rate;
   }
 }
 
-std::vector<LabelledPicture> listRooms(const fs::path& folder) {
+/// The pictures below a folder, for layouts whose paths tell more than the room.
+std::vector<std::string> picturesBelow(const std::string& folder, Warnings& warnings) {
+  FoundPictures found = findPicturesBelow(folder);
+  warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+  std::vector<std::string> paths;
+  for (PlacedPicture& picture : found.pictures) paths.push_back(std::move(picture.path));
+  return paths;
+}
+
+std::string allOf(const Warnings& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += " " + warning;
+  return text;
+}
+
+std::vector<LabelledPicture> listRooms(const fs::path& folder, Warnings& warnings) {
+  FoundPictures found = findRoomPictures(folder.string());
+  warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
   std::vector<LabelledPicture> pictures;
-  for (const fs::path path : picturesBelow(folder.string())) {
-    const fs::path relative = path.lexically_relative(folder);
-    if (std::distance(relative.begin(), relative.end()) == 2) {
-      pictures.push_back({path.string(), relative.begin()->string(), 0});
-    }
+  for (PlacedPicture& picture : found.pictures) {
+    if (!picture.place.empty()) pictures.push_back({picture.path, picture.place, 0});
   }
   return pictures;
 }
@@ -108,10 +126,11 @@ struct IndecsPicture {
   }
 };
 
-std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::string& wanted) {
+std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::string& wanted,
+                                        Warnings& warnings) {
   std::vector<IndecsPicture> found;
   std::set<std::string> conditions;
-  for (const fs::path path : picturesBelow(folder.string())) {
+  for (const fs::path path : picturesBelow(folder.string(), warnings)) {
     IndecsPicture picture(folder, path);
     conditions.insert(picture.condition);
     if (wanted.empty() || picture.condition == wanted) found.push_back(std::move(picture));
@@ -127,9 +146,9 @@ std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::strin
   return pictures;
 }
 
-std::vector<LabelledPicture> listIdol(const fs::path& folder) {
+std::vector<LabelledPicture> listIdol(const fs::path& folder, Warnings& warnings) {
   std::vector<LabelledPicture> pictures;
-  for (const fs::path path : picturesBelow(folder.string())) {
+  for (const fs::path path : picturesBelow(folder.string(), warnings)) {
     LabelledPicture picture{path.string(), "", NAN};
     for (const std::string& word : split(path.stem().string(), "_")) {
       if (word.front() == 't') picture.stamp = numberBehindLetter(word);
@@ -152,10 +171,11 @@ double coldStamp(const std::string& file) {
 
 /// A line a picture, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
 std::vector<LabelledPicture> listByPictures(const fs::path& cameras, const fs::path& list) {
-  std::ifstream lines(list);
+  constexpr std::size_t kMaxFileBytes = 64 << 20;
   std::vector<LabelledPicture> pictures;
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
+  int number = 0;
+  for (const std::string& line : linesOf(toUtf8(readFile(list.string(), kMaxFileBytes)))) {
+    ++number;
     std::istringstream words(line);
     std::string file, place;
     if (!(words >> file)) continue;
@@ -171,10 +191,11 @@ std::vector<LabelledPicture> listByPictures(const fs::path& cameras, const fs::p
 
 /// Lines `timestamp label` (COLD-Meta), each of which holds until the next. Pictures before the
 /// first are left out.
-std::vector<LabelledPicture> listByTimes(const fs::path& cameras, const fs::path& labels_file) {
+std::vector<LabelledPicture> listByTimes(const fs::path& cameras, const fs::path& labels_file,
+                                         Warnings& warnings) {
   std::vector<LabelledPicture> pictures;
   double start = std::numeric_limits<double>::infinity(), end = -start;
-  for (const std::string& path : picturesBelow(cameras.string())) {
+  for (const std::string& path : picturesBelow(cameras.string(), warnings)) {
     const double stamp = coldStamp(fs::path(path).filename().string());
     if (std::isnan(stamp)) {
       throw Error(path + " is not named as COLD does (tTIME_xX_yY_aANGLE); remove it.");
@@ -191,11 +212,13 @@ std::vector<LabelledPicture> listByTimes(const fs::path& cameras, const fs::path
   return pictures;
 }
 
-std::vector<LabelledPicture> listCold(const fs::path& folder) {
+std::vector<LabelledPicture> listCold(const fs::path& folder, Warnings& warnings) {
   const fs::path cameras = folder / "std_cam", list = folder / "localization" / "places.lst";
   if (fs::exists(list)) return listByPictures(cameras, list);
   for (const fs::path& labels : {folder / "labels.dat", folder / "localization" / "labels.dat"}) {
-    if (fs::exists(labels) && fs::is_directory(cameras)) return listByTimes(cameras, labels);
+    if (fs::exists(labels) && fs::is_directory(cameras)) {
+      return listByTimes(cameras, labels, warnings);
+    }
   }
   throw Error("There is neither " + list.string() + " nor " + (folder / "labels.dat").string() +
               "; give the folder of one COLD sequence, which holds std_cam and one of these.");
@@ -203,37 +226,30 @@ std::vector<LabelledPicture> listCold(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<std::string> picturesBelow(const std::string& folder) {
-  std::vector<std::string> paths;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && isPicture(entry.path().string())) {
-      paths.push_back(entry.path().string());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 std::vector<std::string> indecsConditions(const std::string& folder) {
   std::set<std::string> conditions;
-  for (const std::string& path : picturesBelow(folder)) {
+  Warnings told_later;
+  for (const std::string& path : picturesBelow(folder, told_later)) {
     conditions.insert(IndecsPicture(folder, path).condition);
   }
   conditions.erase("");
   return {conditions.begin(), conditions.end()};
 }
 
-std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout) {
+std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout,
+                                          std::vector<std::string>& warnings) {
   if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
   const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
-  std::vector<LabelledPicture> pictures = layout.name == "rooms" ? listRooms(folder)
+  std::vector<LabelledPicture> pictures = layout.name == "rooms" ? listRooms(folder, warnings)
                                           : layout.name == "indecs"
-                                              ? listIndecs(folder, layout.condition)
-                                          : layout.name == "idol" ? listIdol(folder)
-                                                                  : listCold(folder);
+                                              ? listIndecs(folder, layout.condition, warnings)
+                                          : layout.name == "idol" ? listIdol(folder, warnings)
+                                                                  : listCold(folder, warnings);
+  for (LabelledPicture& picture : pictures) picture.place = placeName(picture.place);
   if (pictures.empty()) {
-    throw Error("The folder " + folder + " holds no pictures (png, jpg) in the layout '" +
-                layout.name + "'; check the path, or give another --layout.");
+    throw Error("The folder " + folder +
+                " holds no pictures (png, jpg, webp, bmp or tiff) in the layout '" + layout.name +
+                "'; check the path, or give another --layout." + allOf(warnings));
   }
   if (by_rate) {
     stampByRate(pictures, layout.rate);

@@ -16,13 +16,12 @@ struct Layout {
 
 /// The pictures of `folder` in the order of their stamps, which start at 0 for rooms and indecs and
 /// are those of the recording for idol and cold. Throws Error, naming the file, for what does not
-/// fit the layout, and if there is no picture at all.
-std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout);
+/// fit the layout, and if there is no picture at all. Adds to `warnings` a sentence for each folder
+/// that gives nothing.
+std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout,
+                                          std::vector<std::string>& warnings);
 
 /// cloudy, night, sunny: those of which a folder of layout indecs has pictures, in this order.
 std::vector<std::string> indecsConditions(const std::string& folder);
-
-/// Paths of all pictures below `folder`, in ascending order.
-std::vector<std::string> picturesBelow(const std::string& folder);
 
 }  // namespace place_recognition::tool

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -35,7 +36,9 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
   using place_recognition::Error;
   try {
     tool.run(words);
-    return 0;
+    if (std::cout.flush()) return 0;
+    return fail(tool, "cannot write to the standard output; make room, or send it elsewhere.",
+                kBadInput);
   } catch (const UsageError& e) {
     return fail(tool, std::string(e.what()) + "; see " + tool.name() + " --help.", kBadUsage);
   } catch (const Cancelled&) {
@@ -55,6 +58,8 @@ int main(int argc, char** argv) {
   // What OpenCV and libpng find wrong with a picture is told in one line by whoever reads it.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   place_recognition::tool::stopOnSignals();
+  // A file that grows beyond what is allowed (ulimit -f) is an error like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
 
   CommandLine tool("place_tool",
                    "Learns the rooms of a building from labelled bags or pictures, and names them.",

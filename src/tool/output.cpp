@@ -38,6 +38,7 @@ void requireWritable(const std::string& path) {
   namespace fs = std::filesystem;
   fs::path folder = fs::absolute(path).parent_path();
   std::error_code failure;
+  if (fs::is_other(path, failure) || fs::is_character_file(path, failure)) return;  // /dev/null
   while (!fs::exists(folder, failure) && folder.has_relative_path()) folder = folder.parent_path();
   if (fs::is_directory(path, failure) || !fs::is_directory(folder, failure) ||
       access(folder.c_str(), W_OK | X_OK) != 0) {

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -10,8 +11,11 @@
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/image_guard.h"
+#include "recognition/picture_folder.h"
+#include "ros/bag_file.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
+#include "tool/unusable_pictures.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -49,7 +53,7 @@ class Recognitions {
 
   /// A picture by itself.
   void addPicture(const Frame& frame) {
-    check(frame);
+    if (!isUsable(frame)) return;
     add(frame, recognizer_.recognize(frame.image));
   }
 
@@ -60,21 +64,30 @@ class Recognitions {
   }
 
   void addFrame(const Frame& frame) {
-    check(frame);
+    if (!isUsable(frame)) return;
     add(frame, recognizer_.recognize(frame.image, frame.stamp));
   }
 
+  /// Throws Error if there was no picture that could be used.
   void finish() {
+    unusable_.requireOthers(frames_);
+    unusable_.warn(std::cerr);
     if (!output_.json.empty() && output_.json != "-")
       writeFileAtomically(output_.json, json_lines_);
   }
 
  private:
-  void check(const Frame& frame) {
-    requireImage(frame);
+  /// Tells what is wrong with a frame; false if there is no image.
+  bool isUsable(const Frame& frame) {
+    ++frames_;
+    if (frame.image.empty()) {
+      addUnusable(frame);
+      return false;
+    }
     for (const std::string& warning : guard_.judge(frame.image, frame.stamp)) {
       std::cerr << "warning: " << frame.name << ": " << warning << "\n";
     }
+    return true;
   }
 
   void add(const Frame& frame, const Recognition& answer) {
@@ -86,6 +99,25 @@ class Recognitions {
                    {"known", answer.known},       {"confidence", answer.confidence},
                    {"evidence", answer.evidence}, {"scores", scores(recognizer_.model(), answer)}};
     if (answer.place < 0) object["reason"] = answer.reason;
+    write(object);
+  }
+
+  void addUnusable(const Frame& frame) {
+    unusable_.add(frame.name, frame.problem);
+    if (output_.json != "-" && frames_ > 1) {
+      output_.text() << frame.name << "  cannot be used: " << frame.problem << "\n";
+    }
+    if (output_.json.empty()) return;
+    write({{"image", frame.name},
+           {"place", ""},
+           {"known", false},
+           {"confidence", 0},
+           {"evidence", 0},
+           {"scores", Json::object()},
+           {"reason", frame.problem}});
+  }
+
+  void write(const Json& object) {
     if (output_.json == "-") {
       std::cout << jsonLine(object) << std::flush;
     } else {
@@ -106,6 +138,8 @@ class Recognitions {
   const OutputOptions& output_;
   Recognizer recognizer_;
   ImageGuard guard_;
+  UnusablePictures unusable_;
+  std::size_t frames_ = 0;
   std::string json_lines_;
   std::size_t name_width_ = 0;
   std::size_t place_width_ = std::string("unknown").size();
@@ -123,21 +157,24 @@ void recognize(const RecognizeOptions& options) {
   Frame frame;
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     const std::string& input = options.inputs[i];
-    if (isPicture(input)) {
+    if (isPictureName(input) && !std::filesystem::is_directory(input)) {
       report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
-      frame.image = readPicture(input);
-      frame.name = input;
+      frame = pictureFrame(input);
       frame.stamp = static_cast<double>(i);
       recognitions.addPicture(frame);
       continue;
     }
     for (const std::string& run_path : findRuns({input})) {
       const std::unique_ptr<Run> run = options.input.open(run_path);
+      const bool is_bag = isBag(run_path);
       recognitions.startRun();
       while (run->next(frame)) {
         report(progress, "Recognizing " + run_path, run->fraction());
-        if (isBag(run_path)) frame.name = run_path + " " + frame.name;
+        if (is_bag) frame.name = run_path + " " + frame.name;
         recognitions.addFrame(frame);
+      }
+      for (const std::string& warning : run->warnings()) {
+        std::cerr << "warning: " << warning << "\n";
       }
     }
   }
@@ -150,14 +187,16 @@ void addRecognize(CommandLine& tool) {
   Verb& verb = tool.verb("recognize", "Names the place that pictures show");
   const auto options = std::make_shared<RecognizeOptions>();
   verb.argument("IMAGE_OR_INPUT", options->inputs,
-                "Pictures (png, jpg), bags or folders of room/picture files");
+                "Pictures (png, jpg, webp, bmp, tiff), bags or folders of room/picture files");
   verb.option("--model", "NAME", options->model, "Name or file of the model").required();
   options->input.addTo(verb);
   options->output.addTo(verb);
   verb.footer(
       "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object "
       "a\n"
-      "line: image, place, known, confidence, evidence and the scores of every place.\n"
+      "line: image, place, known, confidence, evidence and the scores of every place. Pictures "
+      "that\n"
+      "cannot be used are told with the reason.\n"
       "Example:\n"
       "  place_tool recognize --model office now.jpg");
   verb.run([options] { recognize(*options); });

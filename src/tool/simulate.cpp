@@ -4,8 +4,9 @@
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
 #include <ostream>
+#include <vector>
 
-#include "place_recognition/error.h"
+#include "base/atomic_file.h"
 #include "ros/labelled_bag_writer.h"
 #include "simulation/simulation.h"
 #include "tool/output.h"
@@ -61,10 +62,10 @@ Counts renderFolder(const SimulationOptions& options, const std::string& path,
     report(progress, "Rendering " + path, static_cast<double>(index) / count);
     const fs::path room = folder.path() / frame.room;
     fs::create_directories(room);
-    const std::string file = room / (frame.name + ".png");
-    if (!cv::imwrite(file, frame.image)) {
-      throw Error("Cannot write " + file + "; make room on the disk.");
-    }
+    std::vector<unsigned char> png;
+    cv::imencode(".png", frame.image, png);
+    writeFileAtomically(room / (frame.name + ".png"),
+                        {reinterpret_cast<const char*>(png.data()), png.size()});
     ++counts[frame.room];
     return true;
   });

@@ -73,7 +73,7 @@ TEST(FolderRun, GoesOnBehindADamagedPicture) {
   const std::vector<Frame> frames = framesOf(folder / "");
   ASSERT_EQ(frames.size(), 2u);
   EXPECT_TRUE(frames[0].image.empty());
-  EXPECT_EQ(frames[0].problem, "it is no PNG or JPEG picture");
+  EXPECT_EQ(frames[0].problem, "it is no picture of a format that can be read");
   EXPECT_FALSE(frames[1].image.empty());
   EXPECT_EQ(frames[1].problem, "");
 }
@@ -98,11 +98,12 @@ std::string problemOf(const std::vector<std::uint8_t>& bytes) {
   return decoded.problem;
 }
 
-TEST(DecodeImage, TakesPngAndJpegOnly) {
+TEST(DecodeImage, TakesWhatCamerasSendOnly) {
   EXPECT_EQ(problemOf(encoded(".png")), "");
   EXPECT_EQ(problemOf(encoded(".jpg")), "");
-  EXPECT_EQ(problemOf(encoded(".bmp")), "it is no PNG or JPEG picture");
-  EXPECT_EQ(problemOf({}), "it is no PNG or JPEG picture");
+  EXPECT_EQ(problemOf(encoded(".webp")), "");
+  EXPECT_EQ(problemOf(encoded(".bmp")), "it is no PNG, JPEG or WebP picture");
+  EXPECT_EQ(problemOf({}), "it is empty");
 }
 
 TEST(DecodeImage, RefusesBombsUndecoded) {

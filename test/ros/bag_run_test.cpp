@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/String.h>
 
@@ -55,6 +56,119 @@ TEST_F(Bags, AreReadByTheNameOfTheirTopicWithoutCompressed) {
   BagRunOptions options;
   options.image_topic = "/camera/image_raw";
   EXPECT_EQ(readAll(path_, options).size(), kRooms.size());
+}
+
+TEST_F(Bags, SlashesBeforeTopicsDoNotMatter) {
+  LabelledBagOptions written;
+  written.image_topic = "camera/image_raw";
+  written.label_topic = "place_label";
+  writeRun(path_, written);
+  EXPECT_EQ(places(readAll(path_)), kRooms);
+  for (const char* image :
+       {"/camera/image_raw", "camera/image_raw", "/camera/image_raw/compressed"}) {
+    for (const char* label : {"/place_label", "place_label", "//place_label"}) {
+      BagRunOptions options;
+      options.image_topic = image;
+      options.label_topic = label;
+      EXPECT_EQ(places(readAll(path_, options)), kRooms) << image << " " << label;
+    }
+  }
+  writeRun(path_);
+  BagRunOptions bare;
+  bare.image_topic = "camera/image_raw";
+  bare.label_topic = "place_label";
+  EXPECT_EQ(places(readAll(path_, bare)), kRooms);
+}
+
+/// Writes one picture on each topic.
+void writeTopics(const std::string& path, const std::vector<std::string>& raw,
+                 const std::vector<std::string>& compressed) {
+  rosbag::Bag bag(path, rosbag::bagmode::Write);
+  for (const std::string& topic : raw) {
+    bag.write(topic, ros::Time(1), toImageMessage(picture(0), std_msgs::Header()));
+  }
+  for (const std::string& topic : compressed) {
+    bag.write(topic, ros::Time(1), sensor_msgs::CompressedImage());
+  }
+}
+
+TEST_F(Bags, TheOnlyCameraIsTaken) {
+  writeTopics(path_, {"/camera/color/image_raw"},
+              {"/camera/color/image_raw/compressed", "/camera/depth/image_raw/compressedDepth"});
+  const std::vector<Frame> frames = readAll(path_);
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_EQ(frames[0].name, "/camera/color/image_raw #1");
+}
+
+TEST_F(Bags, OneOfSeveralCamerasIsAskedFor) {
+  writeTopics(path_, {"/left/image_raw", "/right/image_raw"}, {"/depth/compressedDepth"});
+  const std::string error = errorOf(path_);
+  EXPECT_NE(error.find("--image-topic"), std::string::npos) << error;
+  EXPECT_NE(error.find("/right/image_raw"), std::string::npos) << error;
+  EXPECT_EQ(error.find("compressedDepth"), std::string::npos) << error;
+  EXPECT_EQ(error.find("byte"), std::string::npos) << error;
+}
+
+TEST_F(Bags, AClockThatWasNotSetDoesNotCount) {
+  for (const double odd : {1e-9, 100.0, 1.5e9 - 400 * 86400}) {
+    {
+      rosbag::Bag bag(path_, rosbag::bagmode::Write);
+      std_msgs::String label;
+      bag.write("/rosout", ros::Time(odd), label);
+      bag.write("/image", ros::Time(odd), toImageMessage(picture(0), std_msgs::Header()));
+      bag.write("/clock_is_set", ros::Time(1.5e9 - 1), label);
+      for (int i = 0; i < 3; ++i) {
+        bag.write("/image", ros::Time(1.5e9 + i), toImageMessage(picture(i), std_msgs::Header()));
+      }
+    }
+    const BagInfo info = bagInfo(path_);
+    EXPECT_DOUBLE_EQ(info.start, 1.5e9 - 1);
+    EXPECT_DOUBLE_EQ(info.duration, 3);
+  }
+}
+
+TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    sensor_msgs::Image message;
+    message.encoding = "mono16";
+    message.width = message.height = 32;
+    message.step = 64;
+    for (int frame = 0; frame < 3; ++frame) {
+      message.data.clear();
+      for (int i = 0; i < 32 * 32; ++i) {  // to 255, 511 and 1023
+        const int value = i >> (2 - frame);
+        message.data.push_back(static_cast<std::uint8_t>(value & 0xff));
+        message.data.push_back(static_cast<std::uint8_t>(value >> 8));
+      }
+      bag.write("/infra", ros::Time(1 + frame), message);
+    }
+  }
+  const std::unique_ptr<Run> run = openBagRun(path_);
+  Frame frame;
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(run->next(frame));
+    ASSERT_EQ(frame.image.type(), CV_8UC1);
+    double largest = 0;
+    cv::minMaxLoc(frame.image, nullptr, &largest);
+    EXPECT_EQ(largest, (255 >> (2 - i)));  // all alike
+  }
+  ASSERT_EQ(run->warnings().size(), 1u);
+  EXPECT_NE(run->warnings()[0].find("0 .. 1023"), std::string::npos);
+}
+
+TEST_F(Bags, ALabelMayHaveBeenSaidBefore) {
+  writeRun(path_);
+  BagRunOptions options;
+  options.initial_label = "attic";
+  EXPECT_EQ(places(readAll(path_, options)), kRooms);  // its first label is of its start
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    bag.write("/image", ros::Time(1), toImageMessage(picture(0), std_msgs::Header()));
+  }
+  EXPECT_EQ(places(readAll(path_, options)), std::vector<std::string>{"attic"});
+  EXPECT_EQ(bagInfo(path_, options).last_label, "attic");
+  EXPECT_EQ(bagInfo(path_).last_label, "");
 }
 
 TEST_F(Bags, LabelsHoldFromTheirTimeOn) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <random>
 #include <string>
 #include <vector>
@@ -40,16 +41,74 @@ TEST(CompressedConversions, JpegIsClose) {
   }
 }
 
-TEST(CompressedConversions, DeepPngBecomesEightBits) {
-  const cv::Mat image(4, 4, CV_16UC1, cv::Scalar(40 * 257));
+TEST(CompressedConversions, DeepPngKeepsItsBits) {
+  const cv::Mat image(4, 4, CV_16UC1, cv::Scalar(1023));
   const cv::Mat decoded = toImage(compressed(image, ".png"));
-  ASSERT_EQ(decoded.type(), CV_8UC1);
-  EXPECT_EQ(decoded.at<std::uint8_t>(1, 1), 40);
+  ASSERT_EQ(decoded.type(), CV_16UC1);
+  EXPECT_EQ(decoded.at<std::uint16_t>(1, 1), 1023);
+}
+
+/// A red picture, BGR.
+const cv::Mat kRed(16, 16, CV_8UC3, cv::Scalar(20, 40, 200));
+
+/// The channel of the picture in a message that is strongest, 0 to 2 for blue, green, red.
+int strongestChannel(const cv::Mat& stored, const std::string& format) {
+  sensor_msgs::CompressedImage message =
+      compressed(stored, format.find("png") != std::string::npos ? ".png" : ".jpg");
+  message.format = format;
+  const cv::Scalar mean = cv::mean(toImage(message));
+  return static_cast<int>(std::max_element(mean.val, mean.val + 3) - mean.val);
+}
+
+TEST(CompressedConversions, RedIsRedWhateverTheFormatSays) {
+  cv::Mat swapped;
+  cv::cvtColor(kRed, swapped, cv::COLOR_BGR2RGB);
+  for (const char* format :
+       {"jpeg", "png", "", "rgb8; jpeg compressed bgr8", "bgr8; jpeg compressed bgr8",
+        "rgba8; png compressed bgr8", "bgra8; jpeg compressed bgr8", "rgb16; png compressed bgr16",
+        "8UC3; jpeg compressed ", "mono8; jpeg compressed "}) {
+    EXPECT_EQ(strongestChannel(kRed, format), 2) << format;
+  }
+  // As image_transport has it: what is not told to be BGR is as the encoding before the semicolon
+  // has its channels, RGB.
+  for (const char* format :
+       {"rgb8; jpeg compressed rgb8", "rgb8; png compressed rgb8", "rgb8; jpeg compressed ",
+        "bgr8; jpeg compressed rgb8", "rgba8; jpeg compressed rgb8", "bgra8; png compressed rgb8",
+        "rgb16; png compressed rgb16"}) {
+    EXPECT_EQ(strongestChannel(swapped, format), 2) << format;
+  }
+}
+
+TEST(CompressedConversions, AMosaicIsColour) {
+  // Red where the upper left pixel of each four is bright, in the pattern that starts with red.
+  cv::Mat mosaic(16, 16, CV_8UC1, cv::Scalar(10));
+  for (int row = 0; row < 16; row += 2) {
+    for (int col = 0; col < 16; col += 2) mosaic.at<std::uint8_t>(row, col) = 200;
+  }
+  EXPECT_EQ(strongestChannel(mosaic, "bayer_rggb8; png compressed "), 2);
+  EXPECT_EQ(strongestChannel(mosaic, "bayer_bggr8; png compressed "), 0);
+  EXPECT_EQ(strongestChannel(mosaic, "bayer_grbg8; png compressed "), 1);
+  EXPECT_EQ(strongestChannel(mosaic, "bayer_gbrg8; png compressed "), 1);
+}
+
+TEST(CompressedConversions, GreyStaysGrey) {
+  sensor_msgs::CompressedImage message = compressed(gradient(CV_8UC1), ".png");
+  for (const char* format : {"mono8; png compressed ", "mono8; png compressed mono8", "png"}) {
+    message.format = format;
+    EXPECT_EQ(toImage(message).type(), CV_8UC1) << format;
+  }
+}
+
+TEST(CompressedConversions, CutJpegsAreRefused) {
+  sensor_msgs::CompressedImage message = compressed(gradient(CV_8UC3), ".jpg");
+  message.data.resize(message.data.size() - 30);
+  EXPECT_THROW(toImage(message), Error);
 }
 
 TEST(CompressedConversions, OtherFormatsAreRefused) {
   EXPECT_THROW(toImage(compressed(gradient(CV_8UC3), ".bmp")), Error);
   EXPECT_THROW(toImage(compressed(gradient(CV_8UC3), ".tiff")), Error);
+  EXPECT_NO_THROW(toImage(compressed(gradient(CV_8UC3), ".webp")));
   EXPECT_THROW(toImage(sensor_msgs::CompressedImage()), Error);
 }
 

@@ -5,6 +5,7 @@
 #include <sensor_msgs/Image.h>
 #include <std_msgs/String.h>
 
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -65,14 +66,48 @@ TEST_F(Bags, FilesThatAreNoBagAreRefused) {
   EXPECT_NE(errorOf(scratch_ / "."), "");
 }
 
+/// A bag as left by a recorder that was killed: the header has no index position yet.
+std::string unindexed(std::string bytes) {
+  const std::size_t field = bytes.find("index_pos=");
+  EXPECT_NE(field, std::string::npos);
+  bytes.replace(field + 10, 8, 8, '\0');
+  return bytes;
+}
+
 TEST_F(Bags, AnUnindexedBagAsksToBeIndexed) {
   writeRun(path_);
-  // As left by a recorder that was killed: the header has no index position yet.
-  std::string bytes = readBytesOf(path_);
-  const std::size_t field = bytes.find("index_pos=");
-  ASSERT_NE(field, std::string::npos);
-  bytes.replace(field + 10, 8, 8, '\0');
+  const std::string bytes = unindexed(readBytesOf(path_));
   EXPECT_NE(errorOf(scratch_.write("cut.bag", bytes)).find("rosbag reindex"), std::string::npos);
+  const std::string active = scratch_.write("monday.bag.active", bytes);
+  EXPECT_NE(errorOf(active).find("rosbag reindex " + active + ", and rename it to " +
+                                 (scratch_ / "monday.bag")),
+            std::string::npos)
+      << errorOf(active);
+}
+
+TEST_F(Bags, FilesOfOtherKindsAreNamed) {
+  const auto expect = [this](const std::string& bytes, const std::string& words) {
+    const std::string error = errorOf(scratch_.write("x.bag", bytes));
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+    EXPECT_NE(error.find("x.bag"), std::string::npos) << error;
+    EXPECT_EQ(error.find("byte"), std::string::npos) << error;
+  };
+  expect("version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 9\n", "git lfs pull");
+  expect("<!DOCTYPE html>\n<html>", "web page");
+  expect("\x1f\x8b\x08 ", "gunzip");
+  expect("BZh91AY", "bunzip2");
+  expect("PK\x03\x04 ", "unzip");
+  expect("SQLite format 3", "ROS 2");
+  expect("\x89MCAP0\r\n", "ROS 2");
+  expect("#ROSBAG V1.2\n", "rosbag fix");
+  expect("", "empty");
+  std::filesystem::create_directories(scratch_ / "folder.bag");
+  EXPECT_NE(errorOf(scratch_ / "folder.bag").find("is a folder"), std::string::npos);
+  scratch_.write("folder.bag/metadata.yaml", "rosbag2_bagfile_information:\n");
+  scratch_.write("folder.bag/x_0.db3", "SQLite format 3");
+  EXPECT_NE(errorOf(scratch_ / "folder.bag").find("ROS 2"), std::string::npos);
+  std::filesystem::create_symlink("nowhere", scratch_ / "link.bag");
+  EXPECT_NE(errorOf(scratch_ / "link.bag").find("leads nowhere"), std::string::npos);
 }
 
 TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {

@@ -98,6 +98,113 @@ TEST_F(LabelFiles, FaultsAreNamed) {
   EXPECT_NE(yaml("labels: ["), "");
 }
 
+/// Labels of lines whose times are 1000 and 1010, as each of the files in the tests below has them.
+void expectKitchenThenMeetingRoom(const Labels& labels) {
+  EXPECT_EQ(labels.at(999), "");
+  EXPECT_EQ(labels.at(1000.5), "kitchen");
+  EXPECT_EQ(labels.at(1010), "kitchen");
+  EXPECT_EQ(labels.at(1010.5), "meeting room");
+}
+
+TEST_F(LabelFiles, ColumnsMayBeSeparatedInSeveralWays) {
+  for (const char* text :
+       {"1000.5 kitchen\n1010.5 meeting room\n", "1000.5\tkitchen\n1010.5\tmeeting room\n",
+        "1000.5,kitchen\n1010.5,meeting room\n", "1000.5, kitchen \n1010.5 ,meeting room\n",
+        "1000.5;kitchen\n1010.5;meeting room\n", "1000,5;kitchen\n1010,5;meeting room\n",
+        "1000,5\tkitchen\n1010,5\tmeeting room\n",
+        "\"1000.5\",\"kitchen\"\n1010.5,\"meeting room\"\n",
+        "1000.5 \"kitchen\"\n1010.5 \"meeting room\"\n", "1000.5,kitchen,\n1010.5,meeting room,,\n",
+        "sep=;\n1000,5;kitchen\n1010,5;meeting room\n", "1000.5 kitchen\r1010.5 meeting room\r",
+        "timestamp label\n1000.5 kitchen\n1010.5 meeting room\n",
+        "\"time [s]\";\"room\"\n1000,5;kitchen\n1010,5;meeting room\n",
+        "# made by hand\n\nstamp,label\n1000.5,kitchen\n1010.5,meeting room\n",
+        "\xef\xbb\xbf"
+        "1000.5 kitchen \r\n1010.5  meeting  room\r\n"}) {
+    SCOPED_TRACE(text);
+    expectKitchenThenMeetingRoom(read("labels.dat", text));
+  }
+}
+
+TEST_F(LabelFiles, MayBeUtf16) {
+  const std::string text = "1000.5 kitchen\r\n1010.5 meeting room\r\n";
+  std::string little, big;
+  for (const char c : text) {
+    little += std::string{c, '\0'};
+    big += std::string{'\0', c};
+  }
+  for (const std::string& bytes : {"\xff\xfe" + little, "\xfe\xff" + big, little, big}) {
+    expectKitchenThenMeetingRoom(read("labels.dat", bytes));
+  }
+}
+
+TEST_F(LabelFiles, NamesMayHoldSeparatorsInQuotes) {
+  EXPECT_EQ(read("labels.dat", "1000,\"kitchen, the small one\"\n").at(1001),
+            "kitchen, the small one");
+  EXPECT_EQ(read("labels.dat", "1000;\"the \"\"lab\"\"\"\n").at(1001), "the \"lab\"");
+  EXPECT_EQ(read("labels.dat", "1000 kitchen, the small one\n").at(1001), "kitchen, the small one");
+  EXPECT_EQ(read("labels.dat", "1000,101\n").at(1001), "101");
+}
+
+TEST_F(LabelFiles, AnEmptyColumnEndsTheLabel) {
+  const Labels labels = read("labels.dat", "1000,kitchen\n1010,\n");
+  EXPECT_EQ(labels.at(1009), "kitchen");
+  EXPECT_EQ(labels.at(1011), "");
+}
+
+TEST_F(LabelFiles, TimestampsMayBeInSmallerUnits) {
+  const auto labels = [this](const std::string& text) {
+    return Labels::fromFile(scratch_.write("labels.dat", text), 1700000000, 1700000100);
+  };
+  for (const char* zeros : {"", "000", "000000", "000000000"}) {
+    const std::string tail = std::string(zeros);
+    const Labels read =
+        labels("%time,field.data\n1700000000" + tail + ",hall\n1700000010" + tail + ",lab\n");
+    EXPECT_EQ(read.at(1700000009), "hall") << zeros;
+    EXPECT_EQ(read.at(1700000011), "lab") << zeros;
+  }
+}
+
+TEST_F(LabelFiles, UnusualWaysAreSaid) {
+  EXPECT_EQ(read("labels.dat", "1000 kitchen\n").note(), "");
+  EXPECT_NE(read("labels.dat", "1000,kitchen\n").note().find("separated by commas"),
+            std::string::npos);
+}
+
+TEST_F(LabelFiles, WhatCouldBeMisreadIsRefusedByItsLine) {
+  const auto refused = [this](const std::string& text, const std::string& line) {
+    const std::string error = errorOf("labels.dat", text);
+    EXPECT_NE(error.find("labels.dat, line " + line), std::string::npos) << text << error;
+  };
+  refused("1000 a\n1010,b\n", "2");                // another separator
+  refused("1000,5 kitchen\n", "1");                // a decimal comma, or a name
+  refused("1000,5,kitchen\n", "1");                // three columns
+  refused("1000.0,kitchen,0.9\n", "1");            // three columns
+  refused("1000.0 1700000004.8 kitchen\n", "1");   // start, end, label
+  refused("1700000000 500000000 kitchen\n", "1");  // s, ns, label
+  refused("2023-11-14 22:13:20,kitchen\n", "1");   // a date
+  refused("12:30 kitchen\n", "1");                 // a time of the day
+  refused("kitchen 1000.0\n", "1");                // swapped
+  refused("kitchen,1000.0\n", "1");
+  refused("label,timestamp\nkitchen,1000.0\n", "1");
+  refused("1000.0kitchen\n", "1");
+  refused("1000,\"kitchen\n", "1");  // a quote that does not end
+  refused("1000,\"kitchen\" small\n", "1");
+  refused("0x3e8 kitchen\n", "1");
+  refused("1000 a\ntimestamp label\n", "2");  // a header in the middle
+  refused(std::string(1 << 20, 'k') + "\n", "1");
+}
+
+TEST_F(LabelFiles, NamesAreWrittenInOneWay) {
+  const Labels labels = read("labels.dat",
+                             "1000 Ku\xcc\x88"
+                             "che \n1010 K\xc3\xbc"
+                             "che\n");
+  EXPECT_EQ(labels.at(1005), labels.at(1015));
+  EXPECT_EQ(labels.at(1005),
+            "K\xc3\xbc"
+            "che");
+}
+
 TEST(Labels, WholeBag) {
   EXPECT_EQ(Labels::wholeBag("lab").at(0), "lab");
   EXPECT_EQ(Labels::wholeBag("lab").at(1e10), "lab");

@@ -1,0 +1,76 @@
+#include "base/file_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace place_recognition {
+namespace {
+
+using namespace std::literals;
+
+constexpr std::string_view kConvertBag =
+    "convert it to a ROS 1 bag, for instance with rosbags-convert";
+constexpr std::string_view kConvertPicture = "convert it to PNG or JPEG";
+
+struct Signature {
+  std::size_t offset;
+  std::string_view bytes;  // letters in any case
+  FileKind kind;
+};
+
+constexpr std::array<Signature, 28> kSignatures{{
+    {0,
+     "version https://git-lfs"sv,
+     {"a Git LFS pointer, not the file itself", "run: git lfs pull"}},
+    {0, "/annex/objects/"sv, {"a git-annex pointer, not the file itself", "run: git annex get"}},
+    {0, "<!doctype html"sv, {"a web page", "download the file itself"}},
+    {0, "<html"sv, {"a web page", "download the file itself"}},
+    {0, "<?xml"sv, {"an XML document", "download the file itself"}},
+    {0, "\x1f\x8b"sv, {"compressed with gzip", "unpack it with gunzip or tar xzf"}},
+    {0, "BZh"sv, {"compressed with bzip2", "unpack it with bunzip2 or tar xjf"}},
+    {0, "\xfd\x37zXZ\0"sv, {"compressed with xz", "unpack it with unxz or tar xJf"}},
+    {0, "\x28\xb5\x2f\xfd"sv, {"compressed with zstd", "unpack it with unzstd"}},
+    {0, "\x04\x22\x4d\x18"sv, {"compressed with lz4", "unpack it with unlz4"}},
+    {0, "PK\x03\x04"sv, {"a zip archive", "unpack it with unzip"}},
+    {0, "PK\x05\x06"sv, {"an empty zip archive", "pack it anew"}},
+    {0, "7z\xbc\xaf\x27\x1c"sv, {"a 7-Zip archive", "unpack it with 7z x"}},
+    {0, "Rar!"sv, {"a RAR archive", "unpack it with unrar x"}},
+    {257, "ustar"sv, {"a tar archive", "unpack it with tar xf"}},
+    {0, "\x89MCAP"sv, {"a recording in MCAP, the format of ROS 2", kConvertBag}},
+    {0, "SQLite format 3"sv, {"an SQLite database, as ROS 2 records", kConvertBag}},
+    {0, "rosbag2_bagfile_information"sv, {"the metadata of a ROS 2 bag", kConvertBag}},
+    {0, "#ROSBAG V1"sv, {"a bag of version 1", "convert it with: rosbag fix"}},
+    {0, "GIF8"sv, {"a GIF picture", kConvertPicture}},
+    {0, "\xff\x0a"sv, {"a JPEG XL picture", kConvertPicture}},
+    {4, "JXL "sv, {"a JPEG XL picture", kConvertPicture}},
+    {4, "ftypavi"sv, {"an AVIF picture", kConvertPicture}},
+    {4, "ftyphe"sv, {"a HEIC picture", kConvertPicture}},
+    {4, "ftypm"sv, {"a HEIC picture or a video", kConvertPicture}},
+    {4, "ftyp"sv, {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
+    {0,
+     "\x1a\x45\xdf\xa3"sv,
+     {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
+    {0, "%PDF"sv, {"a PDF document", kConvertPicture}},
+}};
+
+bool sameLetter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+bool matches(std::string_view start, const Signature& signature) {
+  if (start.size() < signature.offset + signature.bytes.size()) return false;
+  return std::equal(signature.bytes.begin(), signature.bytes.end(),
+                    start.begin() + static_cast<std::ptrdiff_t>(signature.offset), sameLetter);
+}
+
+}  // namespace
+
+const FileKind* foreignFile(std::string_view start) {
+  const auto found =
+      std::find_if(kSignatures.begin(), kSignatures.end(),
+                   [start](const Signature& signature) { return matches(start, signature); });
+  return found == kSignatures.end() ? nullptr : &found->kind;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,91 @@
+#include "base/text.h"
+
+#include <unicode/normalizer2.h>
+#include <unicode/uchar.h>
+#include <unicode/ucnv.h>
+#include <unicode/unistr.h>
+
+#include <algorithm>
+
+namespace place_recognition {
+namespace {
+
+/// The encoding that a byte order mark tells, or many zeros; nullptr if there are neither.
+const char* encodingOf(const std::string& bytes) {
+  UErrorCode status = U_ZERO_ERROR;
+  const auto size = static_cast<std::int32_t>(std::min<std::size_t>(bytes.size(), 1000));
+  const char* marked = ucnv_detectUnicodeSignature(bytes.data(), size, nullptr, &status);
+  if (marked) return marked;
+  std::int32_t zeros[2] = {0, 0};  // at even and at odd places
+  for (std::int32_t i = 0; i < size; ++i) {
+    if (bytes[static_cast<std::size_t>(i)] == 0) ++zeros[i % 2];
+  }
+  if (4 * zeros[1] > size) return "UTF-16LE";
+  if (4 * zeros[0] > size) return "UTF-16BE";
+  return nullptr;
+}
+
+std::string utf8(const icu::UnicodeString& text) {
+  std::string bytes;
+  return text.toUTF8String(bytes);
+}
+
+/// What is not seen, and what editors and spreadsheets leave at the ends of a text.
+bool isInvisible(UChar32 c) { return c == 0xfeff || c == 0x200b || c == 0x2060 || c == 0; }
+
+bool isBlank(UChar32 c) { return u_charType(c) == U_SPACE_SEPARATOR; }
+
+bool isTrimmed(UChar32 c) { return u_isUWhiteSpace(c) || isInvisible(c); }
+
+}  // namespace
+
+std::string toUtf8(const std::string& bytes) {
+  const char* encoding = encodingOf(bytes);
+  if (!encoding) return bytes;
+  icu::UnicodeString text(bytes.data(), static_cast<std::int32_t>(bytes.size()), encoding);
+  if (!text.isEmpty() && text[0] == 0xfeff) text.remove(0, 1);
+  return utf8(text);
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+  }
+  return lines;
+}
+
+std::string tidied(const std::string& text) {
+  UErrorCode status = U_ZERO_ERROR;
+  const icu::Normalizer2* composer = icu::Normalizer2::getNFCInstance(status);
+  const auto original = icu::UnicodeString::fromUTF8(text);
+  const icu::UnicodeString composed =
+      U_SUCCESS(status) ? composer->normalize(original, status) : original;
+  std::int32_t begin = 0, end = composed.length();
+  while (begin < end && isTrimmed(composed.char32At(begin))) {
+    begin = composed.moveIndex32(begin, 1);
+  }
+  while (end > begin && isTrimmed(composed.char32At(composed.moveIndex32(end, -1)))) {
+    end = composed.moveIndex32(end, -1);
+  }
+  icu::UnicodeString tidy;
+  bool after_blank = false;
+  for (std::int32_t i = begin; i < end; i = composed.moveIndex32(i, 1)) {
+    const UChar32 c = composed.char32At(i);
+    if (!isBlank(c)) {
+      tidy.append(c);
+    } else if (!after_blank) {
+      tidy.append(static_cast<UChar32>(' '));
+    }
+    after_blank = isBlank(c);
+  }
+  return utf8(tidy);
+}
+
+std::string caseFolded(const std::string& text) {
+  return utf8(icu::UnicodeString::fromUTF8(text).foldCase());
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// The text of a file as UTF-8 without a byte order mark. UTF-16 and UTF-32 are told by their mark,
+/// UTF-16 also by the zeros that it has instead of every other letter. Everything else is taken for
+/// UTF-8 and left as it is, well formed or not.
+std::string toUtf8(const std::string& bytes);
+
+/// The lines of a text, without their ends: those of Unix, Windows and of old Macs.
+std::vector<std::string> linesOf(const std::string& text);
+
+/// UTF-8 text composed (Unicode normalisation form C), its blanks of any kind single ones, and none
+/// of them nor invisible marks at its ends. `text` must be well formed.
+std::string tidied(const std::string& text);
+
+/// The same for all texts that differ in case only (Unicode case folding). `text` must be well
+/// formed UTF-8.
+std::string caseFolded(const std::string& text);
+
+}  // namespace place_recognition
