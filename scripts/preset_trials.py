@@ -1,7 +1,9 @@
 """What the scripts share that train every preset and test it."""
 import argparse
 import json
+import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -21,7 +23,18 @@ def parser(description):
 def presets(options):
     if options.presets:
         return options.presets.split(",")
-    return sorted(path.stem for path in CONFIG.glob("*.yaml"))
+    return sorted(path.stem for path in CONFIG.glob("*.yaml") if has_its_network(path))
+
+
+def has_its_network(path):
+    """Whether the networks that a configuration names are installed; says so if not."""
+    home = pathlib.Path(os.environ.get("ROS_HOME") or pathlib.Path.home() / ".ros")
+    for name in re.findall(r"^\s*network: *([\w-]+)", path.read_text(), re.MULTILINE):
+        if not (home / "place_recognition/networks" / f"{name}.onnx").exists():
+            print(f"{path.stem} is left out: there is no network '{name}' (doc/networks.md).",
+                  file=sys.stderr)
+            return False
+    return True
 
 
 class PlaceTool:

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "place_recognition/embedding_options.h"
 #include "place_recognition/local_feature_options.h"
 #include "place_recognition/texture_options.h"
 
@@ -54,6 +55,7 @@ struct CrfhOptions {
 };
 
 /// The feature of one cue; the alternative is named by the key `type`.
-using FeatureOptions = std::variant<CrfhOptions, LocalFeatureOptions, LbpOptions, Mr8Options>;
+using FeatureOptions =
+    std::variant<CrfhOptions, LocalFeatureOptions, LbpOptions, Mr8Options, EmbeddingOptions>;
 
 }  // namespace place_recognition

@@ -8,8 +8,8 @@
 namespace place_recognition {
 
 /// A model as the bytes of a `.places` file: magic, format version, lengths and checksums, then the
-/// protobuf message of src/recognition/model.proto, then the classifiers' numbers as they are used.
-/// Equal models give equal bytes.
+/// protobuf message of src/recognition/model.proto, then the classifiers' numbers as they are used
+/// and the networks of its embeddings. Equal models give equal bytes.
 std::string serializeModel(const Model& model);
 
 /// The model in `bytes`; `where` names their source in messages. Throws Error, saying what is

@@ -1,6 +1,7 @@
 #include "place_recognition/feature_extractor.h"
 
 #include "features/crfh.h"
+#include "features/embedding.h"
 #include "features/lbp.h"
 #include "features/local_features.h"
 #include "features/mr8.h"
@@ -22,6 +23,10 @@ std::unique_ptr<FeatureExtractor> make(const LbpOptions& options) {
 
 std::unique_ptr<FeatureExtractor> make(const Mr8Options& options) {
   return std::make_unique<Mr8Extractor>(options);
+}
+
+std::unique_ptr<FeatureExtractor> make(const EmbeddingOptions& options) {
+  return std::make_unique<EmbeddingExtractor>(options);
 }
 
 }  // namespace

@@ -144,13 +144,7 @@ void Kernel::requireMeaningFor(const PostingLists& lists) const {
 
 void Kernel::requireMeaningFor(bool descriptors, bool negative_elements) const {
   requireMeaning(type_, descriptors);
-  const bool histograms_only =
-      type_.measure == Measure::kChiSquared || type_.measure == Measure::kIntersection;
-  if (histograms_only && negative_elements) {
-    throw Error("The kernel '" + options_.type +
-                "' has no meaning for negative elements; use one of: linear, polynomial, gaussian, "
-                "sigmoid.");
-  }
+  if (negative_elements) requireSignedMeaning(type_);
 }
 
 bool Kernel::measureIsFreeOfGamma() const { return type_.measure != Measure::kLocalMatch; }

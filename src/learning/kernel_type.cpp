@@ -17,14 +17,23 @@ constexpr KernelType kKernelTypes[] = {
 
 bool isForDescriptors(const KernelType& type) { return type.measure == Measure::kLocalMatch; }
 
-/// Separated by commas.
-std::string namesOfTypes(bool for_descriptors) {
+bool isForHistograms(const KernelType& type) {
+  return type.measure == Measure::kChiSquared || type.measure == Measure::kIntersection;
+}
+
+/// Of the types that `belongs` holds for, separated by commas.
+template <typename Predicate>
+std::string namesOfTypes(const Predicate& belongs) {
   std::string names;
   for (const KernelType& type : kKernelTypes) {
-    if (isForDescriptors(type) != for_descriptors) continue;
-    names += (names.empty() ? "" : ", ") + std::string(type.name);
+    if (belongs(type)) names += (names.empty() ? "" : ", ") + std::string(type.name);
   }
   return names;
+}
+
+std::string namesOfTypes(bool for_descriptors) {
+  return namesOfTypes(
+      [=](const KernelType& type) { return isForDescriptors(type) == for_descriptors; });
 }
 
 }  // namespace
@@ -42,6 +51,14 @@ void requireMeaning(const KernelType& type, bool for_descriptors) {
   throw Error(std::string("The kernel '") + type.name + "' has no meaning for " +
               (for_descriptors ? "local descriptors" : "vectors") +
               "; use one of: " + namesOfTypes(for_descriptors) + ".");
+}
+
+void requireSignedMeaning(const KernelType& type) {
+  if (!isForHistograms(type)) return;
+  const std::string others = namesOfTypes(
+      [](const KernelType& other) { return !isForHistograms(other) && !isForDescriptors(other); });
+  throw Error(std::string("The kernel '") + type.name +
+              "' has no meaning for negative elements; use one of: " + others + ".");
 }
 
 }  // namespace place_recognition

@@ -23,4 +23,8 @@ const KernelType& kernelType(const std::string& name);
 /// Throws Error, listing the types that have, if `type` has no meaning for such features.
 void requireMeaning(const KernelType& type, bool for_descriptors);
 
+/// Throws Error, listing the types that have, if `type` has no meaning for vectors with negative
+/// elements: what compares histograms bin by bin.
+void requireSignedMeaning(const KernelType& type);
+
 }  // namespace place_recognition

@@ -20,6 +20,9 @@ bool allFinite(const std::vector<double>& numbers) {
 
 /// The dimension of the dense vectors of an extractor; 0: it gives sparse ones.
 std::size_t dimensionOf(const FeatureOptions& options) {
+  if (const auto* embedding = std::get_if<EmbeddingOptions>(&options)) {
+    return embedding->loaded->dimension;
+  }
   const auto* lbp = std::get_if<LbpOptions>(&options);
   std::size_t dimension = 0;
   if (!lbp) return dimension;

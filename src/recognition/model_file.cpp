@@ -9,7 +9,9 @@
 
 #include "base/atomic_file.h"
 #include "place_recognition/error.h"
+#include "place_recognition/feature_extractor.h"
 #include "recognition/classifier_numbers.h"
+#include "recognition/embeddings.h"
 #include "recognition/model_backups.h"
 #include "recognition/model_container.h"
 #include "recognition/model_message.h"
@@ -19,6 +21,16 @@ namespace place_recognition {
 namespace fs = std::filesystem;
 
 namespace {
+
+void readNetworks(ContainerReader& reader, Model& model) {
+  for (EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    Network network = *embedding->loaded;
+    std::vector<char> onnx;
+    reader(onnx);
+    network.onnx.assign(onnx.begin(), onnx.end());
+    embedding->loaded = std::make_shared<const Network>(std::move(network));
+  }
+}
 
 Model readModel(std::istream& file, const std::string& where) {
   try {
@@ -30,9 +42,13 @@ Model readModel(std::istream& file, const std::string& where) {
     Model model = fromMessage(message);
     std::vector<ClassifierNumbers> numbers(model.options.cues.size());
     for (ClassifierNumbers& classifier : numbers) classifier.visit(reader);
+    readNetworks(reader, model);
     reader.finish();
     for (std::size_t c = 0; c < numbers.size(); ++c) {
       model.classifiers.push_back(classifierOf(std::move(numbers[c]), model, c));
+    }
+    for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+      makeFeatureExtractor(*embedding);  // throws if this machine cannot run the network
     }
     model.version = reader.version();
     return model;
@@ -58,6 +74,9 @@ std::ifstream openFile(const std::string& path) {
 std::string serializeModel(const Model& model) {
   NumberWriter writer;
   for (const Classifier& classifier : model.classifiers) numbersOf(classifier).visit(writer);
+  for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    writer(embedding->loaded->onnx);
+  }
   return packContainer(toMessage(model).SerializeAsString(), writer.bytes());
 }
 

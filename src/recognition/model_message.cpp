@@ -8,6 +8,7 @@
 #include "base/options.h"
 #include "base/require.h"
 #include "place_recognition/error.h"
+#include "recognition/embeddings.h"
 #include "recognition/names.h"
 
 namespace place_recognition {
@@ -32,6 +33,8 @@ void readTrainingOptions(const std::string& text, TrainingOptions& options) {
 
 /// More runs than a command line can name.
 constexpr std::size_t kMaxInputs = 100000;
+/// Of what a network gives.
+constexpr std::uint32_t kMaxDimension = 1 << 20;
 
 template <typename Numbers>
 void requireFinite(const Numbers& numbers, const char* otherwise) {
@@ -87,6 +90,33 @@ void readCueWeights(const proto::Model& message, Model& model) {
   }
   require(std::abs(sum - 1) < 1e-9, "the weights of the cues do not sum to one");
   model.cue_weights.assign(message.cue_weights().begin(), message.cue_weights().end());
+}
+
+void writeEmbeddings(const Model& model, proto::Model& message) {
+  std::vector<std::string> checksums;
+  for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    message.add_embedding_dimensions(static_cast<std::uint32_t>(embedding->loaded->dimension));
+    checksums.push_back(embedding->loaded->sha256);
+  }
+  message.set_embedding_networks(joined(checksums));
+}
+
+/// The networks without their bytes.
+void readEmbeddings(const proto::Model& message, Model& model) {
+  const std::vector<EmbeddingOptions*> embeddings = embeddingsOf(model.options);
+  const std::vector<std::string> checksums =
+      separated(message.embedding_networks(), embeddings.size());
+  require(static_cast<std::size_t>(message.embedding_dimensions_size()) == embeddings.size() &&
+              checksums.size() == embeddings.size(),
+          "it has not one network for each cue that needs one");
+  for (std::size_t i = 0; i < embeddings.size(); ++i) {
+    const std::uint32_t dimension = message.embedding_dimensions(static_cast<int>(i));
+    require(dimension > 0 && dimension <= kMaxDimension, "the output of a network is too large");
+    require(checksums[i].size() == 64 &&
+                checksums[i].find_first_not_of("0123456789abcdef") == std::string::npos,
+            "the checksum of a network is not one");
+    embeddings[i]->loaded = std::make_shared<const Network>(Network{"", dimension, checksums[i]});
+  }
 }
 
 void readCalibration(const proto::Model& message, Model& model) {
@@ -218,6 +248,7 @@ proto::Model toMessage(const Model& model) {
   writeColors(model.colors, message);
   writeAdjacency(model.adjacency, message);
   writeImages(model.images, message);
+  writeEmbeddings(model, message);
 
   proto::Provenance& provenance = *message.mutable_provenance();
   provenance.set_inputs(joined(model.provenance.inputs));
@@ -233,6 +264,7 @@ Model fromMessage(const proto::Model& message) {
   Model model;
   readTrainingOptions(message.options(), model.options);
   readTrainingOptions(message.asked().empty() ? message.options() : message.asked(), model.asked);
+  readEmbeddings(message, model);
   readNames(message, model);
   readCueWeights(message, model);
   readCalibration(message, model);

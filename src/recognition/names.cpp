@@ -1,6 +1,5 @@
 #include "recognition/names.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 
@@ -10,7 +9,6 @@ namespace place_recognition {
 namespace {
 
 constexpr std::size_t kMaxPlaceNameBytes = 128;
-constexpr std::size_t kMaxPlainNameBytes = 64;
 
 /// Decodes the character at `i` and moves `i` behind it; false if it is not well-formed UTF-8
 /// (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF).
@@ -64,15 +62,6 @@ std::vector<std::string> warnOfCase(const std::vector<std::string>& names) {
                        "them if they are the same room.");
   }
   return warnings;
-}
-
-bool isPlainName(const std::string& name) {
-  const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  };
-  return !name.empty() && name.size() <= kMaxPlainNameBytes &&
-         std::all_of(name.begin(), name.end(), allowed);
 }
 
 }  // namespace place_recognition

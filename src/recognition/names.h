@@ -24,8 +24,4 @@ std::string placeName(const std::string& text);
 /// A sentence for each two of `names` that differ in upper and lower case only.
 std::vector<std::string> warnOfCase(const std::vector<std::string>& names);
 
-/// Whether `name` is [A-Za-z0-9_-]{1,64}: models and cues, whose names become parts of paths and of
-/// option keys.
-bool isPlainName(const std::string& name);
-
 }  // namespace place_recognition

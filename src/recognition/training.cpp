@@ -8,6 +8,7 @@
 #include "recognition/color_normalization.h"
 #include "recognition/combination.h"
 #include "recognition/cue_training.h"
+#include "recognition/embeddings.h"
 #include "recognition/model_validation.h"
 #include "recognition/names.h"
 #include "recognition/reduction_choice.h"
@@ -162,8 +163,9 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
                const Progress& progress) {
   options.check();
   return timed([&] {
+    const TrainingOptions ready = withNetworks(options);
     Training training =
-        learn(collectSamples(runs, options, threads, progress), options, threads, progress);
+        learn(collectSamples(runs, ready, threads, progress), ready, threads, progress);
     training.model.asked = options;
     return training;
   });

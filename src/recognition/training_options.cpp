@@ -2,11 +2,11 @@
 
 #include <set>
 
+#include "base/data_folder.h"
 #include "learning/folds.h"
 #include "learning/kernel_type.h"
 #include "place_recognition/error.h"
 #include "recognition/color_normalization.h"
-#include "recognition/names.h"
 
 namespace place_recognition {
 namespace {
@@ -21,8 +21,9 @@ void checkCue(const CueOptions& cue) {
     colorNormalization(cue.normalize);
     std::visit([](const auto& feature) { feature.check(); }, cue.feature);
     cue.kernel.check();
-    requireMeaning(kernelType(cue.kernel.type),
-                   std::holds_alternative<LocalFeatureOptions>(cue.feature));
+    const KernelType& kernel = kernelType(cue.kernel.type);
+    requireMeaning(kernel, std::holds_alternative<LocalFeatureOptions>(cue.feature));
+    if (std::holds_alternative<EmbeddingOptions>(cue.feature)) requireSignedMeaning(kernel);
   } catch (const Error& e) {
     throw Error("Cue '" + cue.name + "': " + e.what());
   }

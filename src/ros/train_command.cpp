@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/data_folder.h"
 #include "place_recognition/error.h"
-#include "recognition/names.h"
 #include "ros/child_process.h"
 #include "ros/confined_path.h"
 #include "ros/labels.h"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "features/small_network.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
@@ -49,6 +50,19 @@ TEST(LearnOn, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
     }
   }
   EXPECT_GT(rateOn(std::move(training.model), 3), 0.85);
+}
+
+TEST(LearnOn, KeepsTheNetworkThatTheModelCarries) {
+  TrainingOptions options = twoCueOptions();
+  options.cues[1].feature = SmallNetwork::options();
+  options.cues[1].kernel.type = "gaussian";
+  const std::string file = serializeModel(train({opener(drawFrames(3, 12))}, options).model);
+  const Training after = learnOn(parseModel(file, "once"), {opener(drawFrames(3, 6, 700))}, 15);
+  const auto& embedding = std::get<EmbeddingOptions>(after.model.options.cues[1].feature);
+  EXPECT_EQ(embedding.loaded->onnx, SmallNetwork::onnx());
+  EXPECT_EQ(embedding.loaded->sha256, SmallNetwork::network()->sha256);
+  const Model read = parseModel(serializeModel(after.model), "twice");
+  EXPECT_GT(rateOn(parseModel(serializeModel(read), "thrice"), 3), 0.85);
 }
 
 TEST(LearnOn, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {

@@ -16,6 +16,7 @@ namespace place_recognition {
 struct ModelContents {
   proto::Model message;
   std::vector<ClassifierNumbers> classifiers;
+  std::vector<std::vector<char>> networks;  // one for each cue `embedding`
 };
 
 /// The model file `bytes`, changed, with a header that fits.
@@ -27,12 +28,15 @@ inline std::string tampered(const std::string& bytes,
   if (!contents.message.ParseFromString(reader.message())) throw Error("no model");
   contents.classifiers.resize(static_cast<std::size_t>(contents.message.cue_weights_size()));
   for (ClassifierNumbers& classifier : contents.classifiers) classifier.visit(reader);
+  contents.networks.resize(static_cast<std::size_t>(contents.message.embedding_dimensions_size()));
+  for (std::vector<char>& network : contents.networks) reader(network);
   reader.finish();
 
   change(contents);
 
   NumberWriter numbers;
   for (ClassifierNumbers& classifier : contents.classifiers) classifier.visit(numbers);
+  for (const std::vector<char>& network : contents.networks) numbers(network);
   return packContainer(contents.message.SerializeAsString(), numbers.bytes());
 }
 

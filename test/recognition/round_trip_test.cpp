@@ -1,6 +1,7 @@
 // A model of every kind answers bit for bit the same after it was saved and loaded.
 #include <gtest/gtest.h>
 
+#include "features/small_network.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/drawn_run.h"
@@ -41,9 +42,15 @@ std::vector<Kind> kindsOfEitherMulticlass() {
   }
   kinds.push_back({"local-match", withKernel("local-match", localFeature())});
   kinds.push_back({"mr8", withKernel("intersection", Mr8Options())});
+  for (const char* kernel : {"linear", "gaussian"}) {
+    kinds.push_back(
+        {std::string("embedding ") + kernel, withKernel(kernel, SmallNetwork::options())});
+  }
   kinds.push_back({"several cues", twoCueOptions()});
   kinds.back().options.cues.push_back(withKernel("local-match", localFeature()).cues[0]);
   kinds.back().options.cues.back().name = "local";
+  kinds.back().options.cues.push_back(withKernel("gaussian", SmallNetwork::options()).cues[0]);
+  kinds.back().options.cues.back().name = "embedding";
   for (const char* method : {"none", "qr", "shared-qr", "shared-greedy", "auto"}) {
     kinds.push_back({method, twoCueOptions()});
     kinds.back().options.reduction.method = method;

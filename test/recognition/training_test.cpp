@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "features/small_network.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
@@ -256,11 +257,29 @@ TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   options = {};
   options.cues[0].kernel.type = "cubic";
   EXPECT_NE(complaint(options).find("Cue 'colours'"), std::string::npos);
+  for (const char* kernel : {"chi-squared", "intersection", "local-match"}) {
+    options.cues[0].feature = SmallNetwork::options();
+    options.cues[0].kernel.type = kernel;
+    EXPECT_NE(complaint(options).find("use one of: linear, polynomial, gaussian, sigmoid"),
+              std::string::npos);
+  }
   options = {};
   options.cues.push_back(options.cues[0]);
   EXPECT_NE(complaint(options).find("'colours'"), std::string::npos);
   options.cues.clear();
   EXPECT_NE(complaint(options).find("'cues'"), std::string::npos);
+}
+
+TEST(Training, RefusesANetworkThatIsNotThereBeforeItReadsAPicture) {
+  TrainingOptions options = quickOptions();
+  options.cues[0].kernel.type = "gaussian";
+  EmbeddingOptions embedding;
+  embedding.network = "/nowhere/absent.onnx";
+  options.cues[0].feature = embedding;
+  const RunOpener unopened = []() -> std::unique_ptr<place_recognition::Run> {
+    throw std::logic_error("opened");
+  };
+  EXPECT_THROW(train({unopened}, options), Error);
 }
 
 }  // namespace

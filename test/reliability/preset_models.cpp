@@ -4,8 +4,10 @@
 #include <filesystem>
 
 #include "base/options.h"
+#include "features/small_network.h"
 #include "place_recognition/model_file.h"
 #include "recognition/drawn_run.h"
+#include "recognition/embeddings.h"
 
 namespace place_recognition {
 namespace {
@@ -25,6 +27,9 @@ std::vector<TrainingOptions> presets() {
   std::vector<TrainingOptions> all;
   for (const std::string& file : presetFiles()) {
     readOptions(readYamlFile(file), file, all.emplace_back());
+    for (EmbeddingOptions* embedding : embeddingsOf(all.back())) {
+      embedding->loaded = SmallNetwork::network();
+    }
   }
   return all;
 }

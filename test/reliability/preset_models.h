@@ -8,7 +8,8 @@
 
 namespace place_recognition {
 
-/// The options of every preset in config/, in the order of their names.
+/// The options of every preset in config/, in the order of their names;
+/// a network that one asks for is a small one.
 std::vector<TrainingOptions> presets();
 
 /// A model of every preset, trained on `frames`, as the bytes of its file.

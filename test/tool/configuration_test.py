@@ -14,6 +14,7 @@ class ConfigurationTest(ToolCase):
         return self.succeed("features", "a.png", *arguments)
 
     def test_every_shipped_preset_loads_by_name_and_by_path(self):
+        self.install_network()
         presets = sorted((SOURCE / "config").glob("*.yaml"))
         self.assertGreaterEqual(len(presets), 2)
         for preset in presets:
@@ -57,7 +58,9 @@ class ConfigurationTest(ToolCase):
                 (("--config", "sift", "--set", "cues.sift.kernel.type=linear"),
                  "use one of: local-match"),
                 (("--config", "lbp", "--set", "cues.lbp.kernel.type=local-match"),
-                 "linear, polynomial, gaussian, sigmoid, chi-squared, intersection")):
+                 "linear, polynomial, gaussian, sigmoid, chi-squared, intersection"),
+                (("--config", "embedding", "--set", "cues.embedding.kernel.type=chi-squared"),
+                 "no meaning for negative elements; use one of: linear, polynomial, gaussian")):
             self.assertIn(words, self.refuse("train", "nowhere", "--model", "m", *arguments))
 
     def test_document_is_up_to_date(self):

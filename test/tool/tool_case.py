@@ -83,6 +83,30 @@ class ToolCase(unittest.TestCase):
         self.assertTrue(cv2.imwrite(str(target), image))
         return target
 
+    def install_network(self, name="mobilenet"):
+        """A small network that `--config embedding` finds: a convolution, ReLU and the mean. Skips
+        the test where python3-onnx is absent."""
+        try:
+            from onnx import TensorProto, helper, numpy_helper
+        except ImportError:
+            self.skipTest("python3-onnx is not installed")
+        weights = np.random.default_rng(3).normal(size=(8, 3, 5, 5)).astype(np.float32)
+        graph = helper.make_graph(
+            [helper.make_node("Conv", ["image", "w"], ["map"], "first", strides=[3, 3],
+                              kernel_shape=[5, 5]),
+             helper.make_node("Relu", ["map"], ["positive"], "rectified"),
+             helper.make_node("GlobalAveragePool", ["positive"], ["mean"], "pooled"),
+             helper.make_node("Flatten", ["mean"], ["flat"], "flat")], "small",
+            [helper.make_tensor_value_info("image", TensorProto.FLOAT, [1, 3, 32, 32])],
+            [helper.make_tensor_value_info("flat", TensorProto.FLOAT, [1, 8])],
+            [numpy_helper.from_array(weights, "w")])
+        model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 9)])
+        model.ir_version = 6
+        path = self.folder / f"ros_home/place_recognition/networks/{name}.onnx"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(model.SerializeToString())
+        return path
+
     def write_run(self, name, views=8, seed=0, rooms=tuple(ROOMS)):
         """A folder of room/picture."""
         for room in rooms:

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace place_recognition {
+
+/// A neural network, ready to be stored in a model.
+struct Network {
+  std::string onnx;           ///< an ONNX file of what leads to the layer that is taken
+  std::size_t dimension = 0;  ///< of the vectors that it gives
+  std::string sha256;         ///< of the file that it came from, 64 hexadecimal digits
+};
+
+/// The output of a neural network as a descriptor of the whole image: a learned descriptor, often
+/// of a network trained to tell objects apart (Sharif Razavian et al., "CNN features
+/// off-the-shelf", 2014). See feature_options.h on visit() and check().
+struct EmbeddingOptions {
+  static constexpr const char* kType = "embedding";
+
+  std::string network;
+  std::string layer;
+  int width = 0;
+  int height = 0;
+  std::string fit = "stretch";
+  std::string channels = "rgb";
+  std::vector<double> mean = {127.5};
+  std::vector<double> scale = {1 / 127.5};
+
+  /// What `network` and `layer` name, see loadNetwork(); null: not loaded yet. No option: a model
+  /// stores it beside the options.
+  std::shared_ptr<const Network> loaded;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("network", self.network,
+            "ONNX network: the name of one in $ROS_HOME/place_recognition/networks, or a file if "
+            "it has "
+            "a slash or ends in .onnx; a model keeps a copy");
+    visitor("layer", self.layer,
+            "name of the layer, or of its output, that is taken; empty: the output of the network");
+    visitor("width", self.width, "of the network's input, pixels, 16..1024; 0: as it declares");
+    visitor("height", self.height, "of the network's input, pixels, 16..1024; 0: as it declares");
+    visitor("fit", self.fit,
+            "stretch: the whole image is scaled to width x height; crop: its largest central part "
+            "of that shape is");
+    visitor("channels", self.channels, "order of the network's input channels: rgb, bgr or grey");
+    visitor(
+        "mean", self.mean,
+        "the network's input is (pixel - mean) * scale, of pixels 0..255; one number or one for "
+        "each channel, in their order");
+    visitor("scale", self.scale, "see mean; not 0");
+  }
+  void check() const;
+};
+
+}  // namespace place_recognition

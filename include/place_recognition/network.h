@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "place_recognition/embedding_options.h"
+
+namespace place_recognition {
+
+/// Reads the network that `options` name, cuts off what its layer does not need, and runs it once.
+/// An ONNX file is taken for hostile: sizes, shapes and references are checked before OpenCV sees
+/// them, as are memory and work before it runs. Throws Error, one line that names the file, the
+/// layer and OpenCV's version, if it is missing, damaged, or of a kind that OpenCV does not run.
+std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options);
+
+/// The path of a network by name: NAME itself if it has a slash or ends in `.onnx`, else
+/// networkFolder()/NAME.onnx. Throws Error for a name that is not [A-Za-z0-9_-]{1,64}.
+std::string networkPath(const std::string& name);
+
+/// $ROS_HOME/place_recognition/networks, or ~/.ros/place_recognition/networks.
+std::string networkFolder();
+
+/// Of a network's file.
+constexpr std::size_t kMaxNetworkBytes = std::size_t{128} << 20;
+
+}  // namespace place_recognition

@@ -1,0 +1,110 @@
+#include "place_recognition/network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <opencv2/core/version.hpp>
+
+#include "base/atomic_file.h"
+#include "base/data_folder.h"
+#include "base/require.h"
+#include "base/sha256.h"
+#include "features/network_runner.h"
+#include "features/onnx_graph.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExtension = ".onnx";
+constexpr int kMinSide = 16;
+constexpr int kMaxSide = 1024;
+
+bool isSide(int side) { return side == 0 || (side >= kMinSide && side <= kMaxSide); }
+
+/// The declared side unless the options give one.
+int chooseSide(const char* key, int declared, int wanted) {
+  const int side = wanted > 0 ? wanted : declared;
+  require(side > 0, "it leaves the size of its input open; give 'width' and 'height'");
+  require(isSide(side), "the " + std::string(key) + " of its input is " + std::to_string(side) +
+                            " pixels, where 16 to 1024 are taken");
+  return side;
+}
+
+/// What is declared as the options want it; every shape between depends on it.
+NetworkInput chooseInput(const NetworkInput& declared, const EmbeddingOptions& options) {
+  const int channels = options.channels == "grey" ? 1 : 3;
+  require(declared.channels == 0 || declared.channels == channels,
+          "it takes images of " + std::to_string(declared.channels) +
+              " channels, which 'channels: " + options.channels + "' are not");
+  return {channels, chooseSide("height", declared.height, options.height),
+          chooseSide("width", declared.width, options.width)};
+}
+
+std::string readNetwork(const EmbeddingOptions& options) {
+  const std::string path = networkPath(options.network);
+  std::error_code ignored;
+  if (!isFileName(options.network, kExtension) && !fs::exists(path, ignored)) {
+    throw Error("There is no network '" + options.network + "' in " + networkFolder() +
+                "; put an ONNX file there as " + options.network + kExtension +
+                " (doc/networks.md lists some).");
+  }
+  return readFile(path, kMaxNetworkBytes);
+}
+
+}  // namespace
+
+void EmbeddingOptions::check() const {
+  require(!network.empty(),
+          "Embedding option 'network' is empty; name a network or a "
+          "file.");
+  require(isFileName(network, kExtension) || isPlainName(network),
+          "Embedding option 'network' is " + quoted(network) +
+              "; give a name of letters, digits, '_' and '-', or a file that ends in .onnx.");
+  require(isSide(width) && isSide(height),
+          "Embedding options 'width' and 'height' must be 16 to 1024 pixels, or 0.");
+  require(fit == "stretch" || fit == "crop",
+          "Embedding option 'fit' is " + quoted(fit) + "; give stretch or crop.");
+  require(channels == "rgb" || channels == "bgr" || channels == "grey",
+          "Embedding option 'channels' is " + quoted(channels) + "; give rgb, bgr or grey.");
+  for (const std::vector<double>* numbers : {&mean, &scale}) {
+    const std::string key = numbers == &mean ? "mean" : "scale";
+    require(numbers->size() == 1 || (numbers->size() == 3 && channels != "grey"),
+            "Embedding option '" + key + "' has " + std::to_string(numbers->size()) +
+                " numbers; give one, or one for each channel.");
+    require(
+        std::all_of(numbers->begin(), numbers->end(),
+                    [&](double x) { return std::abs(x) <= 1000 && (numbers == &mean || x != 0); }),
+        "Embedding option '" + key + "' is out of range; give numbers of up to 1000" +
+            (numbers == &mean ? "." : ", not 0."));
+  }
+}
+
+std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options) {
+  options.check();
+  const std::string file = readNetwork(options);
+  try {
+    OnnxGraph graph(file);
+    graph.cutBehind(options.layer);
+    graph.setInput(chooseInput(graph.input(), options));
+    const NetworkRunner runner(graph);
+    return std::make_shared<const Network>(
+        Network{graph.bytes(), runner.dimension(), sha256(file)});
+  } catch (const Error& e) {
+    throw Error("The network " + networkPath(options.network) + " cannot be used: " + e.what() +
+                " (OpenCV " CV_VERSION "); see doc/networks.md for some that can.");
+  }
+}
+
+std::string networkFolder() { return dataFolder("networks"); }
+
+std::string networkPath(const std::string& name) {
+  if (isFileName(name, kExtension)) return name;
+  if (!isPlainName(name)) {
+    throw Error(quoted(name) + " cannot name a network; use 1 to 64 letters, digits, '_' or '-'.");
+  }
+  return networkFolder() + "/" + name + kExtension;
+}
+
+}  // namespace place_recognition

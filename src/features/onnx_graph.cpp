@@ -1,0 +1,263 @@
+#include "features/onnx_graph.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/data_folder.h"
+#include "base/require.h"
+#include "onnx.pb.h"
+
+namespace place_recognition {
+namespace {
+
+using Names = std::set<std::string>;
+
+constexpr int kMaxLayers = 10000;
+constexpr std::int64_t kMaxElements = std::int64_t{1} << 28;
+constexpr std::int64_t kMaxStep = 8192;  // of strides and the like, pixels
+constexpr int kMaxSide = 8192;           // of an image, pixels
+
+/// The types of elements, as ONNX numbers them.
+enum ElementType { kFloat = 1, kUint8, kInt8, kInt32 = 6, kInt64, kBool = 9, kHalf, kDouble };
+
+std::size_t bytesOf(int element_type) {
+  switch (element_type) {
+    case kUint8:
+    case kInt8:
+    case kBool:
+      return 1;
+    case kHalf:
+      return 2;
+    case kFloat:
+    case kInt32:
+      return 4;
+    case kInt64:
+    case kDouble:
+      return 8;
+    default:
+      return 0;
+  }
+}
+
+/// How many elements stand in the list of their type, rather than as raw bytes.
+int listedElements(const onnx::Tensor& tensor) {
+  switch (tensor.data_type()) {
+    case kFloat:
+      return tensor.float_data_size();
+    case kInt64:
+      return tensor.int64_data_size();
+    case kDouble:
+      return tensor.double_data_size();
+    default:
+      return tensor.int32_data_size();
+  }
+}
+
+void checkTensor(const onnx::Tensor& tensor, const std::string& of) {
+  require(tensor.external_data_size() == 0, of + " is kept in another file");
+  const std::size_t element_bytes = bytesOf(tensor.data_type());
+  require(element_bytes > 0, of + " is of an unknown type");
+  std::int64_t elements = 1;
+  for (const std::int64_t dim : tensor.dims()) {
+    require(dim >= 0 && dim <= kMaxElements, of + " has an impossible shape");
+    elements *= dim;
+    require(elements <= kMaxElements, of + " is too large");
+  }
+  const bool fits = tensor.has_raw_data()
+                        ? tensor.raw_data().size() == element_bytes * elements
+                        : static_cast<std::int64_t>(listedElements(tensor)) == elements;
+  require(fits, of + " has not the length that its shape says");
+}
+
+/// What OpenCV divides by must not be zero.
+void checkSteps(const onnx::Attribute& attribute, const std::string& of) {
+  const std::string& name = attribute.name();
+  const bool is_step = name == "strides" || name == "dilations" || name == "kernel_shape";
+  if (!is_step && name != "pads") return;
+  for (const std::int64_t step : attribute.ints()) {
+    require(step >= (is_step ? 1 : 0) && step <= kMaxStep, of + ": '" + name + "' is out of range");
+  }
+}
+
+std::string describe(const onnx::Node& node) {
+  const std::string name =
+      node.name().empty() && node.output_size() > 0 ? node.output(0) : node.name();
+  return quoted(name) + " (" + quoted(node.op_type()).substr(1, node.op_type().size()) + ")";
+}
+
+void checkAttributes(const onnx::Node& node) {
+  const std::string of = "layer " + describe(node);
+  for (const onnx::Attribute& attribute : node.attribute()) {
+    require(!attribute.has_g() && attribute.graphs_size() == 0, of + " holds a graph of its own");
+    if (attribute.has_t()) checkTensor(attribute.t(), of + ": its tensor");
+    for (const onnx::Tensor& tensor : attribute.tensors()) checkTensor(tensor, of + ": its tensor");
+    checkSteps(attribute, of);
+    if (attribute.name() == "group") {
+      require(attribute.i() >= 1 && attribute.i() <= kMaxElements,
+              of + ": 'group' is out of range");
+    }
+  }
+}
+
+void checkGraph(const onnx::Graph& graph) {
+  require(graph.node_size() > 0, "it has no layers");
+  require(graph.node_size() <= kMaxLayers, "it has too many layers");
+  Names known;
+  for (const onnx::Tensor& tensor : graph.initializer()) {
+    checkTensor(tensor, "the tensor " + quoted(tensor.name()));
+    known.insert(tensor.name());
+  }
+  for (const onnx::ValueInfo& input : graph.input()) known.insert(input.name());
+  for (const onnx::Node& node : graph.node()) {
+    for (const std::string& input : node.input()) {
+      require(input.empty() || known.count(input) > 0,
+              "layer " + describe(node) + " takes " + quoted(input) + ", which is not there");
+    }
+    require(node.output_size() > 0, "layer " + describe(node) + " has no output");
+    known.insert(node.output().begin(), node.output().end());
+    checkAttributes(node);
+  }
+}
+
+/// The node of a name, or of an output of that name; -1: there is none.
+int findNode(const onnx::Graph& graph, const std::string& layer) {
+  for (int i = graph.node_size() - 1; i >= 0; --i) {
+    const onnx::Node& node = graph.node(i);
+    const auto& outputs = node.output();
+    if (node.name() == layer || std::find(outputs.begin(), outputs.end(), layer) != outputs.end()) {
+      return i;
+    }
+  }
+  return -1;
+}
+
+std::string lastLayers(const onnx::Graph& graph) {
+  std::string names;
+  for (int i = std::max(0, graph.node_size() - 5); i < graph.node_size(); ++i) {
+    names += (names.empty() ? "" : ", ") + describe(graph.node(i));
+  }
+  return names;
+}
+
+/// Keeps, in order, the elements that `keep` holds for.
+template <typename Repeated, typename Predicate>
+void keepOnly(Repeated& elements, const Predicate& keep) {
+  int kept = 0;
+  for (int i = 0; i < elements.size(); ++i) {
+    if (!keep(elements.Get(i))) continue;
+    if (kept != i) elements.SwapElements(kept, i);
+    ++kept;
+  }
+  elements.DeleteSubrange(kept, elements.size() - kept);
+}
+
+/// Everything that the last node needs, directly or not; removes the nodes that it does not.
+Names keepNeeded(onnx::Graph& graph) {
+  Names needed;
+  std::vector<bool> keep(static_cast<std::size_t>(graph.node_size()));
+  for (int i = graph.node_size() - 1; i >= 0; --i) {
+    const onnx::Node& node = graph.node(i);
+    const bool used =
+        i + 1 == graph.node_size() ||
+        std::any_of(node.output().begin(), node.output().end(),
+                    [&](const std::string& output) { return needed.count(output) > 0; });
+    keep[static_cast<std::size_t>(i)] = used;
+    if (used) needed.insert(node.input().begin(), node.input().end());
+  }
+  std::size_t next = 0;
+  keepOnly(*graph.mutable_node(), [&](const onnx::Node&) { return keep[next++]; });
+  return needed;
+}
+
+void setOnlyOutput(const std::string& name, onnx::Graph& graph) {
+  graph.clear_output();
+  onnx::ValueInfo& output = *graph.add_output();
+  output.set_name(name);
+  onnx::TensorType& type = *output.mutable_type()->mutable_tensor_type();
+  type.set_elem_type(kFloat);
+  type.mutable_shape();  // OpenCV asks for one, and finds it by itself
+}
+
+}  // namespace
+
+OnnxGraph::OnnxGraph(const std::string& bytes) : model_(std::make_unique<onnx::Model>()) {
+  require(model_->ParseFromString(bytes) && model_->has_graph(), "it is not an ONNX file");
+  checkGraph(model_->graph());
+}
+
+OnnxGraph::~OnnxGraph() = default;
+
+void OnnxGraph::cutBehind(const std::string& layer) {
+  onnx::Graph& graph = *model_->mutable_graph();
+  require(!layer.empty() || graph.output_size() == 1,
+          "it has " + std::to_string(graph.output_size()) + " outputs; name one as 'layer'");
+  const std::string wanted = layer.empty() ? graph.output(0).name() : layer;
+  const int last = findNode(graph, wanted);
+  require(last >= 0,
+          "it has no layer " + quoted(wanted) + "; its last ones are " + lastLayers(graph));
+  const std::string& output = graph.node(last).output(0);
+  require(wanted == output || wanted == graph.node(last).name(),
+          "of layer " + describe(graph.node(last)) + " only its first output can be taken");
+  graph.mutable_node()->DeleteSubrange(last + 1, graph.node_size() - last - 1);
+  setOnlyOutput(output, graph);
+
+  const Names needed = keepNeeded(graph);
+  const auto is_needed = [&](const auto& element) { return needed.count(element.name()) > 0; };
+  keepOnly(*graph.mutable_initializer(), is_needed);
+  Names constants;
+  for (const onnx::Tensor& tensor : graph.initializer()) constants.insert(tensor.name());
+  keepOnly(*graph.mutable_input(), [&](const onnx::ValueInfo& input) {
+    return is_needed(input) && constants.count(input.name()) == 0;
+  });
+  graph.clear_value_info();
+  require(graph.input_size() == 1, "it takes " + std::to_string(graph.input_size()) +
+                                       " inputs, where one image is expected");
+}
+
+NetworkInput OnnxGraph::input() const {
+  const onnx::ValueInfo& input = model_->graph().input(0);
+  const onnx::Shape& shape = input.type().tensor_type().shape();
+  require(shape.dim_size() == 4, "its input " + quoted(input.name()) +
+                                     " is not one of images, 1 x channels x height x "
+                                     "width");
+  std::vector<int> sides;
+  for (const onnx::Dimension& dim : shape.dim()) {
+    require(dim.dim_value() <= kMaxSide, "its input " + quoted(input.name()) + " is too large");
+    sides.push_back(static_cast<int>(std::max<std::int64_t>(dim.dim_value(), 0)));
+  }
+  require(sides[0] <= 1, "it takes " + std::to_string(sides[0]) + " images at a time");
+  return {sides[1], sides[2], sides[3]};
+}
+
+void OnnxGraph::setInput(const NetworkInput& input) {
+  onnx::TensorType& type =
+      *model_->mutable_graph()->mutable_input(0)->mutable_type()->mutable_tensor_type();
+  type.clear_shape();
+  for (const int side : {1, input.channels, input.height, input.width}) {
+    type.mutable_shape()->add_dim()->set_dim_value(side);
+  }
+}
+
+std::size_t OnnxGraph::layers() const {
+  return static_cast<std::size_t>(model_->graph().node_size());
+}
+
+std::string OnnxGraph::describeLayer(std::size_t i) const {
+  return describe(model_->graph().node(static_cast<int>(i)));
+}
+
+std::string OnnxGraph::firstLayers(std::size_t count) const {
+  onnx::Model part = *model_;
+  onnx::Graph& graph = *part.mutable_graph();
+  const int first_dropped = static_cast<int>(count);
+  graph.mutable_node()->DeleteSubrange(first_dropped, graph.node_size() - first_dropped);
+  setOnlyOutput(graph.node(first_dropped - 1).output(0), graph);
+  return part.SerializeAsString();
+}
+
+std::string OnnxGraph::bytes() const { return model_->SerializeAsString(); }
+
+}  // namespace place_recognition

@@ -1,0 +1,246 @@
+#include "features/embedding.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/core.hpp>
+#include <thread>
+
+#include "features/onnx_graph.h"
+#include "features/small_network.h"
+#include "place_recognition/error.h"
+#include "place_recognition/network.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+namespace {
+
+cv::Mat noise(int width, int height, int type = CV_8UC3) {
+  cv::Mat image(height, width, type);
+  cv::theRNG().state = 20;
+  cv::randu(image, 0, 256);
+  return image;
+}
+
+std::vector<float> extract(const cv::Mat& image, const EmbeddingOptions& options) {
+  Feature feature;
+  const auto extractor = makeFeatureExtractor(options);
+  extractor->extract(image, feature);
+  EXPECT_EQ(extractor->missingReason(), "");
+  return std::get<DenseVector>(feature).values;
+}
+
+/// The message of the Error that loading `onnx` from a file throws; empty: it throws none.
+std::string problemOf(const std::string& onnx, EmbeddingOptions options = {}) {
+  const ScratchFolder folder;
+  options.network = folder.write("tried.onnx", onnx);
+  try {
+    loadNetwork(options);
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find(options.network), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find(CV_VERSION), std::string::npos) << e.what();
+    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+    return e.what();
+  }
+  return "";
+}
+
+void expectRefused(const std::string& onnx, const std::string& words,
+                   const EmbeddingOptions& options = {}) {
+  const std::string problem = problemOf(onnx, options);
+  EXPECT_NE(problem.find(words), std::string::npos) << problem;
+}
+
+/// A network of 16 x 16 pixels of these fields of its graph.
+std::string networkOf(const std::string& fields) {
+  return SmallNetwork::number(1, 6) +
+         SmallNetwork::bytes(
+             7, fields + SmallNetwork::bytes(11, SmallNetwork::value("image", {1, 3, 16, 16})) +
+                    SmallNetwork::bytes(12, SmallNetwork::value("out", {1, 6, 7, 7}))) +
+         SmallNetwork::bytes(8, SmallNetwork::number(2, 9));
+}
+
+TEST(Embedding, IsAUnitVectorOfTheNetworksDimension) {
+  const std::vector<float> values = extract(noise(40, 30), SmallNetwork::options());
+  ASSERT_EQ(values.size(), SmallNetwork::kDimension);
+  double squares = 0;
+  for (const float value : values) squares += static_cast<double>(value) * value;
+  EXPECT_NEAR(squares, 1, 1e-6);
+}
+
+TEST(Embedding, TakesWhatTheLayerNeedsAndNoMore) {
+  const ScratchFolder folder;
+  EmbeddingOptions options;
+  options.network = folder.write("a.onnx", SmallNetwork::onnx());
+  const auto whole = loadNetwork(options);
+  EXPECT_EQ(whole->dimension, SmallNetwork::kDimension);
+  options.layer = "rectified";
+  const auto part = loadNetwork(options);
+  EXPECT_EQ(part->dimension, 4u);
+  EXPECT_LT(part->onnx.size(), whole->onnx.size());
+  EXPECT_EQ(OnnxGraph(part->onnx).layers(), 2u);
+  EXPECT_EQ(part->sha256, whole->sha256);
+  options.layer = "r1";  // the same by the name of its output
+  EXPECT_EQ(loadNetwork(options)->onnx, part->onnx);
+}
+
+TEST(Embedding, IsTheSameFromEveryThreadAndForEveryNumberOfThreads) {
+  const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
+  std::vector<EmbeddingOptions> kinds{SmallNetwork::options()};
+  for (const char* name : {"mobilenet_v1_0.5_160", "mobilenet_v1_1.0_224"}) {
+    EmbeddingOptions options;
+    options.network = std::string(data ? data : "") + "/networks/" + name + ".onnx";
+    if (!std::filesystem::exists(options.network)) continue;
+    options.loaded = loadNetwork(options);
+    kinds.push_back(options);
+  }
+  const int threads_before = cv::getNumThreads();
+  const cv::Mat image = noise(24, 20);
+  for (const EmbeddingOptions& options : kinds) {
+    cv::setNumThreads(1);
+    const std::vector<float> expected = extract(image, options);
+    for (const int threads : {2, 3, 8}) {
+      cv::setNumThreads(threads);
+      EXPECT_EQ(extract(image, options), expected) << options.network << ", " << threads;
+      std::vector<std::vector<float>> found(3);
+      std::vector<std::thread> workers;
+      for (std::vector<float>& values : found) {
+        workers.emplace_back([&] {
+          for (int i = 0; i < 3; ++i) values = extract(image, options);
+        });
+      }
+      for (std::thread& worker : workers) worker.join();
+      for (const std::vector<float>& values : found) EXPECT_EQ(values, expected);
+    }
+  }
+  cv::setNumThreads(threads_before);
+  if (kinds.size() == 1) GTEST_SKIP() << "real networks are absent";
+}
+
+TEST(Embedding, OfAGreyImageIsThatOfTheSameImageInThreeChannels) {
+  const cv::Mat grey = noise(50, 40, CV_8UC1);
+  cv::Mat three;
+  cv::merge(std::vector<cv::Mat>{grey, grey, grey}, three);
+  EXPECT_EQ(extract(grey, SmallNetwork::options()), extract(three, SmallNetwork::options()));
+}
+
+TEST(Embedding, CropLooksAtTheCentreAlone) {
+  EmbeddingOptions options = SmallNetwork::options();
+  options.fit = "crop";
+  cv::Mat image = noise(64, 32);
+  const std::vector<float> expected = extract(image, options);
+  image.colRange(0, 16) = cv::Scalar::all(0);
+  image.colRange(48, 64) = cv::Scalar::all(255);
+  EXPECT_EQ(extract(image, options), expected);
+  EXPECT_EQ(extract(image.colRange(16, 48).clone(), SmallNetwork::options()), expected);
+}
+
+TEST(Embedding, OfTheSmallestImageExists) {
+  EXPECT_EQ(extract(noise(1, 1), SmallNetwork::options()).size(), SmallNetwork::kDimension);
+}
+
+TEST(EmbeddingOptions, RefuseWhatIsOutOfRange) {
+  const auto refuses = [](void (*change)(EmbeddingOptions&)) {
+    EmbeddingOptions options = SmallNetwork::options();
+    options.check();
+    change(options);
+    EXPECT_THROW(options.check(), Error);
+  };
+  refuses([](EmbeddingOptions& o) { o.network = ""; });
+  refuses([](EmbeddingOptions& o) { o.network = "two words"; });
+  refuses([](EmbeddingOptions& o) { o.width = 15; });
+  refuses([](EmbeddingOptions& o) { o.height = 1025; });
+  refuses([](EmbeddingOptions& o) { o.height = -1; });
+  refuses([](EmbeddingOptions& o) { o.fit = "pad"; });
+  refuses([](EmbeddingOptions& o) { o.channels = "RGB"; });
+  refuses([](EmbeddingOptions& o) { o.mean = {}; });
+  refuses([](EmbeddingOptions& o) { o.mean = {1, 2}; });
+  refuses([](EmbeddingOptions& o) { o.mean = {1001}; });
+  refuses([](EmbeddingOptions& o) { o.scale = {0}; });
+  refuses([](EmbeddingOptions& o) {
+    o.channels = "grey";
+    o.scale = {1, 1, 1};
+  });
+}
+
+TEST(LoadNetwork, NamesWhatIsMissing) {
+  EmbeddingOptions options;
+  options.network = "absent";
+  try {
+    loadNetwork(options);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("as absent.onnx"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("'absent'"), std::string::npos);
+  }
+  options.network = "/nowhere/a.onnx";
+  EXPECT_THROW(loadNetwork(options), Error);
+}
+
+TEST(LoadNetwork, RefusesWhatIsNoNetwork) {
+  const std::string sound = SmallNetwork::onnx();
+  EXPECT_EQ(problemOf(sound), "");
+  expectRefused("", "not an ONNX file");
+  expectRefused("\x89PNG\r\n", "not an ONNX file");
+  expectRefused(sound.substr(0, sound.size() / 2), "not an ONNX file");
+  expectRefused(networkOf(""), "no layers");
+}
+
+TEST(LoadNetwork, NamesTheLayerThatOpenCvDoesNotRun) {
+  const std::string pool = SmallNetwork::node("pooled", "GlobalAveragePool", {"image"}, "mean", "");
+  expectRefused(
+      networkOf(pool + SmallNetwork::node("strange", "NoSuchOperator", {"mean"}, "odd", "") +
+                SmallNetwork::node("after", "Relu", {"odd"}, "out", "")),
+      "layer 'strange' (NoSuchOperator)");
+  // Three channels where the weights are for four.
+  expectRefused(networkOf(SmallNetwork::node("mixing", "Conv", {"image", "w"}, "out",
+                                             SmallNetwork::ints("kernel_shape", {1, 1})) +
+                          SmallNetwork::tensor("w", {6, 4, 1, 1})),
+                "layer 'mixing' (Conv)");
+}
+
+TEST(LoadNetwork, RefusesWhatWouldHarmOpenCv) {
+  const auto conv = [](const std::string& attributes, const std::string& tensor) {
+    return networkOf(SmallNetwork::node("c", "Conv", {"image", "w"}, "out", attributes) + tensor);
+  };
+  const std::string kernel = SmallNetwork::ints("kernel_shape", {3, 3});
+  const std::string weights = SmallNetwork::tensor("w", {6, 3, 3, 3});
+  EXPECT_EQ(problemOf(conv(kernel, weights)), "");
+  expectRefused(conv(SmallNetwork::ints("kernel_shape", {0, 3}), weights), "out of range");
+  expectRefused(conv(kernel + SmallNetwork::ints("strides", {0, 0}), weights), "out of range");
+  expectRefused(conv(kernel + SmallNetwork::ints("pads", {1 << 30, 0, 0, 0}), weights),
+                "out of range");
+  expectRefused(conv(kernel, ""), "takes 'w', which is not there");
+  // A shape that says more than there is.
+  std::string longer = weights;
+  const std::string six = SmallNetwork::number(1, 6);
+  longer.replace(longer.find(six), six.size(), SmallNetwork::number(1, 7));
+  expectRefused(conv(kernel, longer), "has not the length that its shape says");
+  // 8192 x 8192 pixels between layers.
+  expectRefused(conv(kernel + SmallNetwork::ints("pads", {8192, 8192, 8192, 8192}), weights),
+                "more than 1 GiB");
+}
+
+TEST(LoadNetwork, RefusesWhatTakesNoSuchImages) {
+  const std::string sound = SmallNetwork::onnx();
+  EmbeddingOptions grey;
+  grey.channels = "grey";
+  expectRefused(sound, "3 channels", grey);
+  EmbeddingOptions absent;
+  absent.layer = "absent";
+  expectRefused(sound, "its last ones are 'first' (Conv), 'rectified' (Relu), 'second' (Conv)",
+                absent);
+}
+
+TEST(EmbeddingExtractor, TakesNoNetworkOfAnotherDimensionThanTheModels) {
+  EmbeddingOptions options = SmallNetwork::options();
+  options.loaded = std::make_shared<const Network>(
+      Network{SmallNetwork::onnx(), SmallNetwork::kDimension + 1, std::string(64, '0')});
+  EXPECT_THROW(EmbeddingExtractor{options}, Error);
+}
+
+}  // namespace
+}  // namespace place_recognition
