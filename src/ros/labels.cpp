@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 #include "base/options.h"
@@ -47,9 +48,12 @@ std::string inQuotes(const std::string& label) {
   return "'" + text + (label.size() > 40 ? "...'" : "'");
 }
 
-std::vector<Interval> readIntervals(const std::string& path, double start) {
+/// Nothing if the file says `labels: []`: on purpose, there are none.
+std::optional<std::vector<Interval>> readIntervals(const std::string& path, double start) {
   LabelsFile file;
-  readOptions(readYamlFile(path), path, file);
+  const YAML::Node tree = readYamlFile(path);
+  readOptions(tree, path, file);
+  if (file.labels.empty() && tree["labels"].IsDefined()) return std::nullopt;
   if (file.times != "relative" && file.times != "absolute") {
     throw Error(path + ": times is '" + file.times + "'; it must be relative or absolute.");
   }
@@ -126,7 +130,9 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
   Labels labels;
   bool fits = false;
   if (extension == ".yaml" || extension == ".yml") {
-    addIntervals(readIntervals(path, start), path, labels);
+    std::optional<std::vector<Interval>> intervals = readIntervals(path, start);
+    if (!intervals) return labels;
+    addIntervals(*std::move(intervals), path, labels);
     labels.forEach(start, end, [&fits](double, double, const std::string&) { fits = true; });
   } else {
     const LabelLines lines = readLabelLines(path);

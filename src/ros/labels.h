@@ -30,9 +30,9 @@ class Labels {
   ///       - {from: 0, to: 12.5, place: kitchen}
   ///       - {from: 15, place: corridor}   # no `to`: until the next interval
   ///
-  /// and its intervals do not overlap. Any other file has lines `timestamp label` in order of time,
-  /// each of which holds until the next; see readLabelLines(). Throws Error naming the line at
-  /// fault, or if no label falls into the bag.
+  /// and its intervals do not overlap; `labels: []` says that there are none. Any other file has
+  /// lines `timestamp label` in order of time, each of which holds until the next; see
+  /// readLabelLines(). Throws Error naming the line at fault, or if no label falls into the bag.
   static Labels fromFile(const std::string& path, double start, double end);
 
   /// From `time`, not before the one before it, the label is `label`, as placeName() has it; empty:

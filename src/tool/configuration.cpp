@@ -5,26 +5,17 @@
 
 #include "base/options.h"
 #include "place_recognition/error.h"
+#include "tool/package_folder.h"
 
 namespace place_recognition::tool {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// `config/` of the installed package beside this program, or that of the source tree.
-fs::path presetFolder() {
-  std::error_code failure;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-  const fs::path prefix = program.parent_path().parent_path().parent_path();
-  const fs::path installed = prefix / "share/place_recognition/config";
-  return fs::is_directory(installed, failure) ? installed
-                                              : fs::path(PLACE_RECOGNITION_SOURCE_CONFIG);
-}
-
 std::string configurationPath(const std::string& config) {
   const bool is_name = config.find_first_of("/.") == std::string::npos;
   if (!is_name || fs::exists(config)) return config;
-  const fs::path preset = presetFolder() / (config + ".yaml");
+  const fs::path preset = fs::path(packageFolder("config")) / (config + ".yaml");
   if (fs::exists(preset)) return preset.string();
   std::string known;
   for (const std::string& name : presetNames()) known += (known.empty() ? "" : ", ") + name;
@@ -47,7 +38,7 @@ void explain(const std::string& where, const Work& work) {
 std::vector<std::string> presetNames() {
   std::vector<std::string> names;
   std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(presetFolder(), failure)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(packageFolder("config"), failure)) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());

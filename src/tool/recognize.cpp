@@ -1,15 +1,19 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "base/atomic_file.h"
+#include "evaluation/evaluation.h"
 #include "place_recognition/error.h"
+#include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
+#include "place_recognition/temporal_filter.h"
 #include "recognition/image_guard.h"
 #include "recognition/picture_folder.h"
 #include "ros/bag_file.h"
@@ -38,6 +42,23 @@ Json scores(const Model& model, const Recognition& answer) {
   return scores;
 }
 
+/// The answer in the light of the frames before and after, as `~smoothed` has it.
+Json overTime(const Model& model, const FilteredAnswer& answer) {
+  const auto rooms = answer.probabilities.head(static_cast<Eigen::Index>(model.places.size()));
+  Eigen::Index best = 0;
+  const double evidence = rooms.sum();
+  const double confidence = rooms.maxCoeff(&best) / evidence;
+  Json probabilities = Json::object();
+  for (std::size_t k = 0; k < model.places.size(); ++k) {
+    probabilities[model.places[k]] = rooms[static_cast<Eigen::Index>(k)] / evidence;
+  }
+  return {{"place", model.places[static_cast<std::size_t>(best)]},
+          {"known", answer.place >= 0},
+          {"confidence", confidence},
+          {"evidence", evidence},
+          {"probabilities", probabilities}};
+}
+
 /// Names the place of one frame after the other: a line each for a person, an object each for a
 /// program.
 class Recognitions {
@@ -45,7 +66,9 @@ class Recognitions {
   explicit Recognitions(const RecognizeOptions& options)
       : output_(options.output),
         recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))),
-        guard_(recognizer_.model()) {
+        guard_(recognizer_.model()),
+        filter_(recognizer_.model(), recognizer_.model().adjacency, {}),
+        smoother_(recognizer_.model().adjacency, {}, kSmoothingLag) {
     for (const std::string& place : recognizer_.model().places) {
       place_width_ = std::max(place_width_, place.size());
     }
@@ -53,19 +76,25 @@ class Recognitions {
 
   /// A picture by itself.
   void addPicture(const Frame& frame) {
-    if (!isUsable(frame)) return;
-    add(frame, recognizer_.recognize(frame.image));
+    if (isUsable(frame)) add(frame, recognizer_.recognize(frame.image));
   }
 
-  /// Frames of another run or camera follow.
-  void startRun() {
+  /// Frames of another run or camera follow. `in_time`: by their stamps they follow one another.
+  void startRun(bool in_time) {
     recognizer_.forgetLight();
     guard_ = ImageGuard(recognizer_.model());
+    smooths_ = in_time;
   }
 
   void addFrame(const Frame& frame) {
-    if (!isUsable(frame)) return;
-    add(frame, recognizer_.recognize(frame.image, frame.stamp));
+    if (isUsable(frame)) add(frame, recognizer_.recognize(frame.image, frame.stamp));
+  }
+
+  void endRun() {
+    smoother_.finish();
+    writeSmoothed();
+    filter_.reset();
+    smooths_ = false;
   }
 
   /// Throws Error if there was no picture that could be used.
@@ -77,6 +106,12 @@ class Recognitions {
   }
 
  private:
+  /// An object, and whether its smoothed answer is to come.
+  struct Waiting {
+    Json object;
+    bool for_answer;
+  };
+
   /// Tells what is wrong with a frame; false if there is no image.
   bool isUsable(const Frame& frame) {
     ++frames_;
@@ -99,7 +134,11 @@ class Recognitions {
                    {"known", answer.known},       {"confidence", answer.confidence},
                    {"evidence", answer.evidence}, {"scores", scores(recognizer_.model(), answer)}};
     if (answer.place < 0) object["reason"] = answer.reason;
-    write(object);
+    if (smooths_) {
+      filter_.update(frame.stamp, answer);
+      smoother_.add(filter_);
+    }
+    write({std::move(object), smooths_});
   }
 
   void addUnusable(const Frame& frame) {
@@ -108,20 +147,32 @@ class Recognitions {
       output_.text() << frame.name << "  cannot be used: " << frame.problem << "\n";
     }
     if (output_.json.empty()) return;
-    write({{"image", frame.name},
-           {"place", ""},
-           {"known", false},
-           {"confidence", 0},
-           {"evidence", 0},
-           {"scores", Json::object()},
-           {"reason", frame.problem}});
+    write({{{"image", frame.name},
+            {"place", ""},
+            {"known", false},
+            {"confidence", 0},
+            {"evidence", 0},
+            {"scores", Json::object()},
+            {"reason", frame.problem}},
+           false});
   }
 
-  void write(const Json& object) {
-    if (output_.json == "-") {
-      std::cout << jsonLine(object) << std::flush;
-    } else {
-      json_lines_ += jsonLine(object);
+  /// In the order of the frames, when what comes before is written.
+  void write(Waiting waiting) {
+    waiting_.push_back(std::move(waiting));
+    writeSmoothed();
+  }
+
+  void writeSmoothed() {
+    for (; !waiting_.empty(); waiting_.pop_front()) {
+      Waiting& next = waiting_.front();
+      if (next.for_answer && !smoother_.ready()) return;
+      if (next.for_answer) next.object["smoothed"] = overTime(recognizer_.model(), smoother_.next());
+      if (output_.json == "-") {
+        std::cout << jsonLine(next.object) << std::flush;
+      } else {
+        json_lines_ += jsonLine(next.object);
+      }
     }
   }
 
@@ -140,6 +191,10 @@ class Recognitions {
   ImageGuard guard_;
   UnusablePictures unusable_;
   std::size_t frames_ = 0;
+  bool smooths_ = false;
+  TemporalFilter filter_;  // of the current run, as are the next two
+  FixedLagSmoother smoother_;
+  std::deque<Waiting> waiting_;
   std::string json_lines_;
   std::size_t name_width_ = 0;
   std::size_t place_width_ = std::string("unknown").size();
@@ -167,7 +222,7 @@ void recognize(const RecognizeOptions& options) {
     for (const std::string& run_path : findRuns({input})) {
       const std::unique_ptr<Run> run = options.input.open(run_path);
       const bool is_bag = isBag(run_path);
-      recognitions.startRun();
+      recognitions.startRun(is_bag);
       while (run->next(frame)) {
         report(progress, "Recognizing " + run_path, run->fraction());
         if (is_bag) frame.name = run_path + " " + frame.name;
@@ -176,6 +231,7 @@ void recognize(const RecognizeOptions& options) {
       for (const std::string& warning : run->warnings()) {
         std::cerr << "warning: " << warning << "\n";
       }
+      recognitions.endRun();
     }
   }
   recognitions.finish();
@@ -194,9 +250,9 @@ void addRecognize(CommandLine& tool) {
   verb.footer(
       "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object "
       "a\n"
-      "line: image, place, known, confidence, evidence and the scores of every place. Pictures "
-      "that\n"
-      "cannot be used are told with the reason.\n"
+      "line: image, place, known, confidence, evidence and the scores of every place; for a bag\n"
+      "also the smoothed answer, in the light of the frames around. Pictures that cannot be used\n"
+      "are told with the reason.\n"
       "Example:\n"
       "  place_tool recognize --model office now.jpg");
   verb.run([options] { recognize(*options); });

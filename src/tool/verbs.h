@@ -8,6 +8,7 @@ namespace place_recognition::tool {
 
 void addSimulate(CommandLine& tool);
 void addImport(CommandLine& tool);
+void addLabel(CommandLine& tool);
 void addTrain(CommandLine& tool);
 void addTune(CommandLine& tool);
 void addRecognize(CommandLine& tool);
@@ -24,6 +25,7 @@ void addDocument(CommandLine& tool);
 inline void addVerbs(CommandLine& tool) {
   addSimulate(tool);
   addImport(tool);
+  addLabel(tool);
   addTrain(tool);
   addTune(tool);
   addRecognize(tool);

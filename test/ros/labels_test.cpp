@@ -61,6 +61,11 @@ TEST_F(LabelFiles, AbsoluteIntervalsInAnyOrder) {
   EXPECT_EQ(stretches, (decltype(stretches){{1000, 1050, "a"}, {1050, 1060, "b"}}));
 }
 
+TEST_F(LabelFiles, AnEmptyListMeansNoLabels) {
+  EXPECT_EQ(read("run.labels.yaml", "labels: []\n").at(1050), "");
+  EXPECT_NE(errorOf("run.labels.yaml", "times: relative\n"), "");
+}
+
 TEST_F(LabelFiles, ColdLinesHoldUntilTheNext) {
   const Labels labels = read("labels.dat",
                              "# timestamp label\n"

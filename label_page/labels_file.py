@@ -1,0 +1,221 @@
+"""The labels of a recording: as place_tool reads them, and as the file RUN.labels.yaml.
+
+In the page a label is a span {"from", "to", "place"} of page time (recording.py), s. In a file it
+is relative to the bag's start, as place_tool tells it.
+"""
+import bisect
+import json
+import os
+import subprocess
+import tempfile
+import unicodedata
+
+from recording import Problem
+
+MAX_NAME_BYTES = 128
+UNKNOWN = "unknown"
+HEADER = "# Written by `place_tool label`. Seconds since the bag's start, see doc/nodes.md.\n"
+
+
+def check_name(name):
+    """Raises Problem unless `name` can be given to a place."""
+    try:
+        size = len(name.encode())
+    except (AttributeError, UnicodeEncodeError):
+        raise Problem("The name of a room is text.") from None
+    if not 0 < size <= MAX_NAME_BYTES:
+        raise Problem(f"The name of a room has 1 to {MAX_NAME_BYTES} bytes; this one has {size}.")
+    if any(unicodedata.category(character) == "Cc" for character in name):
+        raise Problem("The name of a room has no line breaks, tabs or control characters.")
+    if name == UNKNOWN:
+        raise Problem(f"'{UNKNOWN}' is the answer for places that are not known; choose another "
+                      "name.")
+
+
+def check_spans(spans):
+    """Raises Problem unless `spans`, from the page, are in order and have names."""
+    end = float("-inf")
+    for span in spans:
+        check_name(span["place"])
+        if not end <= float(span["from"]) < float(span["to"]) < float("inf"):
+            raise Problem("The labels overlap or are out of order; nothing was saved.")
+        end = float(span["to"])
+
+
+def border(time, frames):
+    """A time with few decimals that has the same of the ascending `frames` before it as `time`."""
+    after = bisect.bisect_left(frames, time)
+    if after == 0:
+        return 0.0
+    low, high = frames[after - 1], frames[after]
+    middle = (low + high) / 2
+    for digits in range(1, 7):
+        rounded = round(middle, digits)
+        if low + 1e-7 < rounded < high - 1e-7:
+            return rounded
+    return middle
+
+
+class BagLabels:
+    """The labels of one bag and its file."""
+
+    def __init__(self, tool, bag, reading):
+        """`tool`: the program; `reading`: its options on where labels come from."""
+        self.tool = tool
+        self.bag = bag
+        self.path = os.path.splitext(bag.path)[0] + ".labels.yaml"
+        self.kept = False  # whether this session has kept the file that was there before
+        self.seen = self.bytes_on_disk()
+        info = self.ask(*reading)
+        self.start = info["start"]
+        self.present = info["labels"]
+        self.frames = [time - self.start for time in bag.all_times()]
+
+    def ask(self, *options):
+        """What `place_tool info` tells of the bag."""
+        result = subprocess.run([self.tool, "info", self.bag.path, "--json", "-", *options],
+                                capture_output=True, text=True)
+        if result.returncode != 0:
+            raise Problem(result.stderr.strip().split(": ", 1)[-1] or "place_tool info failed.")
+        return json.loads(result.stdout)
+
+    def bytes_on_disk(self):
+        try:
+            with open(self.path, "rb") as file:
+                return file.read()
+        except FileNotFoundError:
+            return None
+
+    def shift(self):
+        """Page time of the bag's start, from which labels count."""
+        return self.bag.offset - (self.bag.first - self.start)
+
+    def spans(self):
+        """The present labels in page time, cut to the bag's frames."""
+        spans = []
+        for label in self.present:
+            # A label that holds until the end of the bag comes with the time of its last message.
+            ends = label is self.present[-1] and label["to"] > self.frames[-1] - 1e-6
+            span = {"from": max(self.bag.offset, label["from"] + self.shift()),
+                    "to": self.bag.end() if ends else label["to"] + self.shift(),
+                    "place": label["place"]}
+            if span["from"] < span["to"]:
+                spans.append(span)
+        return spans
+
+    def labels(self, spans):
+        """The part of `spans` that lies in the bag, as the file holds it; `to` None: to the end.
+        Spans without a frame are left out."""
+        labels = []
+        for span in spans:
+            begin, end = span["from"] - self.shift(), span["to"] - self.shift()
+            first = bisect.bisect_left(self.frames, begin)
+            behind = bisect.bisect_left(self.frames, end)
+            if first == behind:
+                continue
+            last = behind == len(self.frames)
+            labels.append({"from": border(begin, self.frames),
+                           "to": None if last else border(end, self.frames),
+                           "place": span["place"]})
+        return labels
+
+    def save(self, labels):
+        """Replaces the file by one with `labels`; the one from before this session is kept."""
+        text = file_text(labels).encode()
+        try:
+            old = self.bytes_on_disk()
+            if old is not None and not self.kept:
+                replace_file(self.path + ".old", old)
+            self.kept = True
+            replace_file(self.path, text, lambda temporary: self.verify(temporary, labels))
+        except OSError as error:
+            raise Problem(f"Cannot write {self.path}: {error.strerror}; make room, or make the "
+                          "folder writable.") from error
+        self.seen = text
+
+    def verify(self, path, labels):
+        """Raises Problem unless place_tool reads from `path` what `labels` mean."""
+        info = self.ask("--labels", path)
+        read = [[label["place"], label["from"], label["to"]] for label in info["labels"]]
+        meant = []
+        for label in labels:
+            end = info["duration"] if label["to"] is None else label["to"]
+            # Neighbours of one place are one label to the reader.
+            if meant and meant[-1][0] == label["place"] and meant[-1][2] == label["from"]:
+                meant[-1][2] = end
+            else:
+                meant.append([label["place"], label["from"], end])
+        same = len(read) == len(meant) and all(
+            a[0] == b[0] and abs(a[1] - b[1]) < 1e-6 and abs(a[2] - b[2]) < 1e-6
+            for a, b in zip(read, meant))
+        if not same:
+            raise Problem("The file would not be read as it was meant; nothing was saved.")
+
+
+def file_text(labels):
+    """RUN.labels.yaml; a JSON string is a YAML string, too."""
+    text = HEADER + "times: relative\nlabels:" + ("" if labels else " []") + "\n"
+    for label in labels:
+        end = "" if label["to"] is None else f"to: {label['to']!r}, "
+        place = json.dumps(label["place"], ensure_ascii=False)
+        text += f"  - {{from: {label['from']!r}, {end}place: {place}}}\n"
+    return text
+
+
+def replace_file(path, data, check=lambda temporary: None):
+    """Writes a file so that at any moment it is the old one or the new one, whole. `check` is called
+    with the name of the new one before; what it raises leaves the old one."""
+    folder, name = os.path.split(os.path.abspath(path))
+    descriptor, temporary = tempfile.mkstemp(os.path.splitext(name)[1], f".{name}.", folder)
+    try:
+        mask = os.umask(0)
+        os.umask(mask)
+        os.fchmod(descriptor, 0o666 & ~mask)
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        check(temporary)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+    descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+class RecordingLabels:
+    """The labels of all bags of a recording."""
+
+    def __init__(self, tool, recording, reading):
+        self.bags = [BagLabels(tool, bag, reading) for bag in recording.bags]
+
+    def spans(self):
+        """The present labels; one that goes on in the next bag is one span."""
+        spans = []
+        for bag in self.bags:
+            for span in bag.spans():
+                before = spans[-1] if spans else None
+                if before and before["place"] == span["place"] \
+                        and span["from"] == before["to"]:
+                    before["to"] = span["to"]
+                else:
+                    spans.append(span)
+        return spans
+
+    def save(self, spans, overwrite):
+        """Writes the file of each bag. Raises Problem, or Changed unless `overwrite`."""
+        check_spans(spans)
+        changed = [bag.path for bag in self.bags if bag.bytes_on_disk() != bag.seen]
+        if changed and not overwrite:
+            raise Changed(f"{', '.join(changed)} has changed since it was read here.")
+        for bag in self.bags:
+            bag.save(bag.labels(spans))
+        return [bag.path for bag in self.bags]
+
+
+class Changed(Problem):
+    """A file of labels is not as it was when it was read."""

@@ -1,0 +1,33 @@
+// What the page asks its server. All addresses are relative, and so hold the token.
+
+/// The answer as JSON. Throws {message, status}.
+async function ask(address, options) {
+  const answer = await fetch(address, options).catch(() => {
+    throw {message: "place_tool has ended; what is not saved is lost.", status: 0};
+  });
+  const refused = {problem: `The server refused (${answer.status}).`};
+  const value = await answer.json().catch(() => refused);
+  if (!answer.ok) throw {message: value.problem, status: answer.status};
+  return value;
+}
+
+const post = (name, value) => ask(name, {method: "POST", body: JSON.stringify(value)});
+
+export const getRecording = () => ask("recording");
+export const getTimes = topic => ask(`times?topic=${encodeURIComponent(topic)}`);
+export const getAnswers = (question, after) => ask(`answers?question=${question}&after=${after}`);
+export const saveSpans = (spans, overwrite) => post("save", {spans, overwrite});
+export const keepDraft = spans => post("draft", {spans});
+export const learn = spans => post("learn", {spans});
+
+/// Tells the server that the page is open, and calls onStatus with each change of the model's
+/// status.
+export function listen(onStatus, onLost) {
+  const events = new EventSource("events");
+  events.onmessage = event => onStatus(JSON.parse(event.data));
+  events.onerror = onLost;
+  addEventListener("pagehide", () => {
+    events.close();
+    navigator.sendBeacon("goodbye", "{}");
+  });
+}

@@ -1,0 +1,315 @@
+// The page on which a recording is labelled: puts its parts together and holds what they show.
+
+import * as api from "./api.js";
+import {clock} from "./format.js";
+import {firstFrom, Frames, Thumbnails} from "./frames.js";
+import {listKeys, onKeys} from "./keys.js";
+import {Overview} from "./overview.js";
+import {make, noteOfModel, showDoubts, showRooms, swatch} from "./panel.js";
+import {Player} from "./player.js";
+import {Review} from "./review.js";
+import {faultOfName, Rooms, tidyName, twinOf} from "./rooms.js";
+import {borders, endOfStretch, History, moveBorder, paint, spanAt, split} from "./spans.js";
+import {Timeline} from "./timeline.js";
+import {View} from "./view.js";
+
+const element = id => document.getElementById(id);
+
+const recording = await api.getRecording().catch(problem => {
+  say(problem.message, true);
+  throw problem;
+});
+const history = new History(recording.spans);
+const view = new View(recording.duration);
+const state = {
+  frames: await loadFrames(recording.topic),
+  spans: history.spans,  // as they are shown, also while a border is dragged
+  rooms: new Rooms(),
+  cursor: 0,  // s
+  selection: null,  // {from, to}
+  answers: [], answerTimes: [], question: 0,
+  status: recording.opinion,
+  doubts: [], chosen: -1,
+};
+let saved = recording.unsaved ? null : history.spans;
+
+const thumbnails = new Thumbnails(() => redraw());
+const timeline = new Timeline(element("timeline"), state, view, thumbnails,
+                              {seek, select, move, moved: endMove, viewChanged: redraw});
+const overview = new Overview(element("overview"), state, view, redraw);
+const review = new Review(state, {change, show: showAll, showStretch});
+const player = new Player(element("picture"), () => state, seek, element("play"));
+
+async function loadFrames(topic) {
+  return new Frames(topic, await api.getTimes(topic), recording.duration);
+}
+
+// showing
+
+let drawn = false;
+
+function redraw() {
+  if (drawn) return;
+  drawn = true;
+  requestAnimationFrame(() => {
+    drawn = false;
+    timeline.draw();
+    overview.draw();
+  });
+}
+
+function placeHere() {
+  const at = spanAt(state.spans, state.frames.times[state.frames.at(state.cursor)]);
+  return at < 0 ? "" : state.spans[at].place;
+}
+
+function showPlace() {
+  const number = state.frames.at(state.cursor), place = placeHere();
+  element("caption").replaceChildren(
+      make("span", {textContent: clock(state.cursor, 2)}), swatch(state.rooms.colour(place)),
+      make("span", {className: "room-name", textContent: place || "no room"}),
+      make("span", {className: "time",
+                    textContent: `frame ${number + 1} of ${state.frames.times.length}`}));
+  element("hint").textContent = state.selection
+      ? "A room's key labels the selected stretch."
+      : "A room's key labels from here to the next border.";
+  showRooms(element("room-list"), state, place, {label, rename});
+}
+
+function showAll() {
+  review.update();
+  showPlace();
+  showModel();
+  element("undo").disabled = !history.canUndo;
+  element("redo").disabled = !history.canRedo;
+  element("save").disabled = isSaved();
+  document.title = `${isSaved() ? "" : "• "}${element("name").textContent}`;
+  redraw();
+}
+
+function showModel() {
+  const {status} = state;
+  element("model").textContent = status.model;
+  element("progress").hidden = !status.stage;
+  element("progress").value = status.fraction;
+  element("model-note").textContent = noteOfModel(status, state);
+  element("model-note").classList.toggle("bad", Boolean(status.problem));
+  const labelled = new Set(state.spans.map(span => span.place)).size;
+  element("learn").disabled = labelled < 2 || Boolean(status.stage);
+  element("accept-all").disabled = !state.doubts.some(doubt => doubt.kind === "unlabelled");
+  showDoubts(element("doubts"), state, review);
+}
+
+function say(text, bad = false) {
+  const message = document.getElementById("message");
+  message.textContent = text;
+  message.classList.toggle("bad", bad);
+}
+
+// going about
+
+function seek(time) {
+  state.cursor = Math.min(Math.max(time, 0), state.frames.times.at(-1));
+  player.show();
+  showPlace();
+  redraw();
+}
+
+function goTo(time) {
+  seek(time);
+  view.reveal(state.cursor);
+}
+
+function step(count) {
+  const number = state.frames.at(state.cursor) + count;
+  goTo(state.frames.times[Math.min(Math.max(number, 0), state.frames.times.length - 1)]);
+}
+
+function stepBorder(direction) {
+  const number = state.frames.at(state.cursor);
+  const {times} = state.frames;
+  const starts = [0, ...borders(state.spans)].map(border => firstFrom(times, border))
+      .filter(start => start < times.length);
+  const next = direction > 0 ? starts.find(start => start > number)
+                             : starts.filter(start => start < number).at(-1);
+  if (next !== undefined) goTo(times[next]);
+}
+
+function select(from, to) {
+  state.selection = from < to ? {from, to} : null;
+  showPlace();
+  redraw();
+}
+
+/// Selects a stretch and brings it into view.
+function showStretch(from, to) {
+  state.selection = {from, to};
+  seek(state.frames.times[state.frames.at((from + to) / 2)]);
+  view.revealStretch(from, to);
+  showModel();
+}
+
+function zoom(factor) {
+  view.zoom(factor, view.x(state.cursor));
+  redraw();
+}
+
+// changing
+
+const isSaved = () => history.spans === saved;
+
+function show(spans) {
+  state.spans = spans;
+  state.rooms.add(spans.map(span => span.place));
+  showAll();
+}
+
+function change(spans) {
+  if (spans === history.spans) return;
+  history.push(spans);
+  show(spans);
+  tellDraft();
+}
+
+function tellDraft() {
+  say(isSaved() ? "" : "Not saved yet");
+  api.keepDraft(history.spans).catch(problem => say(problem.message, true));
+}
+
+function undo(again) {
+  if (again) history.redo(); else history.undo();
+  show(history.spans);
+  tellDraft();
+}
+
+/// Labels what is selected, or from the frame that is shown to the next border.
+function label(place) {
+  if (state.selection) {
+    const {from, to} = state.selection;
+    state.selection = null;
+    change(paint(state.spans, from, to, place));
+    return;
+  }
+  const number = state.frames.at(state.cursor);
+  const from = state.frames.before(number, state.spans);
+  const to = endOfStretch(state.spans, state.frames.times[number], recording.duration);
+  change(paint(state.spans, from, to, place));
+}
+
+function splitHere() {
+  const number = state.frames.at(state.cursor);
+  change(split(state.spans, state.frames.before(number, state.spans)));
+}
+
+let moving = null;  // the border that is dragged: where it was, and where it is
+
+function move(border, target) {
+  moving ??= border;
+  const least = 1e-3;
+  state.spans = moveBorder(history.spans, moving, target, recording.duration, least);
+  seek(target);
+}
+
+function endMove() {
+  const spans = state.spans;
+  moving = null;
+  change(spans);
+}
+
+function rename(old) {
+  const name = tidyName(prompt("Rename the room to", old) ?? old);
+  if (name === old || complain(name)) return;
+  state.rooms.names[state.rooms.names.indexOf(old)] = name;
+  state.rooms.names = [...new Set(state.rooms.names)];
+  change(history.spans.map(span => span.place === old ? {...span, place: name} : span));
+  showAll();
+}
+
+/// Says what is wrong with a room's name; whether anything is.
+function complain(name) {
+  const fault = faultOfName(name);
+  const twin = twinOf(name, state.rooms.names);
+  if (fault) say(fault, true);
+  else if (twin) say(`“${twin}” is there already, in other letters; both are kept apart.`);
+  else say("");
+  return Boolean(fault);
+}
+
+async function save() {
+  const spans = history.spans;
+  const write = overwrite => api.saveSpans(spans, overwrite);
+  try {
+    const {files} = await write(false).catch(problem => {
+      if (problem.status === 409 && confirm(`${problem.message} Replace it?`)) return write(true);
+      throw problem;
+    });
+    saved = spans;
+    say(`Saved: ${files.join(", ")}`);
+  } catch (problem) {
+    say(problem.message, true);
+  }
+  showAll();
+}
+
+// buttons and keys
+
+const onClick = {
+  undo: () => undo(false), redo: () => undo(true), save, help: () => element("keys").showModal(),
+  split: splitHere, clear: () => label(""), play: () => player.toggle(),
+  "zoom-in": () => zoom(1.6), "zoom-out": () => zoom(1 / 1.6), "zoom-all": () => zoom(0),
+  learn: () => api.learn(history.spans).catch(problem => say(problem.message, true)),
+  "accept-all": () => review.acceptRest(),
+};
+for (const [id, work] of Object.entries(onClick)) {
+  element(id).onclick = () => {
+    work();
+    if (id !== "help") element("timeline").focus();
+  };
+}
+
+element("new-room").onsubmit = event => {
+  event.preventDefault();
+  const name = tidyName(element("room-name").value);
+  if (complain(name)) return;
+  state.rooms.add([name]);
+  element("room-name").value = "";
+  showPlace();
+  element("timeline").focus();
+};
+
+element("topic").onchange = async event => {
+  state.frames = await loadFrames(event.target.value);
+  seek(state.cursor);
+  showAll();
+  element("timeline").focus();
+};
+
+onKeys({
+  label: key => { if (state.rooms.ofKey(key)) label(state.rooms.ofKey(key)); },
+  clear: () => label(""), split: splitHere, step, stepBorder, play: () => player.toggle(),
+  second: sign => goTo(state.cursor + sign),
+  start: () => goTo(0), end: () => goTo(recording.duration),
+  zoom, undo: () => undo(false), redo: () => undo(true), save,
+  doubt: count => review.step(count),
+  accept: () => review.settle("accept"),
+  keep: () => review.settle("keep"),
+  deselect: () => select(0, 0), help: () => element("keys").showModal(),
+});
+listKeys(element("keys").querySelector("table"));
+
+element("name").textContent = recording.bags.map(bag => bag.name).join(", ");
+element("topic").replaceChildren(...recording.topics.map(({name, frames}) =>
+    new Option(`${name}: ${frames} frames`, name, false, name === recording.topic)));
+element("topic").disabled = recording.topics.length < 2;
+if (recording.unsaved) say("Not saved yet");
+
+addEventListener("resize", redraw);
+addEventListener("beforeunload", event => { if (!isSaved()) event.preventDefault(); });
+api.listen(status => review.hear(status), () => say("place_tool has ended. What is not saved is lost.", true));
+
+show(history.spans);
+seek(0);
+view.width = element("timeline").clientWidth;
+view.showAll();
+redraw();
+element("timeline").focus();

@@ -1,0 +1,46 @@
+// The rooms: their names, keys and colours.
+
+const kKeys = [..."123456789abcdefghijklmnopqrstuvwxyz"];
+const kMaxBytes = 128;
+
+// Told apart also by people who confuse red and green, on a dark ground.
+const kColours = ["#4e9de0", "#f0a23a", "#58b368", "#e0607e", "#a98be0", "#d9d05a", "#4fc1c0",
+                  "#c98a5e", "#e58fd0", "#93b84f", "#7fa7b8", "#e07b53"];
+
+export class Rooms {
+  constructor() { this.names = []; }
+
+  /// Adds those of `names` that are new.
+  add(names) {
+    for (const name of names) if (!this.names.includes(name)) this.names.push(name);
+  }
+
+  /// Of a room; dark for "", grey for one that is not in the list.
+  colour(name) {
+    const i = this.names.indexOf(name);
+    if (i < 0) return name ? "#6b717c" : "#3a3f48";
+    return kColours[i] ?? `hsl(${(i * 137.5) % 360} 55% ${52 + 9 * (i % 3)}%)`;
+  }
+
+  key(name) { return kKeys[this.names.indexOf(name)] ?? ""; }
+  ofKey(key) { return this.names[kKeys.indexOf(key)]; }
+}
+
+/// As it is kept: one character for what looks like one, nothing around it.
+export function tidyName(text) { return text.trim().normalize("NFC"); }
+
+/// What is wrong with a name, for a person; "" if nothing is.
+export function faultOfName(name) {
+  const bytes = new TextEncoder().encode(name).length;
+  if (!name) return "A room has a name.";
+  if (bytes > kMaxBytes) return `A name has at most ${kMaxBytes} bytes; this one has ${bytes}.`;
+  if (/[\p{Cc}\p{Cs}]/u.test(name)) return "A name has no control characters.";
+  if (name === "unknown") return "“unknown” is the answer for places that are not known.";
+  return "";
+}
+
+/// A room of the same letters in other case, or undefined.
+export function twinOf(name, names) {
+  return names.find(other => other !== name &&
+                    other.toLocaleLowerCase() === name.toLocaleLowerCase());
+}

@@ -1,0 +1,204 @@
+"""What `place_tool label` shows: the frames of one or several bags, laid end to end on one axis of
+time, and pictures of them.
+
+Bags are read in order of their first frame. The page's time of a frame is the bag's offset plus the
+seconds since the bag's first frame, so that neither a pause between two bags nor bags that overlap
+matter.
+"""
+import os
+import tempfile
+import threading
+
+# The largest picture that the package takes; OpenCV reads this when it is imported.
+MAX_SIDE = 8192
+os.environ.setdefault("OPENCV_IO_MAX_IMAGE_PIXELS", str(MAX_SIDE * MAX_SIDE))
+
+import cv2  # noqa: E402
+import numpy as np  # noqa: E402
+import rosbag  # noqa: E402
+from cv_bridge import CvBridge  # noqa: E402
+from sensor_msgs.msg import CompressedImage, Image  # noqa: E402
+
+# rosbag generates Python code from the message definitions in a bag unless it knows the type. With
+# these two it never does, for no other message is ever read.
+IMAGE_TYPES = {message._type: message for message in (Image, CompressedImage)}
+rosbag.bag._message_types.update({message._md5sum: message for message in IMAGE_TYPES.values()})
+
+# Heights of the pictures that the page asks for, pixels.
+HEIGHTS = {"thumb": 96, "view": 600}
+QUALITY = {"thumb": 80, "view": 88}
+
+# How long the last frame of a bag lasts, s.
+LAST_FRAME = 0.01
+
+
+class Problem(Exception):
+    """One sentence for the person at the page."""
+
+
+class Bag:
+    """The frames of one bag, by topic; reading is thread-safe."""
+
+    def __init__(self, path):
+        self.path = path
+        self.lock = threading.Lock()
+        self.bag = rosbag.Bag(path)
+        self.entries = {}  # topic -> index entries in order of time
+        for topic in self.image_topics():
+            entries = self.bag._get_entries(list(self.bag._get_connections([topic])))
+            self.entries[topic] = list(entries)
+        self.first = min(entries[0].time.to_sec() for entries in self.entries.values())
+        self.last = max(entries[-1].time.to_sec() for entries in self.entries.values())
+        self.offset = 0.0
+
+    def image_topics(self):
+        topics = {connection.topic for connection in self.bag._get_connections()
+                  if IMAGE_TYPES.get(connection.datatype)
+                  and IMAGE_TYPES[connection.datatype]._md5sum == connection.md5sum}
+        topics = {topic for topic in topics if not topic.endswith("/compressedDepth")
+                  and self.bag.get_message_count(topic) > 0}
+        if not topics:
+            raise Problem(f"There are no images in {self.path}; check it with place_tool info.")
+        return topics
+
+    def end(self):
+        """In page time."""
+        return self.offset + self.last - self.first + LAST_FRAME
+
+    def page_times(self, topic):
+        return [self.offset + entry.time.to_sec() - self.first
+                for entry in self.entries.get(topic, ())]
+
+    def all_times(self):
+        """The times of all frames, absolute, s, ascending."""
+        return sorted(entry.time.to_sec() for entries in self.entries.values()
+                      for entry in entries)
+
+    def message(self, topic, number):
+        with self.lock:
+            return self.bag._read_message(self.entries[topic][number].position).message
+
+
+class Recording:
+    """Several bags as one recording, in order of time."""
+
+    def __init__(self, paths):
+        self.bags = sorted((Bag(path) for path in paths), key=lambda bag: bag.first)
+        for before, bag in zip(self.bags, self.bags[1:]):
+            bag.offset = before.end()
+        self.duration = self.bags[-1].end()
+        self.times = {topic: [time for bag in self.bags for time in bag.page_times(topic)]
+                      for topic in sorted({topic for bag in self.bags for topic in bag.entries})}
+        self.pictures = PictureStore()
+
+    def topic(self, wanted):
+        """The topic that is meant by `wanted`, also without "/compressed"; the first if empty."""
+        if not wanted:
+            return next(iter(self.times))
+        for topic in (wanted, wanted + "/compressed"):
+            if topic in self.times:
+                return topic
+        raise Problem(f"There are no images on {wanted}; topics of images are "
+                      f"{', '.join(self.times)}.")
+
+    def locate(self, topic, number):
+        """The bag that holds frame `number` of a topic, and its number there."""
+        for bag in self.bags:
+            count = len(bag.entries.get(topic, ()))
+            if number < count:
+                return bag, number
+            number -= count
+        raise IndexError(number)
+
+    def picture(self, topic, number, size):
+        """Frame `number` of a topic as JPEG. Raises Problem if it cannot be decoded."""
+        return self.pictures.get((topic, number, size), lambda: self._make(topic, number, size))
+
+    def _make(self, topic, number, size):
+        bag, there = self.locate(topic, number)
+        image = decode(bag.message(topic, there), HEIGHTS[size])
+        height = min(HEIGHTS[size], image.shape[0])
+        width = max(1, round(image.shape[1] * height / image.shape[0]))
+        if height < image.shape[0]:
+            image = cv2.resize(image, (width, height), interpolation=cv2.INTER_AREA)
+        quality = [cv2.IMWRITE_JPEG_QUALITY, QUALITY[size]]
+        return cv2.imencode(".jpg", image, quality)[1].tobytes()
+
+
+class PictureStore:
+    """Pictures made once a session, in a file without a name that ends with the process."""
+
+    def __init__(self):
+        self.file = tempfile.TemporaryFile(prefix="place_tool_label_")
+        self.places = {}  # key -> (offset, length)
+        self.end = 0
+        self.lock = threading.Lock()
+
+    def get(self, key, make):
+        with self.lock:
+            place = self.places.get(key)
+        if place:
+            return os.pread(self.file.fileno(), place[1], place[0])
+        picture = make()
+        with self.lock:
+            os.pwrite(self.file.fileno(), picture, self.end)
+            self.places[key] = (self.end, len(picture))
+            self.end += len(picture)
+        return picture
+
+
+def decode(message, height):
+    """The picture of a message, at least `height` rows if it has as many. Raises Problem."""
+    try:
+        image = decode_compressed(message, height) if hasattr(message, "format") \
+            else decode_raw(message)
+    except Exception as error:  # whatever numpy, OpenCV and cv_bridge make of damaged messages
+        raise Problem(f"This frame cannot be decoded: {error}") from error
+    if image is None or image.size == 0:
+        raise Problem("This frame cannot be decoded.")
+    return image
+
+
+def decode_compressed(message, height):
+    data = np.frombuffer(message.data, np.uint8)
+    if not message.data.startswith((b"\xff\xd8\xff", b"\x89PNG\r\n\x1a\n")):
+        raise Problem("it is neither JPEG nor PNG.")
+    # JPEG is decoded much faster at a half, a quarter, an eighth of its size.
+    rows = jpeg_rows(message.data)
+    for divisor, flag in ((8, cv2.IMREAD_REDUCED_COLOR_8), (4, cv2.IMREAD_REDUCED_COLOR_4),
+                          (2, cv2.IMREAD_REDUCED_COLOR_2)):
+        if rows >= divisor * height:
+            break
+    else:
+        flag = cv2.IMREAD_COLOR
+    image = cv2.imdecode(data, flag)
+    # As image_transport has it: a JPEG "compressed rgb8" holds red and blue the other way round.
+    if image is not None and message.format.strip().endswith("compressed rgb8"):
+        image = cv2.cvtColor(image, cv2.COLOR_RGB2BGR)
+    return image
+
+
+def jpeg_rows(data):
+    """The height that the header of a JPEG picture states; 0: not found."""
+    at = 2
+    while at + 9 < len(data) and data[at] == 0xff:
+        marker = data[at + 1]
+        if 0xc0 <= marker <= 0xcf and marker not in (0xc4, 0xc8, 0xcc):
+            return int.from_bytes(data[at + 5:at + 7], "big")
+        at += 2 + int.from_bytes(data[at + 2:at + 4], "big")
+    return 0
+
+
+def decode_raw(message):
+    if not (0 < message.width <= MAX_SIDE and 0 < message.height <= MAX_SIDE):
+        raise Problem(f"it claims {message.width} x {message.height} pixels.")
+    bridge = CvBridge()
+    dtype, channels = bridge.encoding_to_dtype_with_channels(message.encoding)
+    row = message.width * channels * np.dtype(dtype).itemsize
+    if message.step < row or len(message.data) < message.step * (message.height - 1) + row:
+        raise Problem("it has fewer bytes than it claims.")
+    if message.step != row:  # cv_bridge for Python takes rows to follow each other
+        data = np.frombuffer(message.data, np.uint8)
+        data = np.lib.stride_tricks.as_strided(data, (message.height, row), (message.step, 1))
+        message.data, message.step = data.tobytes(), row
+    return bridge.imgmsg_to_cv2(message, "bgr8")

@@ -1,0 +1,92 @@
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+#include "tool/inputs.h"
+#include "tool/package_folder.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct LabelOptions {
+  std::vector<std::string> inputs;
+  std::string model;
+  int port = 0;
+  bool no_browser = false;
+  InputOptions input;
+};
+
+/// The bags among the inputs, each of which can be read and labelled by a file beside it.
+std::vector<std::string> checkedBags(const LabelOptions& options) {
+  const std::vector<std::string> bags = findRuns(options.inputs);
+  for (const std::string& bag : bags) {
+    if (!isBag(bag)) {
+      throw Error(bag + " is a folder of pictures, whose labels are the folders; give bags.");
+    }
+    bagInfo(bag, options.input.bag);  // throws if it cannot be read
+  }
+  if (bags.size() > 1 && !options.input.bag.labels_file.empty()) {
+    throw Error("--labels " + options.input.bag.labels_file + " is for one bag; give one.");
+  }
+  return bags;
+}
+
+/// Becomes the program with these arguments; throws if it cannot.
+[[noreturn]] void execute(std::vector<std::string> arguments) {
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  execv(pointers[0], pointers.data());
+  throw Error("Cannot start " + arguments[0] + ": " + std::strerror(errno) + "; install python3.");
+}
+
+/// The page's server is a Python program, label_page/.
+void label(const LabelOptions& options) {
+  if (!options.model.empty()) loadModel(modelPath(options.model));  // throws if it cannot be used
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  std::vector<std::string> arguments{PLACE_RECOGNITION_PYTHON, "-B", packageFolder("label_page"),
+                                     "--tool", program};
+  const BagRunOptions& bag = options.input.bag;
+  const auto pass = [&arguments](const char* option, const std::string& value) {
+    if (!value.empty()) arguments.push_back(std::string(option) + "=" + value);
+  };
+  pass("--model", options.model);
+  pass("--port", std::to_string(options.port));
+  pass("--image-topic", bag.image_topic);
+  pass("--label-topic", bag.label_topic);
+  pass("--labels", bag.labels_file);
+  pass("--label", bag.label);
+  if (options.no_browser) arguments.emplace_back("--no-browser");
+  arguments.emplace_back("--");
+  for (const std::string& path : checkedBags(options)) arguments.push_back(path);
+  execute(std::move(arguments));
+}
+
+}  // namespace
+
+void addLabel(CommandLine& tool) {
+  Verb& verb = tool.verb("label", "Opens a page in the browser for labelling bags");
+  const auto options = std::make_shared<LabelOptions>();
+  verb.argument("RUN", options->inputs,
+                "A bag; several, as those of a split recording, are one after the other");
+  verb.option("--model", "NAME", options->model, "Show what this model answers beside the labels");
+  verb.option("--port", "N", options->port, "Of the page's address; 0: any that is free")
+      .range(0, 65535);
+  verb.flag("--no-browser", options->no_browser, "Only tell the page's address");
+  options->input.addTo(verb);
+  verb.footer(
+      "Save writes RUN.labels.yaml beside each RUN.bag and keeps the file that was there before as\n"
+      "RUN.labels.yaml.old; nothing else is written. The page can be reached from this computer\n"
+      "only. Closing it, or Ctrl-C, ends the program.\n"
+      "Example:\n"
+      "  place_tool label tuesday.bag --model monday");
+  verb.run([options] { label(*options); });
+}
+
+}  // namespace place_recognition::tool

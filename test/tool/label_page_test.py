@@ -1,0 +1,437 @@
+#!/usr/bin/env python3
+"""place_tool label in a real browser: what a person does with mouse and keys, and what is saved."""
+import json
+import sys
+import tempfile
+import time
+import unittest
+from bisect import bisect_left
+
+from label_case import LabelCase
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import WebDriverWait
+    BROWSER, DRIVER = "/usr/bin/chromium", "/usr/bin/chromedriver"
+    open(BROWSER).close()
+    open(DRIVER).close()
+except (ImportError, OSError):
+    print("Skipped: this test needs chromium, chromium-driver and python3-selenium.")
+    sys.exit(77)
+
+OPTIONS = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+           "--disable-background-networking", "--disable-component-update", "--disable-sync",
+           "--window-size=1400,900")
+# Where the rows of the strip lie in the canvas, pixels from its top.
+RULER, THUMBS, LABELS = 8, 70, 145
+
+
+def start_browser(folder):
+    options = webdriver.ChromeOptions()
+    options.binary_location = BROWSER
+    for option in (*OPTIONS, f"--user-data-dir={folder}"):
+        options.add_argument(option)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+class PageCase(LabelCase):
+    @classmethod
+    def setUpClass(cls):
+        profile = tempfile.TemporaryDirectory(prefix="place_tool_browser_")
+        cls.addClassCleanup(profile.cleanup)
+        cls.browser = start_browser(profile.name)
+        cls.addClassCleanup(cls.browser.quit)
+
+    def tearDown(self):
+        errors = [entry["message"] for entry in self.browser.get_log("browser")
+                  if entry["level"] == "SEVERE"]
+        self.browser.get("about:blank")
+        self.assertEqual(errors, [])
+
+    def open(self, *arguments):
+        self.served = self.page(*arguments)
+        self.load()
+        return self.served
+
+    def load(self):
+        self.browser.get(self.served.address)
+        self.wait(lambda: self.script("return document.title") and self.rooms_shown())
+        self.wait(self.strip_is_complete)
+
+    def wait(self, condition, seconds=60):
+        WebDriverWait(self.browser, seconds, poll_frequency=.05).until(lambda _: condition())
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def element(self, name):
+        return self.browser.find_element(By.ID, name)
+
+    def text(self, name):
+        return self.script("return document.getElementById(arguments[0]).textContent", name)
+
+    def rooms_shown(self):
+        """The list of rooms: name -> key."""
+        return dict(self.script(
+            "return [...document.querySelectorAll('.room')].map(button =>"
+            "[button.querySelector('.room-name').textContent,"
+            " button.querySelector('kbd')?.textContent ?? ''])"))
+
+    def strip_is_complete(self):
+        """Whether every thumbnail in view is there: no pixel has the colour of an empty slot."""
+        return self.script("""
+            const canvas = document.getElementById("timeline");
+            const scale = canvas.width / canvas.clientWidth;
+            const row = canvas.getContext("2d").getImageData(0, 70 * scale, canvas.width, 1).data;
+            for (let i = 0; i < row.length; i += 4) {
+              if (row[i] === 0x26 && row[i + 1] === 0x2a && row[i + 2] === 0x30) return false;
+            }
+            return row.some(value => value);""")
+
+    def press(self, *keys):
+        for key in keys:
+            ActionChains(self.browser).send_keys(key).perform()
+
+    def control(self, key):
+        ActionChains(self.browser).key_down(Keys.CONTROL).send_keys(key).key_up(
+            Keys.CONTROL).perform()
+
+    def x(self, time_):
+        """Pixels from the strip's left where a time lies while all of the recording is in view."""
+        width = self.element("timeline").size["width"]
+        duration = self.served.get("recording")["duration"]
+        return 12 + time_ / duration * (width - 24)
+
+    def at(self, time_, row):
+        """An action that moves the mouse there."""
+        strip = self.element("timeline")
+        return ActionChains(self.browser, duration=20).move_to_element_with_offset(
+            strip, round(self.x(time_) - strip.size["width"] / 2), row - strip.size["height"] // 2)
+
+    def click(self, time_, row=THUMBS):
+        self.at(time_, row).click().perform()
+
+    def drag(self, begin, end, row=THUMBS):
+        steps = round(self.x(end) - self.x(begin))
+        self.at(begin, row).click_and_hold().move_by_offset(steps // 2, 0).move_by_offset(
+            steps - steps // 2, 0).release().perform()
+
+    def add_room(self, name):
+        """Types the name; characters that the driver cannot type are pasted."""
+        field = self.element("room-name")
+        if all(ord(character) < 0x10000 for character in name):
+            field.send_keys(name)
+        else:
+            self.script("arguments[0].value = arguments[1]", field, name)
+        field.send_keys(Keys.ENTER)
+
+    def save(self):
+        self.control("s")
+        self.wait(lambda: self.text("message").startswith("Saved"))
+
+    def drafted(self):
+        """What the page has, as (place, first frame, frame behind the last)."""
+        recording = self.served.get("recording")
+        times = self.served.get("times?topic=" + recording["topic"])
+        return [(label["place"], bisect_left(times, label["from"]), bisect_left(times, label["to"]))
+                for label in recording["spans"]]
+
+    def wait_for(self, *spans):
+        try:
+            self.wait(lambda: self.drafted() == list(spans), 10)
+        except Exception:
+            self.assertEqual(self.drafted(), list(spans))
+
+
+class LabellingTest(PageCase):
+    def setUp(self):
+        super().setUp()
+        self.record("run.bag", frames=100, rate=10)  # borders between them at .05, .15, ...
+
+    def test_drag_keys_save_and_reload(self):
+        self.open("run.bag")
+        self.assertEqual(self.rooms_shown(), {"no room": "0"})
+        for room in ("kitchen", "corridor"):
+            self.add_room(room)
+        self.assertEqual(self.rooms_shown(), {"kitchen": "1", "corridor": "2", "no room": "0"})
+        self.drag(1.95, 3.95)
+        self.press("1")
+        self.wait_for(("kitchen", 20, 40))
+        self.click(6.05)
+        self.press("2")  # from here to the end
+        self.wait_for(("kitchen", 20, 40), ("corridor", 60, 100))
+        self.save()
+        self.assertEqual(self.files(), ["run.bag", "run.labels.yaml"])
+        saved = self.stretches("run.bag")
+        self.assertEqual([stretch[0] for stretch in saved], ["kitchen", "corridor"])
+        self.load()
+        self.assertEqual(self.drafted(), [("kitchen", 20, 40), ("corridor", 60, 100)])
+        self.assertEqual(set(self.rooms_shown()), {"kitchen", "corridor", "no room"})
+        self.assertFalse(self.element("save").is_enabled())
+
+    def test_from_here_ends_at_the_next_border(self):
+        self.labelled(("kitchen", 0, 10))
+        self.click(5.05)
+        self.add_room("corridor")
+        self.press("2")
+        self.wait_for(("kitchen", 0, 50), ("corridor", 50, 100))
+        self.click(2.05)
+        self.press("0")
+        self.wait_for(("kitchen", 0, 20), ("corridor", 50, 100))
+        self.press("1")
+        self.wait_for(("kitchen", 0, 50), ("corridor", 50, 100))
+
+    def labelled(self, *spans):
+        lines = "".join(f"  - {{from: {begin}, to: {end}, place: {place}}}\n"
+                        for place, begin, end in spans)
+        (self.folder / "run.labels.yaml").write_text("labels:\n" + lines)
+        self.open("run.bag")
+
+    def test_borders_are_moved_split_and_undone(self):
+        self.labelled(("kitchen", 0, 5), ("corridor", 5, 10))
+        before = [("kitchen", 0, 50), ("corridor", 50, 100)]
+        self.wait_for(*before)
+        self.drag(5.0, 2.95, LABELS)
+        moved = [("kitchen", 0, 30), ("corridor", 30, 100)]
+        self.wait_for(*moved)
+        self.drag(2.95, .01, LABELS)  # not past what is before it
+        self.assertEqual([label[0] for label in self.drafted()], ["kitchen", "corridor"])
+        self.control("z")
+        self.wait_for(*moved)
+        self.click(7.05)
+        self.press("/")
+        split = [("kitchen", 0, 30), ("corridor", 30, 70), ("corridor", 70, 100)]
+        self.wait_for(*split)
+        self.click(8.05, LABELS)  # selects the span
+        self.press("1")
+        self.wait_for(("kitchen", 0, 30), ("corridor", 30, 70), ("kitchen", 70, 100))
+        self.control("z")
+        self.wait_for(*split)
+        self.control("z")
+        self.control("z")
+        self.wait_for(*before)
+        self.control("y")
+        self.wait_for(*moved)
+        self.click(8.05, LABELS)
+        self.press(Keys.DELETE)
+        self.wait_for(("kitchen", 0, 30))
+
+    def test_a_room_is_renamed(self):
+        self.labelled(("kitchen", 0, 5), ("corridor", 5, 10))
+        self.script("document.querySelector('.rename').click()")
+        alert = self.browser.switch_to.alert
+        alert.send_keys("galley")
+        alert.accept()
+        self.wait_for(("galley", 0, 50), ("corridor", 50, 100))
+        self.assertEqual(self.rooms_shown(), {"galley": "1", "corridor": "2", "no room": "0"})
+
+    def test_steps_and_the_picture(self):
+        self.labelled(("kitchen", 0, 5))
+        self.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+        self.assertIn("frame 3 of 100", self.text("caption"))
+        self.press(Keys.END)
+        self.assertIn("frame 100 of 100", self.text("caption"))
+        self.control(Keys.ARROW_LEFT)
+        self.assertIn("frame 51 of 100", self.text("caption"))
+        self.wait(lambda: "frame=50&" in self.script("return document.getElementById('picture').src"))
+        self.press("?")
+        self.assertTrue(self.element("keys").is_displayed())
+        self.press(Keys.ESCAPE)
+
+    def test_names_of_every_kind(self):
+        names = ["Elin's office", 'a "b" \\ {c: d}, [e] # f', "- x: 'y'", "<b>&amp;</b>", "Küche",
+                 "廊下 №5", "غرفة", "👩‍🍳 kitchen", "null", "0x1F", "~", "*a &b !c %d @e `f", "a" * 128]
+        self.open("run.bag")
+        for name in names:
+            self.add_room("  " + name)
+        self.assertEqual(list(self.rooms_shown())[:-1], names)
+        for refused in ("unknown", "x" * 129, "ü" * 65, " "):
+            self.add_room(refused)
+            self.assertNotIn(refused, self.rooms_shown())
+            self.script("document.getElementById('room-name').value = ''")
+        self.element("timeline").click()
+        for i, name in enumerate(names):
+            self.click(i * .7 + .05)
+            self.press("123456789abcdefg"[i])
+        self.wait(lambda: len(self.drafted()) == len(names))
+        self.save()
+        self.assertEqual([stretch[0] for stretch in self.stretches("run.bag")], names)
+        self.load()
+        self.assertEqual([label[0] for label in self.drafted()], names)
+
+    def test_what_is_not_saved_survives_a_reload_and_ends_with_the_page(self):
+        self.labelled(("kitchen", 0, 5))
+        self.click(2.05)
+        self.press("0")
+        self.wait_for(("kitchen", 0, 20))
+        self.browser.get("about:blank")
+        time.sleep(.5)
+        self.load()
+        self.wait_for(("kitchen", 0, 20))
+        self.assertTrue(self.element("save").is_enabled())
+        self.save()
+        self.browser.get("about:blank")
+        self.served.process.wait(timeout=30)
+        self.assertEqual(self.served.stop(), (0, "The page was closed.\n"))
+
+    def test_a_page_from_elsewhere_learns_nothing_and_changes_nothing(self):
+        self.labelled(("kitchen", 0, 5))
+        address = self.served.address
+        (self.folder / "evil.html").write_text("<title>evil</title>")
+        for elsewhere in ("about:blank", (self.folder / "evil.html").as_uri()):
+            self.browser.get(elsewhere)
+            told = self.browser.execute_async_script("""
+                const [address, done] = arguments;
+                const attempts = [
+                  fetch(address + "recording").then(answer => answer.text()),
+                  fetch(address + "save", {method: "POST", body: '{"spans": []}'}),
+                  new Promise((good, bad) => {
+                    const image = new Image();
+                    image.onload = good;
+                    image.onerror = bad;
+                    image.src = address + "picture?frame=0&size=thumb&topic=%2Fcamera%2Fimage_raw%2Fcompressed";
+                  }),
+                  fetch(address + "save", {method: "POST", mode: "no-cors", body: '{"spans": []}'})
+                      .then(() => { throw 0; })];
+                Promise.allSettled(attempts).then(all => done(all.map(one => one.status)));""",
+                                                     address)
+            self.assertEqual(told, ["rejected"] * 4, elsewhere)
+            self.browser.get_log("browser")  # the refusals
+        self.assertEqual(self.served.get("recording")["spans"][0]["place"], "kitchen")
+        self.assertEqual(self.files(), ["evil.html", "run.bag", "run.labels.yaml"])
+
+
+class SizeTest(PageCase):
+    FRAMES = 10_000
+
+    def test_ten_thousand_frames(self):
+        self.record("run.bag", frames=self.FRAMES, rate=25)
+        self.open("run.bag")
+        self.assertIn(f"{self.FRAMES} frames", self.text("topic"))
+        self.add_room("kitchen")
+        self.drag(100, 300)
+        self.press("1")
+        frames = self.script("""
+            window.frames_drawn = [];
+            let last = performance.now();
+            const look = now => {
+              frames_drawn.push(now - last);
+              last = now;
+              requestAnimationFrame(look);
+            };
+            requestAnimationFrame(look);""")
+        strip = self.element("timeline")
+        for _ in range(12):  # closer and closer, until there is a thumbnail for each frame
+            self.script("""arguments[0].dispatchEvent(new WheelEvent("wheel",
+                {deltaY: -300, clientX: 700, clientY: arguments[0].getBoundingClientRect().top + 50,
+                 cancelable: true}))""", strip)
+        self.wait(self.strip_is_complete)
+        for _ in range(100):
+            self.script("""arguments[0].dispatchEvent(new WheelEvent("wheel",
+                {deltaX: 200, cancelable: true}))""", strip)
+        self.wait(self.strip_is_complete)
+        frames = sorted(self.script("return frames_drawn"))
+        print(f"{len(frames)} times drawn, {frames[len(frames) // 2]:.0f} ms between, 99 % within "
+              f"{frames[len(frames) * 99 // 100]:.0f} ms")
+        self.press(Keys.END)
+        self.assertIn(f"frame {self.FRAMES} of", self.text("caption"))
+        self.save()
+        (place, begin, end), = self.stretches("run.bag")
+        self.assertEqual(place, "kitchen")
+        self.assertAlmostEqual(begin, 100, delta=1)
+        self.assertAlmostEqual(end, 300, delta=1)
+        # Thumbnails are made as they come into view, not all at once.
+        loaded = self.script("return performance.getEntriesByType('resource')"
+                             ".filter(entry => entry.name.includes('size=thumb')).length")
+        self.assertLess(loaded, 1000)
+
+
+class TopicsTest(PageCase):
+    def test_another_topic_shows_the_same_labels(self):
+        self.record("run.bag", topics=("/front/compressed", "/rear/compressed"),
+                    labels=[(0, "kitchen"), (20, "corridor")])
+        self.open("run.bag")
+        self.script("""const topic = document.getElementById("topic");
+            topic.value = "/rear/compressed";
+            topic.dispatchEvent(new Event("change"));""")
+        self.wait(lambda: "rear" in self.script("return document.getElementById('picture').src"))
+        self.assertEqual(self.rooms_shown(), {"kitchen": "1", "corridor": "2", "no room": "0"})
+
+    def test_split_bags_are_one_strip(self):
+        self.record("run_0.bag", frames=30)
+        self.record("run_1.bag", frames=30, start=1700000003.5)
+        self.open("run_0.bag", "run_1.bag")
+        self.add_room("kitchen")
+        self.drag(1.05, 5.05)
+        self.press("1")
+        self.save()
+        for bag in ("run_0.bag", "run_1.bag"):
+            self.assertEqual([stretch[0] for stretch in self.stretches(bag)], ["kitchen"])
+
+
+class DoubtsTest(PageCase):
+    def setUp(self):
+        super().setUp()
+        rooms = ["kitchen"] * 8 + ["corridor"] * 8 + ["office"] * 8
+        self.write_bag("monday.bag", [(room, room) for room in rooms])
+        self.write_bag("tuesday.bag", [(room, None) for room in rooms])
+        self.succeed("train", "monday.bag", "--model", "home", "--config", "crfh_colour")
+
+    def doubts(self):
+        return self.script("return [...document.querySelectorAll('#doubts li')].map(item =>"
+                           "[item.querySelector('.what').textContent.replace(/\\s+/g, ' ').trim(),"
+                           " item.querySelector('.why').textContent.split(' · ').at(-1).split(',')[0]])")
+
+    def test_a_run_is_labelled_from_a_model(self):
+        self.open("tuesday.bag", "--model", "home")
+        self.wait(lambda: not self.element("progress").is_displayed() and len(self.doubts()) == 3)
+        self.assertEqual({kind for _, kind in self.doubts()}, {"not labelled"})
+        self.element("accept-all").click()
+        self.wait(lambda: self.doubts() == [])
+        self.assertEqual(self.text("model-note"), "It agrees with all labels.")
+        self.save()
+        self.assertEqual(self.stretches("tuesday.bag"),
+                         [("kitchen", 0, 7.5), ("corridor", 7.5, 15.5), ("office", 15.5, 23)])
+
+    def test_contradictions_come_first_the_worst_first(self):
+        (self.folder / "tuesday.labels.yaml").write_text(json.dumps({"labels": [
+            {"from": 0, "to": 7.5, "place": "kitchen"}, {"from": 7.5, "to": 9.5, "place": "office"},
+            {"from": 9.5, "to": 12.5, "place": "corridor"},
+            {"from": 15.5, "to": 21.5, "place": "kitchen"}]}))
+        self.open("tuesday.bag", "--model", "home")
+        self.wait(lambda: not self.element("progress").is_displayed() and len(self.doubts()) == 4)
+        self.assertEqual(self.doubts()[:2], [["kitchen → office", "contradicted"],
+                                             ["office → corridor", "contradicted"]])
+        self.assertEqual([kind for _, kind in self.doubts()[2:]], ["not labelled"] * 2)
+        self.press(".")  # goes there
+        self.assertIn("kitchen", self.text("caption"))
+        self.press(Keys.ENTER)  # takes the answer and goes to the next
+        self.wait(lambda: self.doubts()[0] == ["office → corridor", "contradicted"])
+        self.press(Keys.BACKSPACE)  # keeps the label
+        self.wait(lambda: {kind for _, kind in self.doubts()} == {"not labelled"})
+        self.wait_for(("kitchen", 0, 8), ("office", 8, 10), ("corridor", 10, 13),
+                      ("office", 16, 22))
+
+    def test_it_learns_from_what_is_labelled(self):
+        self.open("tuesday.bag")
+        self.assertFalse(self.element("learn").is_enabled())
+        for i, room in enumerate(("kitchen", "corridor", "office")):
+            self.add_room(room)
+            self.drag(i * 8 + .6, i * 8 + 4.6)
+            self.press(str(i + 1))
+        self.element("learn").click()
+        self.wait(lambda: len(self.doubts()) == 3)
+        self.element("accept-all").click()
+        self.wait(lambda: len(self.drafted()) == 3)
+        self.save()
+        self.assertEqual([stretch[0] for stretch in self.stretches("tuesday.bag")],
+                         ["kitchen", "corridor", "office"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,418 @@
+#!/usr/bin/env python3
+"""place_tool label without a browser: what its server tells, refuses and writes."""
+import http.client
+import json
+import socket
+import subprocess
+import time
+import unicodedata
+import unittest
+
+import cv2
+import numpy as np
+import rosbag
+import rospy
+from label_case import START, TOPIC, LabelCase, jpeg, raw, span
+from sensor_msgs.msg import CompressedImage
+from tool_case import PLACE_TOOL
+
+
+class AddressTest(LabelCase):
+    """Only the page itself is answered."""
+
+    def setUp(self):
+        super().setUp()
+        self.record("run.bag")
+        self.served = self.page("run.bag")
+
+    def status(self, *arguments, **headers):
+        return self.served.request(*arguments, **headers)[0]
+
+    def test_it_listens_on_loopback_only(self):
+        port = f"{self.served.port:04X}"
+        with open("/proc/net/tcp") as table:
+            listening = [line.split()[1] for line in table if line.split()[3] == "0A"]
+        self.assertEqual([address for address in listening if address.endswith(":" + port)],
+                         ["0100007F:" + port])
+
+    def test_nothing_without_the_token(self):
+        for path in ("/", "/recording", "/x/recording", "/index.html", self.served.path[:-2] + "/"):
+            self.assertEqual(self.status("GET", path), 403, path)
+        self.assertEqual(self.status("GET", ""), 200)
+
+    def test_no_other_name_for_this_computer(self):
+        for host in ("evil.example", f"evil.example:{self.served.port}", "127.0.0.1.evil.example"):
+            self.assertEqual(self.status("GET", "recording", Host=host), 421, host)
+        self.assertEqual(self.status("GET", "recording", Host="localhost:1234"), 200)
+
+    def test_no_other_origin(self):
+        for origin in ("http://evil.example", "null", "https://127.0.0.1:%d" % self.served.port,
+                       "http://127.0.0.1:1"):
+            self.assertEqual(self.status("GET", "recording", Origin=origin), 403, origin)
+            self.assertEqual(self.status("POST", "goodbye", "{}", Origin=origin), 403, origin)
+        self.assertEqual(self.status("POST", "goodbye", "{}", Origin=""), 403)
+        self.assertEqual(self.status("POST", "goodbye", "{}"), 200)
+        for site in ("cross-site", "same-site"):
+            self.assertEqual(self.status("GET", "recording", Sec_Fetch_Site=site), 403, site)
+
+    def test_one_connection_carries_several_requests(self):
+        connection = http.client.HTTPConnection("127.0.0.1", self.served.port, timeout=60)
+        for _ in range(2):
+            connection.request("POST", self.served.path + "goodbye", '{"more": "than is read"}',
+                               {"Origin": f"http://127.0.0.1:{self.served.port}"})
+            self.assertEqual(connection.getresponse().read(), b"{}")
+            connection.request("GET", self.served.path + "times?topic=" + TOPIC)
+            self.assertEqual(len(json.loads(connection.getresponse().read())), 40)
+        connection.close()
+
+    def test_no_file_but_those_of_the_page(self):
+        for name in ("../server.py", "..%2fserver.py", "server.py", "/etc/passwd", "nothing"):
+            path = self.served.path + name
+            self.assertIn(self.status("GET", path), (403, 404), name)
+        self.assertEqual(self.status("GET", "main.js"), 200)
+
+    def test_malformed_requests_are_refused_and_change_nothing(self):
+        before = self.files()
+        for name, body in (("save", "{"), ("save", "[]"), ("save", '{"spans": [{}]}'),
+                           ("save", '{"spans": [{"from": 0, "to": "a", "place": "b"}]}')):
+            self.assertEqual(self.status("POST", name, body), 400, body)
+        for query in ("times?topic=/no", "picture?topic=/no&frame=0&size=thumb",
+                      f"picture?topic={TOPIC}&frame=0", "answers?question=a&after=0", "times"):
+            self.assertEqual(self.status("GET", query), 400, query)
+        self.assertEqual(self.status("GET", f"picture?topic={TOPIC}&frame=40&size=thumb"), 404)
+        self.assertEqual(self.files(), before)
+
+
+class SavingTest(LabelCase):
+    def save(self, page, *spans, **more):
+        status, answer = page.post("save", {"spans": spans, **more})
+        self.assertEqual(status, 200, answer)
+
+    def test_frames_get_the_labels_that_the_page_shows(self):
+        self.record("run.bag")
+        page = self.page("run.bag")
+        self.assertEqual(page.get("recording")["spans"], [])
+        self.save(page, span(0, 1.05, "kitchen"), span(1.05, 2.0, "corridor"), span(3, 4, "kitchen"))
+        # Borders lie between frames, whatever the page's were.
+        self.assertEqual(self.stretches("run.bag"), [("kitchen", 0, 1.05), ("corridor", 1.05, 1.95),
+                                                     ("kitchen", 2.95, 3.9)])
+        self.assertEqual(self.files(), ["run.bag", "run.labels.yaml"])
+
+    def test_what_was_loaded_is_saved_unchanged(self):
+        rooms = [(0, "kitchen"), (7, ""), (9, "corridor"), (20, "kitchen"), (39, "office")]
+        self.record("run.bag", rate=30, labels=rooms)
+        before = self.stretches("run.bag")
+        page = self.page("run.bag")
+        self.save(page, *page.get("recording")["spans"])
+        after = self.stretches("run.bag")
+        self.assertEqual([stretch[0] for stretch in after], [stretch[0] for stretch in before])
+        for (_, begin, end), (_, begin_after, end_after) in zip(before, after):
+            self.assertTrue(begin - 1 / 30 < begin_after <= begin + 1e-6)
+            self.assertTrue(end - 1 / 30 < end_after <= end + 1e-6)
+        text = self.text("run.labels.yaml")
+        page = self.page("run.bag")
+        self.save(page, *page.get("recording")["spans"])
+        self.assertEqual(self.text("run.labels.yaml"), text)
+
+    def test_the_file_of_before_is_kept(self):
+        self.record("run.bag")
+        by_hand = "# mine\nlabels: [{from: 0, place: attic}]\n"
+        (self.folder / "run.labels.yaml").write_text(by_hand)
+        page = self.page("run.bag")
+        self.assertEqual([label["place"] for label in page.get("recording")["spans"]], ["attic"])
+        self.save(page, span(0, 1, "kitchen"))
+        self.save(page, span(0, 1, "corridor"))
+        self.assertEqual(self.text("run.labels.yaml.old"), by_hand)
+        self.assertEqual(self.stretches("run.bag")[0][0], "corridor")
+        self.assertEqual(self.files(), ["run.bag", "run.labels.yaml", "run.labels.yaml.old"])
+
+    def test_a_file_that_somebody_else_has_changed_is_not_overwritten(self):
+        self.record("run.bag")
+        page = self.page("run.bag")
+        other = "labels: [{from: 0, place: attic}]\n"
+        (self.folder / "run.labels.yaml").write_text(other)
+        spans = [span(0, 1, "kitchen")]
+        status, answer = page.post("save", {"spans": spans})
+        self.assertEqual(status, 409)
+        self.assertIn("run.labels.yaml", answer["problem"])
+        self.assertEqual(self.text("run.labels.yaml"), other)
+        self.save(page, *spans, overwrite=True)
+        self.assertEqual(self.text("run.labels.yaml.old"), other)
+
+    def test_labels_can_all_be_taken_away(self):
+        self.record("run.bag", labels=[(0, "kitchen")])
+        page = self.page("run.bag")
+        self.save(page)
+        self.assertEqual(self.stretches("run.bag"), [])
+
+    def test_spans_that_make_no_sense_are_refused(self):
+        self.record("run.bag")
+        page = self.page("run.bag")
+        for spans in ([span(0, 2, "a"), span(1, 3, "b")], [span(2, 1, "a")], [span(0, 1, "")],
+                      [span(0, 1, "unknown")], [span(0, 1, "a\nb")], [span(0, 1, "x" * 129)],
+                      [span(0, 1, "\ud800")], [span(0, 1, 3)]):
+            with self.subTest(spans=spans):
+                status, content = page.request("POST", "save", json.dumps({"spans": spans}))
+                self.assertEqual(status, 422, content)
+        self.assertEqual(self.files(), ["run.bag"])
+
+    def test_a_disk_that_refuses_leaves_nothing_behind(self):
+        self.record("run.bag")
+        page = self.page("run.bag")
+        (self.folder / "run.labels.yaml.old").mkdir()
+        (self.folder / "run.labels.yaml").write_text("labels: []")
+        status, answer = page.post("save", {"spans": [span(0, 1, "a")], "overwrite": True})
+        self.assertEqual(status, 422)
+        self.assertIn("run.labels.yaml", answer["problem"])
+        self.assertEqual(self.text("run.labels.yaml"), "labels: []")
+        self.assertEqual(self.files(), ["run.bag", "run.labels.yaml", "run.labels.yaml.old"])
+
+    def test_every_character_that_a_name_may_have(self):
+        # As the page gives them: normalised, and with nothing around.
+        text = "".join(chr(code) for code in range(0x21, 0x110000)
+                       if not 0x7f <= code < 0xa0 and not 0xd800 <= code < 0xe000)
+        names, name = [], ""
+        for character in text:
+            if len((name + character).encode()) > 120:
+                names.append(name)
+                name = ""
+            name += character
+        names = [unicodedata.normalize("NFC", name).strip() for name in names + [name]]
+        names = [name for name in dict.fromkeys(names) if 0 < len(name.encode()) <= 128]
+        self.assertGreater(len(set("".join(names))), 1_110_000)
+        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+            for i in range(len(names)):
+                bag.write(TOPIC, CompressedImage(), rospy.Time.from_sec(START + i))
+        page = self.page("run.bag")
+        self.save(page, *(span(max(0, i - .5), i + .5, name) for i, name in enumerate(names)))
+        self.assertEqual([stretch[0] for stretch in self.stretches("run.bag")], names)
+        page = self.page("run.bag")
+        self.assertEqual([label["place"] for label in page.get("recording")["spans"]], names)
+
+
+class RecordingTest(LabelCase):
+    def test_split_bags_are_one_recording(self):
+        self.record("run_0.bag", frames=20)
+        self.record("run_1.bag", frames=20, start=START + 2)
+        page = self.page("run_1.bag", "run_0.bag")  # in order of time, not of names
+        recording = page.get("recording")
+        self.assertEqual([bag["name"] for bag in recording["bags"]], ["run_0.bag", "run_1.bag"])
+        times = page.get("times?topic=" + TOPIC)
+        self.assertEqual(len(times), 40)
+        self.assertEqual(times, sorted(times))
+        page.post("save", {"spans": [span(0, times[10] - .05, "a"),
+                                     span(times[10] - .05, times[30] - .05, "b")]})
+        self.assertEqual(self.stretches("run_0.bag"), [("a", 0, .95), ("b", .95, 1.9)])
+        self.assertEqual(self.stretches("run_1.bag"), [("b", 0, .95)])
+        spans = self.page("run_0.bag", "run_1.bag").get("recording")["spans"]
+        self.assertEqual([label["place"] for label in spans], ["a", "b"])
+
+    def test_labels_count_for_all_topics(self):
+        self.record("run.bag", topics=("/front/compressed", "/rear/compressed"))
+        page = self.page("run.bag", "--image-topic", "/rear")
+        recording = page.get("recording")
+        self.assertEqual(recording["topic"], "/rear/compressed")
+        self.assertEqual([topic["frames"] for topic in recording["topics"]], [40, 40])
+        for topic in ("/front/compressed", "/rear/compressed"):
+            self.assertEqual(page.picture(topic, 3).shape, (48, 64, 3))
+
+    def test_pictures_are_those_of_the_frames(self):
+        self.record("run.bag", frames=100)
+        page = self.page("run.bag")
+        for number in (0, 1, 57, 99, 57):
+            self.assertAlmostEqual(page.picture(TOPIC, number).mean(), number + 28, delta=2)
+
+    def test_compressed_chunks(self):
+        for compression in ("bz2", "lz4"):
+            with rosbag.Bag(str(self.folder / "run.bag"), "w", compression=compression) as bag:
+                for i in range(20):
+                    bag.write(TOPIC, jpeg(i), rospy.Time.from_sec(START + i))
+            page = self.page("run.bag")
+            self.assertAlmostEqual(page.picture(TOPIC, 17).mean(), 45, delta=2)
+
+    def test_large_pictures_come_small(self):
+        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+            bag.write(TOPIC, jpeg(0, (1536, 2048)), rospy.Time.from_sec(START))
+        page = self.page("run.bag")
+        self.assertEqual(page.picture(TOPIC, 0).shape, (96, 128, 3))
+        self.assertEqual(page.picture(TOPIC, 0, "view").shape, (600, 800, 3))
+
+    def test_encodings(self):
+        colour = np.zeros((32, 48, 3), np.uint8)
+        colour[:] = (200, 100, 50)  # BGR
+        grey = np.full((32, 48), 90, np.uint8)
+        bayer = np.zeros((32, 48), np.uint8)
+        bayer[0::2, 0::2], bayer[1::2, 1::2] = 50, 200  # rggb
+        bayer[0::2, 1::2] = bayer[1::2, 0::2] = 100
+        uyvy = np.full((32, 48, 2), 128, np.uint8)
+        messages = {"/bgr8": (raw(colour, "bgr8"), (200, 100, 50)),
+                    "/padded": (raw(colour, "bgr8", 7), (200, 100, 50)),
+                    "/rgb8": (raw(colour[..., ::-1].copy(), "rgb8"), (200, 100, 50)),
+                    "/bgra8": (raw(np.dstack([colour, grey]), "bgra8"), (200, 100, 50)),
+                    "/mono8": (raw(grey, "mono8", 3), (90, 90, 90)),
+                    "/mono16": (raw(grey.astype("<u2") * 257, "mono16", 2), (90, 90, 90)),
+                    "/bayer": (raw(bayer, "bayer_rggb8"), (200, 100, 50)),
+                    "/yuv": (raw(uyvy, "yuv422"), (128, 128, 128))}
+        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+            for topic, (message, _) in messages.items():
+                bag.write(topic, message, rospy.Time.from_sec(START))
+        page = self.page("run.bag")
+        for topic, (_, pixel) in messages.items():
+            picture = page.picture(topic, 0)
+            self.assertEqual(picture.shape, (32, 48, 3), topic)
+            np.testing.assert_allclose(picture[16, 24], pixel, atol=4, err_msg=topic)
+
+    def test_frames_that_cannot_be_decoded_are_named(self):
+        good = np.zeros((32, 48, 3), np.uint8)
+        short = raw(good, "bgr8")
+        short.data = short.data[:100]
+        huge = raw(good, "mono8")
+        huge.width = huge.height = huge.step = 65536
+        bad = {"/empty": CompressedImage(), "/gif": CompressedImage(data=b"GIF89a"),
+               "/cut": CompressedImage(data=jpeg(0).data[:40]), "/short": short, "/huge": huge,
+               "/strange": raw(good, "hologram")}
+        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+            for topic, message in bad.items():
+                bag.write(topic, message, rospy.Time.from_sec(START))
+        page = self.page("run.bag", "--image-topic", "/gif")
+        for topic in bad:
+            self.assertIn("cannot be decoded", page.picture(topic, 0)["problem"], topic)
+
+    def test_red_and_blue(self):
+        image = np.zeros((32, 48, 3), np.uint8)
+        image[:] = (200, 100, 50)
+        data = cv2.imencode(".png", image)[1].tobytes()
+        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+            for topic, name in (("/bgr", "rgb8; png compressed bgr8"),
+                                ("/rgb", "rgb8; png compressed rgb8")):
+                bag.write(topic, CompressedImage(format=name, data=data),
+                          rospy.Time.from_sec(START))
+        page = self.page("run.bag", "--image-topic", "/bgr")
+        np.testing.assert_allclose(page.picture("/bgr", 0)[16, 24], (200, 100, 50), atol=4)
+        np.testing.assert_allclose(page.picture("/rgb", 0)[16, 24], (50, 100, 200), atol=4)
+
+    def test_what_is_no_recording_is_one_line(self):
+        self.write_run("rooms", views=1)
+        (self.folder / "broken.bag").write_bytes(b"#ROSBAG V2.0\n" + bytes(100))
+        with rosbag.Bag(str(self.folder / "empty.bag"), "w"):
+            pass
+        self.record("run.bag")
+        for arguments in (("rooms",), ("no.bag",), ("broken.bag",), ("empty.bag",),
+                          ("run.bag", "--image-topic", "/no"), ("run.bag", "--model", "nothing")):
+            with self.subTest(arguments=arguments):
+                self.refuse("label", "--no-browser", *arguments)
+
+    def test_a_port_in_use_is_one_line(self):
+        self.record("run.bag")
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            port = taken.getsockname()[1]
+            self.assertIn(str(port), self.refuse("label", "run.bag", "--port", port))
+
+
+class EndTest(LabelCase):
+    def setUp(self):
+        super().setUp()
+        self.record("run.bag")
+        self.served = self.page("run.bag")
+
+    def test_it_ends_with_the_page(self):
+        events = self.served.open_events()
+        events.close()
+        self.served.process.wait(timeout=30)
+        self.assertEqual(self.served.stop(), (0, "The page was closed.\n"))
+
+    def test_it_waits_while_the_page_is_loaded_again(self):
+        events = self.served.open_events()
+        events.close()
+        again = self.served.open_events()
+        time.sleep(5)
+        self.assertIsNone(self.served.process.poll())
+        again.close()
+
+    def test_a_page_that_is_lost_may_come_back_for_its_changes(self):
+        events = self.served.open_events()
+        spans = [span(0, 1, "kitchen")]
+        self.served.post("draft", {"spans": spans})
+        events.close()
+        time.sleep(5)
+        recording = self.served.get("recording")
+        self.assertEqual((recording["spans"], recording["unsaved"]), (spans, True))
+        events = self.served.open_events()
+        self.served.post("goodbye", {})
+        events.close()
+        self.served.process.wait(timeout=30)
+        self.assertIn("not saved", self.served.stop()[1])
+
+    def test_it_ends_with_control_c(self):
+        self.served.open_events()
+        status, said = self.served.stop()
+        self.assertEqual((status, said), (0, ""))
+
+    def test_it_tells_how_to_reach_it_without_a_display(self):
+        environment = self.environment()
+        environment.pop("DISPLAY", None)
+        environment.pop("WAYLAND_DISPLAY", None)
+        process = subprocess.Popen([PLACE_TOOL, "label", "run.bag"], cwd=self.folder, text=True,
+                                   env=environment, stdout=subprocess.PIPE)
+        lines = [process.stdout.readline(), process.stdout.readline()]
+        process.terminate()
+        process.communicate(timeout=30)
+        self.assertIn("http://127.0.0.1:", lines[0])
+        self.assertIn("ssh -L", lines[1])
+
+
+class OpinionTest(LabelCase):
+    def setUp(self):
+        super().setUp()
+        self.rooms = ["kitchen"] * 6 + ["corridor"] * 6 + ["office"] * 6
+
+    def answers(self, page):
+        """All answers, when they are there."""
+        for _ in range(600):
+            status = page.get("recording")["opinion"]
+            self.assertEqual(status["problem"], "")
+            if status["answers"] == status["frames"] and not status["stage"]:
+                return page.get(f"answers?question={status['question']}&after=0")
+            time.sleep(.1)
+        self.fail(f"no answers: {status}")
+
+    def test_a_model_answers_each_frame(self):
+        self.write_bag("monday.bag", [(room, room) for room in self.rooms])
+        self.write_bag("tuesday.bag", [(room, None) for room in self.rooms])
+        self.succeed("train", "monday.bag", "--model", "home", "--config", "crfh_colour")
+        page = self.page("tuesday.bag", "--model", "home")
+        answers = self.answers(page)
+        self.assertEqual([answer[0] for answer in answers], list(range(18)))
+        self.assertEqual([answer[1] for answer in answers], self.rooms)
+        for _, place, probabilities, unknown in answers:
+            self.assertAlmostEqual(sum(probabilities.values()) + unknown, 1, delta=.05)
+            self.assertEqual(max(probabilities, key=probabilities.get), place)
+        self.assertEqual(page.get("answers?question=99&after=0"), [])
+
+    def test_it_learns_from_the_labels_of_the_page(self):
+        self.write_bag("run.bag", [(room, None) for room in self.rooms * 2])
+        page = self.page("run.bag")
+        before = self.files()
+        spans = [span(begin, begin + 6, room) for begin, room in
+                 ((-.5 + 0, "kitchen"), (5.5, "corridor"), (11.5, "office"))]
+        self.assertEqual(page.post("learn", {"spans": spans})[0], 200)
+        places = [answer[1] for answer in self.answers(page)]
+        self.assertGreaterEqual(sum(a == b for a, b in zip(places, self.rooms * 2)), 32)
+        self.assertEqual(self.files(), before)
+
+    def test_what_goes_wrong_is_told(self):
+        self.write_bag("run.bag", [(room, None) for room in self.rooms])
+        page = self.page("run.bag")
+        page.post("learn", {"spans": [span(0, 5, "kitchen")]})
+        for _ in range(300):
+            problem = page.get("recording")["opinion"]["problem"]
+            if problem:
+                break
+            time.sleep(.1)
+        self.assertIn("place", problem)
+
+
+if __name__ == "__main__":
+    unittest.main()
