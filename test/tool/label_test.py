@@ -2,8 +2,10 @@
 """place_tool label without a browser: what its server tells, refuses and writes."""
 import http.client
 import json
+import pathlib
 import socket
 import subprocess
+import tempfile
 import time
 import unicodedata
 import unittest
@@ -12,18 +14,24 @@ import cv2
 import numpy as np
 import rosbag
 import rospy
-from label_case import START, TOPIC, LabelCase, jpeg, raw, span
+from label_case import START, TOPIC, LabelCase, Page, jpeg, raw, span
 from sensor_msgs.msg import CompressedImage
 from tool_case import PLACE_TOOL
 
 
 class AddressTest(LabelCase):
-    """Only the page itself is answered."""
+    """Only the page itself is answered. One server for all: no test changes anything."""
+    served = None
 
     def setUp(self):
         super().setUp()
-        self.record("run.bag")
-        self.served = self.page("run.bag")
+        if AddressTest.served is None:
+            folder = tempfile.TemporaryDirectory(prefix="place_tool_test_")
+            self.addClassCleanup(folder.cleanup)
+            AddressTest.shared = pathlib.Path(folder.name)
+            self.record(AddressTest.shared / "run.bag")
+            AddressTest.served = Page(AddressTest.shared, self.environment(), "run.bag")
+            self.addClassCleanup(AddressTest.served.stop)
 
     def status(self, *arguments, **headers):
         return self.served.request(*arguments, **headers)[0]
@@ -72,7 +80,6 @@ class AddressTest(LabelCase):
         self.assertEqual(self.status("GET", "main.js"), 200)
 
     def test_malformed_requests_are_refused_and_change_nothing(self):
-        before = self.files()
         for name, body in (("save", "{"), ("save", "[]"), ("save", '{"spans": [{}]}'),
                            ("save", '{"spans": [{"from": 0, "to": "a", "place": "b"}]}')):
             self.assertEqual(self.status("POST", name, body), 400, body)
@@ -80,7 +87,7 @@ class AddressTest(LabelCase):
                       f"picture?topic={TOPIC}&frame=0", "answers?question=a&after=0", "times"):
             self.assertEqual(self.status("GET", query), 400, query)
         self.assertEqual(self.status("GET", f"picture?topic={TOPIC}&frame=40&size=thumb"), 404)
-        self.assertEqual(self.files(), before)
+        self.assertEqual([path.name for path in self.shared.iterdir()], ["run.bag"])
 
 
 class SavingTest(LabelCase):
