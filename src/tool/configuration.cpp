@@ -38,7 +38,8 @@ void explain(const std::string& where, const Work& work) {
 std::vector<std::string> presetNames() {
   std::vector<std::string> names;
   std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(packageFolder("config"), failure)) {
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(packageFolder("config"), failure)) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());

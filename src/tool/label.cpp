@@ -81,7 +81,8 @@ void addLabel(CommandLine& tool) {
   verb.flag("--no-browser", options->no_browser, "Only tell the page's address");
   options->input.addTo(verb);
   verb.footer(
-      "Save writes RUN.labels.yaml beside each RUN.bag and keeps the file that was there before as\n"
+      "Save writes RUN.labels.yaml beside each RUN.bag and keeps the file that was there before "
+      "as\n"
       "RUN.labels.yaml.old; nothing else is written. The page can be reached from this computer\n"
       "only. Closing it, or Ctrl-C, ends the program.\n"
       "Example:\n"
