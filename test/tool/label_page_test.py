@@ -383,9 +383,9 @@ class DoubtsTest(PageCase):
         self.succeed("train", "monday.bag", "--model", "home", "--config", "crfh_colour")
 
     def doubts(self):
-        return self.script("return [...document.querySelectorAll('#doubts li')].map(item =>"
-                           "[item.querySelector('.what').textContent.replace(/\\s+/g, ' ').trim(),"
-                           " item.querySelector('.why').textContent.split(' · ').at(-1).split(',')[0]])")
+        return self.script("""return [...document.querySelectorAll("#doubts li")].map(item =>
+            [item.querySelector(".what").textContent.replace(/\\s+/g, " ").trim(),
+             item.querySelector(".why").textContent.split(" · ").at(-1).split(",")[0]])""")
 
     def test_a_run_is_labelled_from_a_model(self):
         self.open("tuesday.bag", "--model", "home")
