@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -37,6 +39,18 @@ struct ImageProfile {
   bool known() const { return width > 0; }
 };
 
+/// A model keeps this many held-out frames at most.
+constexpr std::size_t kMaxHeldOutFrames = 1000;
+
+/// Held-out answers that judged a model: kept so that old and new ones count together when it
+/// learns on.
+struct HeldOutFrames {
+  std::vector<int> places;                   ///< what each frame shows
+  std::vector<int> folds;                    ///< frames of one fold were held out together
+  std::vector<Eigen::MatrixXf> margins;      ///< [cue]: frames x places
+  std::vector<Eigen::VectorXf> familiarity;  ///< [cue]: of each frame; NaN: it lacks the cue
+};
+
 /// Everything needed to recognise, and where it came from. Immutable once trained or loaded; shared
 /// between threads as std::shared_ptr<const Model>.
 struct Model {
@@ -51,10 +65,13 @@ struct Model {
   Calibration calibration;              ///< of the summed margins
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;
+  HeldOutFrames held_out;  ///< what the three above rest on; empty in files of earlier versions
   ColorStatistics colors;  ///< of the images that it was trained on
   Adjacency adjacency{0};  ///< of `places`; learnt from the runs that are drives
   Provenance provenance;
 
+  /// Names of the places that held-out frames showed: the ones that the validation speaks of.
+  std::vector<std::string> validatedPlaces() const;
   /// Over all cues.
   std::size_t supportVectorCount() const;
 };

@@ -167,8 +167,13 @@ std::vector<TimeBlocks> chooseBlocks(const std::vector<SampleOrigin>& samples,
   std::vector<TimeBlocks> blocks;
   for (int run = 0; run < runs; ++run) {
     double gap = options.gap;
-    if (gap == 0) gap = gapFor(likenessOverTime(samples, run, features, cues, threads));
-    const double shortest = gap * std::max(1.0, 1 / largestGap(1, options.folds));
+    double shortest = 0;
+    if (gap == 0) {
+      const LikenessOverTime likeness = likenessOverTime(samples, run, features, cues, threads);
+      gap = gapFor(likeness);
+      shortest = likeness.step;
+    }
+    shortest = std::max(shortest, gap * std::max(1.0, 1 / largestGap(1, options.folds)));
     blocks.push_back({options.block > 0 ? options.block : shortest, gap});
   }
   return blocks;

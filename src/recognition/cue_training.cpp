@@ -1,6 +1,9 @@
 #include "recognition/cue_training.h"
 
+#include <cmath>
+
 #include "learning/gram.h"
+#include "place_recognition/error.h"
 #include "recognition/gamma_choice.h"
 #include "recognition/sampling.h"
 
@@ -63,6 +66,7 @@ class CueTrainer {
   TrainedCue train(const std::vector<ReductionOptions>& reductions) {
     compare();
     const PackedGram gram(Kernel(cue_.kernel), measures_, task_.threads);
+    requireBounded(gram);
     report(task_.progress, "Validating", 0);
     std::vector<HeldOut> held_out = heldOutMargins(gram, rows_, task_, reductions);
     report(task_.progress, "Training", 0);
@@ -78,6 +82,20 @@ class CueTrainer {
   }
 
  private:
+  /// Throws Error if the kernel has values that no machine can be trained on.
+  void requireBounded(const PackedGram& gram) const {
+    constexpr double kLargest = 1e30;  // its square is far from overflow
+    for (Eigen::Index i = 0; i < gram.rows(); ++i) {
+      for (Eigen::Index j = 0; j < gram.columns(); ++j) {
+        if (std::abs(gram(i, j)) <= kLargest) continue;
+        throw Error("The kernel of cue '" + cue_.name + "' (" + cue_.kernel.type +
+                    ") has values beyond 1e30 on these pictures; choose smaller parameters, for "
+                    "the polynomial one cues." +
+                    cue_.name + ".kernel.p and d.");
+      }
+    }
+  }
+
   /// Measures of the kernel as it is now; those at hand serve again unless gamma is part of them.
   void compare() {
     const Kernel kernel(cue_.kernel);

@@ -32,26 +32,31 @@ void readNetworks(ContainerReader& reader, Model& model) {
   }
 }
 
+/// Throws Error that says what is wrong, without saying where.
+Model readModel(std::istream& file) {
+  ContainerReader reader(file);
+  proto::Model message;
+  if (!message.ParseFromString(reader.message())) {
+    throw Error("it is not of the form that this program writes");
+  }
+  Model model = fromMessage(message);
+  std::vector<ClassifierNumbers> numbers(model.options.cues.size());
+  for (ClassifierNumbers& classifier : numbers) classifier.visit(reader);
+  readNetworks(reader, model);
+  reader.finish();
+  for (std::size_t c = 0; c < numbers.size(); ++c) {
+    model.classifiers.push_back(classifierOf(std::move(numbers[c]), model, c));
+  }
+  for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    makeFeatureExtractor(*embedding);  // throws if this machine cannot run the network
+  }
+  model.version = reader.version();
+  return model;
+}
+
 Model readModel(std::istream& file, const std::string& where) {
   try {
-    ContainerReader reader(file);
-    proto::Model message;
-    if (!message.ParseFromString(reader.message())) {
-      throw Error("it is not of the form that this program writes");
-    }
-    Model model = fromMessage(message);
-    std::vector<ClassifierNumbers> numbers(model.options.cues.size());
-    for (ClassifierNumbers& classifier : numbers) classifier.visit(reader);
-    readNetworks(reader, model);
-    reader.finish();
-    for (std::size_t c = 0; c < numbers.size(); ++c) {
-      model.classifiers.push_back(classifierOf(std::move(numbers[c]), model, c));
-    }
-    for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
-      makeFeatureExtractor(*embedding);  // throws if this machine cannot run the network
-    }
-    model.version = reader.version();
-    return model;
+    return readModel(file);
   } catch (const Error& e) {
     throw Error("The model " + where + " cannot be used (" + e.what() +
                 "); restore a backup (place_tool restore) or train the model again.");
@@ -67,6 +72,17 @@ std::ifstream openFile(const std::string& path) {
                 "; check the name.");
   }
   return file;
+}
+
+/// A model that cannot be loaded is not to replace one that can.
+void requireLoadable(const std::string& bytes, const std::string& path) {
+  try {
+    std::istringstream file(bytes);
+    readModel(file);
+  } catch (const Error& e) {
+    throw Error("The model was not saved to " + path + ", because it could not be used (" +
+                e.what() + "); check its options, above all those of the kernels.");
+  }
 }
 
 }  // namespace
@@ -87,6 +103,7 @@ Model parseModel(const std::string& bytes, const std::string& where) {
 
 std::uint64_t saveModel(const Model& model, const std::string& path) {
   const std::string bytes = serializeModel(model);
+  requireLoadable(bytes, path);
   const fs::path folder = fs::path(path).parent_path();
   std::error_code failure;
   if (!folder.empty()) fs::create_directories(folder, failure);

@@ -31,6 +31,8 @@ void readTrainingOptions(const std::string& text, TrainingOptions& options) {
   options.check();
 }
 
+/// As the options allow.
+constexpr std::uint32_t kMaxFolds = 20;
 /// More runs than a command line can name.
 constexpr std::size_t kMaxInputs = 100000;
 /// Of what a network gives.
@@ -133,6 +135,52 @@ void readCalibration(const proto::Model& message, Model& model) {
   require(isShare(model.unknown_threshold), "the threshold of 'unknown' is not in 0..1");
   require(isShare(model.validation.average_rate) && isShare(model.validation.calibration_error),
           "the validation is not in 0..1");
+}
+
+void writeHeldOut(const HeldOutFrames& frames, proto::Model& message) {
+  for (std::size_t i = 0; i < frames.places.size(); ++i) {
+    message.add_held_out_frames(static_cast<std::uint32_t>(frames.places[i]));
+    message.add_held_out_frames(static_cast<std::uint32_t>(frames.folds[i]));
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t c = 0; c < frames.margins.size(); ++c) {
+      message.add_held_out_margins(frames.familiarity[c][row]);
+      for (Eigen::Index k = 0; k < frames.margins[c].cols(); ++k) {
+        message.add_held_out_margins(frames.margins[c](row, k));
+      }
+    }
+  }
+}
+
+void readHeldOut(const proto::Model& message, Model& model) {
+  const auto places = static_cast<Eigen::Index>(model.places.size());
+  const std::size_t cues = model.options.cues.size();
+  const auto size = static_cast<std::size_t>(message.held_out_frames_size());
+  const std::size_t count = size / 2;
+  require(size % 2 == 0 && count <= kMaxHeldOutFrames, "its held-out frames are not countable");
+  require(static_cast<std::size_t>(message.held_out_margins_size()) ==
+              count * cues * (model.places.size() + 1),
+          "it has not a margin a place for each held-out frame");
+  HeldOutFrames& frames = model.held_out;
+  frames.margins.assign(cues, Eigen::MatrixXf(static_cast<Eigen::Index>(count), places));
+  frames.familiarity.assign(cues, Eigen::VectorXf(static_cast<Eigen::Index>(count)));
+  int next = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t place = message.held_out_frames(static_cast<int>(2 * i));
+    const std::uint32_t fold = message.held_out_frames(static_cast<int>(2 * i + 1));
+    require(place < model.places.size() && fold < kMaxFolds,
+            "a held-out frame shows a place that there is not");
+    frames.places.push_back(static_cast<int>(place));
+    frames.folds.push_back(static_cast<int>(fold));
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t c = 0; c < cues; ++c) {
+      frames.familiarity[c][row] = message.held_out_margins(next++);
+      require(!std::isinf(frames.familiarity[c][row]), "the familiarity of a frame is infinite");
+      for (Eigen::Index k = 0; k < places; ++k) {
+        frames.margins[c](row, k) = message.held_out_margins(next++);
+        require(std::isfinite(frames.margins[c](row, k)), "a held-out margin is not finite");
+      }
+    }
+  }
 }
 
 void writeAdjacency(const Adjacency& adjacency, proto::Model& message) {
@@ -246,6 +294,7 @@ proto::Model toMessage(const Model& model) {
   message.set_validation_average_rate(model.validation.average_rate);
   message.set_validation_calibration_error(model.validation.calibration_error);
   writeColors(model.colors, message);
+  writeHeldOut(model.held_out, message);
   writeAdjacency(model.adjacency, message);
   writeImages(model.images, message);
   writeEmbeddings(model, message);
@@ -269,6 +318,7 @@ Model fromMessage(const proto::Model& message) {
   readCueWeights(message, model);
   readCalibration(message, model);
   readColors(message, model);
+  readHeldOut(message, model);
   readAdjacency(message, model);
   readImages(message, model);
   readProvenance(message.provenance(), model);

@@ -87,6 +87,13 @@ Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& s
   calibrated.calibration =
       fit(held_out, samples, validSamples(held_out, fold_of, fold_count, false), false_alarm_rate);
   calibrated.unknown_threshold = quantile(answers.evidence, false_alarm_rate);
+  constexpr double kLimit = 0.5;  // of evidence, where it was fitted
+  if (!answers.evidence.empty()) {
+    calibrated.unknown =
+        static_cast<double>(std::count_if(answers.evidence.begin(), answers.evidence.end(),
+                                          [](double evidence) { return evidence < kLimit; })) /
+        static_cast<double>(answers.evidence.size());
+  }
   calibrated.validation.average_rate = averageRate(answers.truth, answers.places, places);
   calibrated.validation.calibration_error = calibrationError(answers.confidences, answers.correct);
   return calibrated;

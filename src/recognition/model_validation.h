@@ -10,6 +10,7 @@ namespace place_recognition {
 struct Calibrated {
   Calibration calibration;       ///< fitted on all of them
   double unknown_threshold = 0;  ///< evidence that the wanted share of them stays below
+  double unknown = 0;            ///< share of each fold below the limit of the others
   Validation validation;         ///< each fold judged by a calibration fitted on the others
 };
 

@@ -74,6 +74,7 @@ Samples rememberedSamples(const Model& model) {
     }
   }
   samples.recorded = samples.remembered = samples.origins.size();
+  samples.judged_before = model.held_out;
   return samples;
 }
 
@@ -86,6 +87,8 @@ Samples joinSamples(Samples remembered, Samples fresh) {
   all.adjacency = Adjacency(all.places.size());
   all.remembered = remembered.remembered;
   all.image_profile = fresh.image_profile;
+  all.judged_before = std::move(remembered.judged_before);
+  all.place_before = positions(remembered.places, all.places);
   append(std::move(remembered), 0, all);
   append(std::move(fresh), 1, all);
   return all;

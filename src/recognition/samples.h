@@ -7,6 +7,7 @@
 #include "learning/folds.h"
 #include "place_recognition/adjacency.h"
 #include "place_recognition/feature.h"
+#include "place_recognition/model.h"
 #include "place_recognition/training.h"
 #include "recognition/color_statistics.h"
 
@@ -28,6 +29,8 @@ struct Samples {
   Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
   std::uint64_t skipped = 0;          ///< frames without label, picture or any feature
   std::uint64_t passed_over = 0;      ///< usable ones, see SamplingOptions
+  HeldOutFrames judged_before;        ///< of the model that the remembered ones are from
+  std::vector<int> place_before;      ///< for each place of that model, its index in `places`
   std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
 
   std::vector<SampleOrigin> recordedOrigins() const {

@@ -9,6 +9,7 @@
 #include "recognition/combination.h"
 #include "recognition/cue_training.h"
 #include "recognition/embeddings.h"
+#include "recognition/held_out_frames.h"
 #include "recognition/model_validation.h"
 #include "recognition/names.h"
 #include "recognition/reduction_choice.h"
@@ -29,11 +30,21 @@ bool followsLight(const TrainingOptions& options) {
   });
 }
 
-/// Of each cue, with one of the reductions in question.
-std::vector<HeldOut> heldOutOf(const std::vector<TrainedCue>& cues, std::size_t reduction) {
-  std::vector<HeldOut> held_out;
-  for (const TrainedCue& cue : cues) held_out.push_back(cue.held_out[reduction]);
-  return held_out;
+/// Held-out margins of the samples, and of the frames that judged the model that they join.
+Judges judgesOf(const Samples& samples, const std::vector<Fold>& folds,
+                std::vector<TrainedCue>& cues, std::size_t reductions) {
+  Judges judges{samples.origins, {}, {}};
+  for (const Fold& fold : folds) judges.folds.push_back({{}, fold.test});
+  for (std::size_t r = 0; r < reductions; ++r) {
+    std::vector<HeldOut>& held_out = judges.reductions.emplace_back();
+    for (TrainedCue& cue : cues) held_out.push_back(std::move(cue.held_out[r]));
+  }
+  judges.add(samples.judged_before, samples.place_before, samples.remembered);
+  // Support vectors are the hard cases of a run: they do not judge.
+  for (std::vector<HeldOut>& held_out : judges.reductions) {
+    for (HeldOut& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
+  }
+  return judges;
 }
 
 /// Warnings about places that cross-validation cannot judge.
@@ -47,6 +58,16 @@ void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>
 }
 
 }  // namespace
+
+std::vector<std::string> Model::validatedPlaces() const {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const bool judged =
+        std::count(held_out.places.begin(), held_out.places.end(), static_cast<int>(k)) > 0;
+    if (judged) names.push_back(places[k]);
+  }
+  return names;
+}
 
 std::size_t Model::supportVectorCount() const {
   std::size_t count = 0;
@@ -79,15 +100,6 @@ std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, Training
                     true);
 }
 
-/// Support vectors are the hard cases of a run: only fresh samples judge.
-void judgeByFreshSamples(std::size_t remembered, std::vector<TrainedCue>& cues) {
-  for (TrainedCue& cue : cues) {
-    for (HeldOut& held_out : cue.held_out) {
-      std::fill_n(held_out.valid.begin(), remembered, false);
-    }
-  }
-}
-
 /// The road from samples to a model, whose options are those asked for and what was found.
 Training learn(Samples samples, TrainingOptions options, unsigned threads,
                const Progress& progress) {
@@ -104,17 +116,17 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
     cues.push_back(trainCue(std::move(samples.features[c]), options.cues[c], reductions, task));
   }
 
-  judgeByFreshSamples(samples.remembered, cues);
+  const Judges judges = judgesOf(samples, folds, cues, reductions.size());
 
   Training training;
   Model& model = training.model;
   model.options = options;
-  model.cue_weights = chooseCueWeights(heldOutOf(cues, 0), samples.origins, places);
+  model.cue_weights = chooseCueWeights(judges.reductions[0], judges.samples, places);
   std::vector<HeldOut> held_out;
-  for (std::size_t r = 0; r < reductions.size(); ++r) {
-    held_out.push_back(combine(heldOutOf(cues, r), model.cue_weights));
+  for (const std::vector<HeldOut>& reduced : judges.reductions) {
+    held_out.push_back(combine(reduced, model.cue_weights));
   }
-  const std::size_t chosen = chooseReduction(reductions, held_out, samples.origins, places);
+  const std::size_t chosen = chooseReduction(reductions, held_out, judges.samples, places);
   model.options.reduction = reductions[chosen];
   for (std::size_t c = 0; c < cues.size(); ++c) {
     KernelOptions& kernel = model.options.cues[c].kernel;
@@ -126,7 +138,8 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
 
   report(progress, "Calibrating", 0);
   const Calibrated calibrated =
-      calibrate(held_out[chosen], samples.origins, folds, options.unknown.false_alarm_rate);
+      calibrate(held_out[chosen], judges.samples, judges.folds, options.unknown.false_alarm_rate);
+  model.held_out = keptFrames(judges, chosen);
   model.calibration = calibrated.calibration;
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;
@@ -157,6 +170,20 @@ Training timed(const Work& work) {
   return training;
 }
 
+/// A share would be taken of what is left of earlier runs again and again, and the few new frames
+/// cannot choose one.
+ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
+  if (vector_limit > 0) {
+    asked.method = "shared-greedy";
+    asked.support_vectors = vector_limit;
+    asked.share = 0;
+  } else if (asked.method == "auto" || asked.share > 0) {
+    asked.method = "none";
+    asked.share = 0;
+  }
+  return asked;
+}
+
 }  // namespace
 
 Training train(const std::vector<RunOpener>& runs, const TrainingOptions& options, unsigned threads,
@@ -175,11 +202,7 @@ Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vec
                  unsigned threads, const Progress& progress) {
   TrainingOptions options = model.asked;
   options.cues = model.options.cues;
-  if (vector_limit > 0) {
-    options.reduction.method = "shared-greedy";
-    options.reduction.support_vectors = vector_limit;
-    options.reduction.share = 0;
-  }
+  options.reduction = learningOnReduction(options.reduction, vector_limit);
   options.check();
   return timed([&] {
     Samples fresh = collectSamples(runs, options, threads, progress, 1, model.images);

@@ -40,10 +40,15 @@ void printModel(const Model& model, const std::string& path, std::uint64_t bytes
   }
   std::cout << "\nskipped images   " << origin.skipped_images << "\n"
             << "support vectors  " << model.supportVectorCount() << "\n"
-            << std::fixed << std::setprecision(3) << "validation       average rate "
-            << model.validation.average_rate << ", calibration error "
-            << model.validation.calibration_error << "\n"
-            << "unknown below    " << model.unknown_threshold << "\n"
+            << std::fixed << std::setprecision(3) << "validation       ";
+  if (model.validation.average_rate == 0 && model.held_out.places.empty()) {
+    std::cout << "none\n";
+  } else {
+    std::cout << "average rate " << model.validation.average_rate << ", calibration error "
+              << model.validation.calibration_error << "\n";
+  }
+  std::cout << std::fixed << std::setprecision(3) << "unknown below    " << model.unknown_threshold
+            << "\n"
             << "places\n";
   for (std::size_t i = 0; i < model.places.size(); ++i) {
     std::cout << std::right << std::setw(8) << origin.place_images[i] << " images  "
@@ -84,9 +89,11 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
           {"unknown_threshold", model.unknown_threshold},
           {"validation",
            {{"average_rate", model.validation.average_rate},
-            {"calibration_error", model.validation.calibration_error}}},
+            {"calibration_error", model.validation.calibration_error},
+            {"rooms", model.validatedPlaces()}}},
           {"image_size", {model.images.width, model.images.height}},
-          {"options", writeOptions(model.options)}};
+          {"options", writeOptions(model.options)},
+          {"asked", writeOptions(model.asked)}};
 }
 
 void printBag(const BagInfo& bag, const std::string& path) {

@@ -47,6 +47,7 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
           {"validation",
            {{"average_rate", model.validation.average_rate},
             {"calibration_error", model.validation.calibration_error},
+            {"rooms", model.validatedPlaces()},
             {"block", model.options.validation.block},
             {"gap", model.options.validation.gap}}},
           {"model", path},
@@ -56,12 +57,30 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
           {"warnings", training.warnings}};
 }
 
-/// What was held out to judge the model, in words.
-std::string heldOutText(const ValidationOptions& validation) {
-  if (validation.block == 0) return "Held-out runs";
+/// "kitchen, office"
+std::string textOf(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// What was held out to judge the model, and with what result.
+std::string heldOutText(const Model& model) {
+  const std::vector<std::string> judged = model.validatedPlaces();
+  if (judged.empty()) return "Not validated: too few pictures to hold any of them out.";
+  const ValidationOptions& options = model.options.validation;
   std::ostringstream text;
-  text << std::setprecision(2) << "Held-out blocks of " << validation.block << " s, "
-       << validation.gap << " s from what was trained on";
+  text << std::setprecision(2) << "Held-out ";
+  if (options.block > 0) {
+    text << "blocks of " << options.block << " s, " << options.gap
+         << " s from what was trained on: ";
+  } else {
+    text << "runs: ";
+  }
+  text << std::fixed << std::setprecision(1) << 100 * model.validation.average_rate
+       << " % right (mean of " << (judged.size() == model.places.size() ? "the places" : "");
+  if (judged.size() < model.places.size()) text << textOf(judged) << " only";
+  text << "), calibration error " << std::setprecision(3) << model.validation.calibration_error;
   return text.str();
 }
 
@@ -74,10 +93,7 @@ void printSummary(const Training& training, const std::string& path, std::uint64
   for (std::size_t i = 0; i < model.places.size(); ++i) {
     out << std::setw(8) << model.provenance.place_images[i] << "  " << model.places[i] << "\n";
   }
-  out << heldOutText(model.options.validation) << ": " << 100 * model.validation.average_rate
-      << " % right (mean of the places), calibration error " << std::setprecision(3)
-      << model.validation.calibration_error << "\n"
-      << std::defaultfloat << std::setprecision(4);
+  out << heldOutText(model) << "\n" << std::defaultfloat << std::setprecision(4);
   for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
     const CueOptions& cue = model.options.cues[i];
     out << "Cue " << cue.name << ": " << training.unreduced_vectors[i] << " support vectors, "

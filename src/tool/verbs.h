@@ -11,6 +11,7 @@ void addImport(CommandLine& tool);
 void addLabel(CommandLine& tool);
 void addTrain(CommandLine& tool);
 void addTune(CommandLine& tool);
+void addCalibrate(CommandLine& tool);
 void addRecognize(CommandLine& tool);
 void addEvaluate(CommandLine& tool);
 void addExperiment(CommandLine& tool);
@@ -28,6 +29,7 @@ inline void addVerbs(CommandLine& tool) {
   addLabel(tool);
   addTrain(tool);
   addTune(tool);
+  addCalibrate(tool);
   addRecognize(tool);
   addEvaluate(tool);
   addExperiment(tool);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "features/small_network.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
@@ -71,6 +73,60 @@ TEST(LearnOn, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
   const std::vector<RunOpener> runs{opener(drawFrames(3, 6, 700))};
   const std::string once = serializeModel(learnOn(before.model, runs, 15, 1).model);
   EXPECT_EQ(serializeModel(learnOn(parseModel(file, "once"), runs, 15, 3).model), once);
+}
+
+/// Share of new frames of some rooms that are answered right, and of those answered 'unknown'.
+struct Shares {
+  double right = 0;
+  double unknown = 0;
+};
+Shares sharesOf(const std::shared_ptr<const Model>& model, const std::vector<Frame>& frames) {
+  Recognizer recognizer(model);
+  Shares shares;
+  const double part = 1 / static_cast<double>(frames.size());
+  for (const Frame& frame : frames) {
+    const Recognition& answer = recognizer.recognize(frame.image);
+    if (model->places[static_cast<std::size_t>(answer.place)] == frame.place) shares.right += part;
+    if (!answer.known) shares.unknown += part;
+  }
+  return shares;
+}
+
+/// Trains on three drawn rooms, adds `frames`, and compares the answers to the first two rooms.
+void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOptions& options) {
+  const auto before =
+      std::make_shared<const Model>(train({opener(drawFrames(3, 30))}, options).model);
+  const auto after = std::make_shared<const Model>(learnOn(*before, {opener(frames)}, 0).model);
+  const std::vector<Frame> others = drawFrames(2, 50, 5000);
+  EXPECT_NEAR(sharesOf(after, others).right, sharesOf(before, others).right, 0.02);
+  EXPECT_NEAR(sharesOf(after, others).unknown, sharesOf(before, others).unknown, 0.02);
+  for (const std::string& place : before->places) {
+    const std::vector<std::string> judged = after->validatedPlaces();
+    EXPECT_EQ(std::count(judged.begin(), judged.end(), place), 1) << place;
+  }
+}
+
+TEST(LearnOn, OnePictureLeavesTheOtherRoomsAsTheyWere) {
+  Frame frame;
+  frame.image = drawRoom(2, 900);
+  frame.place = "room2";
+  expectOthersAsTheyWere({frame}, quickOptions());
+}
+
+TEST(LearnOn, ARoomOfManyPicturesLeavesTheOtherRoomsAsTheyWere) {
+  expectOthersAsTheyWere(framesOf("room2", 900), twoCueOptions());
+}
+
+TEST(LearnOn, WithoutALimitKeepsAsManyVectorsAsItNeeds) {
+  TrainingOptions options = quickOptions();
+  const Training before = train({opener(drawFrames(3, 30))}, options);
+  const Training after = learnOn(before.model, {opener(framesOf("room1", 900))}, 0);
+  EXPECT_EQ(after.model.asked.reduction.method, "auto");
+  EXPECT_EQ(after.model.supportVectorCount(), after.unreduced_vectors[0]);
+  // A limit holds for the run that it was given for.
+  const Training limited = learnOn(before.model, {opener(framesOf("room1", 900))}, 10);
+  EXPECT_LE(limited.model.supportVectorCount(), 10u);
+  EXPECT_EQ(limited.model.asked.reduction.method, "auto");
 }
 
 TEST(LearnOn, FeaturesAndGammaStayThoseOfTheModel) {

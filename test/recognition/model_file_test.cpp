@@ -88,6 +88,45 @@ TEST(ModelFile, KeepsWhatTheImagesWereLike) {
                Error);
 }
 
+TEST(ModelFile, KeepsTheFramesThatJudgedIt) {
+  const HeldOutFrames& frames = smallModel().held_out;
+  const HeldOutFrames read = parseModel(smallModelBytes(), "test").held_out;
+  EXPECT_EQ(frames.places.size(), 36u);
+  EXPECT_EQ(read.places, frames.places);
+  EXPECT_EQ(read.folds, frames.folds);
+  EXPECT_EQ(read.margins, frames.margins);
+  EXPECT_EQ(read.familiarity, frames.familiarity);
+}
+
+TEST(ModelFile, KeepsWhatWasAskedForApartFromWhatWasFound) {
+  const Model read = parseModel(smallModelBytes(), "test");
+  EXPECT_EQ(read.asked.reduction.method, "auto");
+  EXPECT_EQ(read.asked.validation.gap, 0);
+  EXPECT_EQ(read.asked.cues[0].kernel.gamma, 0);
+  EXPECT_NE(read.options.reduction.method, "auto");
+  EXPECT_GT(read.options.validation.gap, 0);
+  EXPECT_GT(read.options.cues[0].kernel.gamma, 0);
+}
+
+TEST(ModelFile, ReadsFilesOfEarlierVersions) {
+  const std::string earlier = tampered(smallModelBytes(), [](ModelContents& contents) {
+    contents.message.clear_asked();
+    contents.message.clear_held_out_frames();
+    contents.message.clear_held_out_margins();
+    contents.message.set_options("validation: {folds: 4, gap: 2}\n" + [&] {
+      std::string options = contents.message.options();
+      const std::size_t begin = options.find("validation:");
+      const std::size_t end = options.find("unknown:");
+      return options.erase(begin, end - begin);
+    }());
+  });
+  const Model read = parseModel(earlier, "test");
+  EXPECT_EQ(read.asked.validation.folds, 4);
+  EXPECT_EQ(read.asked.validation.gap, 0);  // it was a number of frames
+  EXPECT_TRUE(read.validatedPlaces().empty());
+  EXPECT_NO_THROW(learnOn(read, {opener(drawFrames(3, 6, 700))}, 0));
+}
+
 TEST(ModelFile, KeepsWhichRoomsAdjoin) {
   Model model = parseModel(smallModelBytes(), "test");
   model.adjacency.join(2, 0);
@@ -200,6 +239,13 @@ INSTANTIATE_TEST_SUITE_P(
                   [](auto& c) {
                     for (const unsigned place : {0u, 1u, 0u, 1u}) message(c).add_adjacency(place);
                   }},
+        Tampering{"HalfAHeldOutFrame", [](auto& c) { message(c).add_held_out_frames(0); }},
+        Tampering{"HeldOutFrameOfNoPlace", [](auto& c) { message(c).set_held_out_frames(0, 3); }},
+        Tampering{"HeldOutFrameOfNoFold", [](auto& c) { message(c).set_held_out_frames(1, 20); }},
+        Tampering{"HeldOutMarginMissing",
+                  [](auto& c) { message(c).mutable_held_out_margins()->RemoveLast(); }},
+        Tampering{"HeldOutMarginNan",
+                  [](auto& c) { message(c).set_held_out_margins(1, std::nanf("")); }},
         Tampering{"CountsMissing",
                   [](auto& c) { message(c).mutable_provenance()->clear_place_images(); }}),
     [](const auto& info) { return info.param.name; });
@@ -274,6 +320,16 @@ TEST(ModelFile, IsSavedAndLoadedByPath) {
   EXPECT_EQ(model.version.size(), 8u);
   EXPECT_EQ(model.version, parseModel(smallModelBytes(), "test").version);
   EXPECT_THROW(loadModel(folder / "other.places"), Error);
+}
+
+TEST(ModelFile, ReplacesNoGoodModelByOneThatCannotBeLoaded) {
+  const ScratchFolder folder;
+  const std::string path = folder / "house.places";
+  saveModel(smallModel(), path);
+  Model broken = trainSmall().model;
+  broken.calibration.slope = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(saveModel(broken, path), Error);
+  EXPECT_EQ(loadModel(path).calibration.slope, smallModel().calibration.slope);
 }
 
 TEST(ModelFile, KeepsTheLastThree) {

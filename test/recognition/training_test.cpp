@@ -235,6 +235,27 @@ TEST(TrainingOptions, ReadBackAsWritten) {
   EXPECT_EQ(writeOptions(options), text);
 }
 
+TEST(Train, SaysThatNothingWasValidated) {
+  const Training training = train({opener(drawFrames(2, 1))}, quickOptions());
+  EXPECT_TRUE(training.model.validatedPlaces().empty());
+  EXPECT_EQ(train({opener(drawFrames(2, 12))}, quickOptions()).model.validatedPlaces(),
+            (std::vector<std::string>{"room0", "room1"}));
+}
+
+TEST(Train, NamesTheKernelThatOverflows) {
+  TrainingOptions options = quickOptions();
+  options.cues[0].name = "edges";
+  options.cues[0].kernel.type = "polynomial";
+  options.cues[0].kernel.p = 1e31;
+  options.cues[0].kernel.d = 10;
+  try {
+    train({opener(drawFrames(2, 12))}, options);
+    ADD_FAILURE() << "no complaint";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("cues.edges.kernel.p"), std::string::npos) << e.what();
+  }
+}
+
 TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   const auto complaint = [](const TrainingOptions& options) {
     try {

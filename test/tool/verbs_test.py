@@ -78,6 +78,25 @@ class TrainTest(ToolCase):
                                               status=2))
 
 
+    def test_a_kernel_that_overflows_leaves_the_good_model_alone(self):
+        self.write_run("monday")
+        self.succeed("train", "monday", "--model", "./home.places", *COLOUR)
+        before = (self.folder / "home.places").read_bytes()
+        complaint = self.refuse("train", "monday", "--model", "./home.places", "--config",
+                                "crfh_polynomial", "--set", "cues.crfh.kernel.p=1e31", "--set",
+                                "cues.crfh.kernel.d=10", status=1)
+        self.assertIn("cues.crfh.kernel.p", complaint)
+        self.assertEqual((self.folder / "home.places").read_bytes(), before)
+
+    def test_it_says_which_rooms_were_validated(self):
+        self.write_run("monday")
+        figures = self.figures("train", "monday", "--model", "./home.places", *COLOUR)
+        self.assertEqual(figures["validation"]["rooms"], sorted(ROOMS))
+        self.write_run("single", views=1)
+        text = self.succeed("train", "single", "--model", "./single.places", *COLOUR)
+        self.assertIn("Not validated", text)
+
+
 class TrainedCase(ToolCase):
     def setUp(self):
         super().setUp()
@@ -171,13 +190,29 @@ class FieldSizesTest(ToolCase):
         cases = pathlib.Path(os.environ.get("PLACE_RECOGNITION_TEST_DATA", "")) / "../cases"
         if not (cases / "res_half.bag").exists():
             self.skipTest("There are no bags of other sizes beside PLACE_RECOGNITION_TEST_DATA.")
-        self.succeed("train", cases / "base.bag", "--model", "./base.places", "--set",
-                     "cues.crfh.feature.scales=[4, 16]")
+        self.succeed("train", cases / "base.bag", "--model", "./base.places", "--config",
+                     "crfh", "--set", "cues.crfh.feature.scales=[4, 16]")
         rates = [self.figures("evaluate", cases / f"{name}.bag", "--model",
                               "./base.places")["average_rate"]
                  for name in ("base_night", "res_half", "res_double")]
         for rate in rates[1:]:
             self.assertGreater(rate, rates[0] - 0.03)
+
+
+class CalibrateTest(TrainedCase):
+    def test_it_fits_the_model_to_another_run_and_says_what_changed(self):
+        figures = self.figures("calibrate", "tuesday", "--model", "./home.places", "--out",
+                               "./calibrated.places")
+        self.assertEqual(figures["images"], 24)
+        evaluated = self.figures("evaluate", "tuesday", "--model", "./home.places")
+        for key in ("average_rate", "calibration_error"):
+            self.assertAlmostEqual(figures["before"][key], evaluated[key])
+        info = self.figures("info", "./calibrated.places")
+        self.assertAlmostEqual(info["unknown_threshold"], figures["after"]["unknown_threshold"])
+        self.assertEqual(info["support_vectors"], evaluated["support_vectors"])
+        text = self.succeed("calibrate", "tuesday", "--model", "./home.places")
+        for words in ("before", "after", "calibration error", "'unknown'", "slope", "weight of"):
+            self.assertIn(words, text)
 
 
 class EvaluateTest(TrainedCase):

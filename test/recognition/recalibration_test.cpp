@@ -1,0 +1,54 @@
+#include "place_recognition/recalibration.h"
+
+#include <gtest/gtest.h>
+
+#include "learning/support_set.h"
+#include "place_recognition/error.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+Model drawnModel(int rooms = 3) {
+  return train({opener(drawFrames(rooms, 30))}, twoCueOptions()).model;
+}
+
+TEST(Recalibrate, FitsSlopeAndThresholdToAnotherRun) {
+  Model model = drawnModel();
+  model.calibration.slope = 100;            // far too sure
+  model.calibration.weights.offset = -1e6;  // and yet never sure enough
+  const Recalibration result = recalibrate(std::move(model), {opener(drawFrames(3, 40, 800))});
+  EXPECT_EQ(result.images, 120u);
+  EXPECT_GT(result.before.unknown, 0.9);
+  EXPECT_NEAR(result.after.unknown, 0.05, 0.06);
+  EXPECT_LT(result.model.calibration.slope, 100);
+  EXPECT_LE(result.after.calibration_error, result.before.calibration_error + 0.05);
+  EXPECT_EQ(result.model.validatedPlaces(), result.model.places);
+}
+
+TEST(Recalibrate, LeavesTheMachinesAsTheyAre) {
+  const Model before = drawnModel();
+  const Recalibration result = recalibrate(drawnModel(), {opener(drawFrames(3, 20, 800))});
+  for (std::size_t c = 0; c < before.classifiers.size(); ++c) {
+    for (const Feature& feature : before.classifiers[c].supportSet().vectors()) {
+      Eigen::VectorXd scratch;
+      Eigen::RowVectorXd margins, margins_after;
+      before.classifiers[c].margins(feature, scratch, margins);
+      result.model.classifiers[c].margins(feature, scratch, margins_after);
+      EXPECT_EQ(margins, margins_after);
+    }
+  }
+}
+
+TEST(Recalibrate, LeavesPlacesOutThatTheModelDoesNotKnow) {
+  const Recalibration result = recalibrate(drawnModel(2), {opener(drawFrames(3, 20, 800))});
+  EXPECT_EQ(result.images, 40u);
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_NE(result.warnings[0].find("'room2'"), std::string::npos);
+  std::vector<Frame> elsewhere = drawFrames(1, 20);
+  for (Frame& frame : elsewhere) frame.place = "elsewhere";
+  EXPECT_THROW(recalibrate(drawnModel(2), {opener(elsewhere)}), Error);
+}
+
+}  // namespace
+}  // namespace place_recognition
