@@ -92,12 +92,12 @@ void Judges::add(const HeldOutFrames& frames, const std::vector<int>& place_of,
   }
 }
 
-HeldOutFrames keptFrames(const Judges& judges, std::size_t reduction) {
+HeldOutFrames keptFrames(const Judges& judges, std::size_t reduction, std::uint64_t seed) {
   const std::vector<HeldOut>& cues = judges.reductions[reduction];
   std::vector<int> valid = validSamples(cues);
   std::vector<int> places;
   for (const int sample : valid) places.push_back(judges.samples[sample].place);
-  const std::vector<bool> kept = evenShare(places, kMaxHeldOutFrames);
+  const std::vector<bool> kept = stratifiedSample(places, kMaxHeldOutFrames, seed);
   std::vector<int> samples;
   for (std::size_t i = 0; i < valid.size(); ++i) {
     if (kept[i]) samples.push_back(valid[i]);

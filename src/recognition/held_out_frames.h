@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "learning/folds.h"
@@ -22,7 +23,7 @@ struct Judges {
 };
 
 /// The frames of the judges that are valid in any cue, with one of the reductions; of more than
-/// the model keeps (kMaxHeldOutFrames), the same share of each place.
-HeldOutFrames keptFrames(const Judges& judges, std::size_t reduction);
+/// the model keeps (kMaxHeldOutFrames), the same share of each place, drawn by `seed`.
+HeldOutFrames keptFrames(const Judges& judges, std::size_t reduction, std::uint64_t seed);
 
 }  // namespace place_recognition

@@ -91,6 +91,12 @@ class Search {
  public:
   explicit Search(FoundPictures& found) : found_(found) {}
 
+  /// For folders below `folder`, to which no link may lead back.
+  Search(FoundPictures& found, const fs::path& folder) : found_(found) {
+    std::error_code ignored;
+    open_.push_back(fs::canonical(folder, ignored));
+  }
+
   /// Adds what is in `folder` and below; returns why this is nothing, or an empty text.
   std::string add(const fs::path& folder, const std::string& place) {
     const FolderEntries entries = entriesOf(folder.string());
@@ -201,7 +207,7 @@ FolderEntries entriesOf(const std::string& folder) {
 FoundPictures findRoomPictures(const std::string& folder) {
   const FolderEntries entries = openFolder(folder);
   FoundPictures found;
-  Search search(found);
+  Search search(found, folder);
   search.addPictures(folder, entries, "");
   for (const std::string& room : entries.folders) {
     const std::string why_not = search.add(fs::path(folder) / room, placeName(room));

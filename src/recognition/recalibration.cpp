@@ -124,7 +124,7 @@ Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsig
   model.calibration = calibrated.calibration;
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;
-  model.held_out = keptFrames(judges, 0);
+  model.held_out = keptFrames(judges, 0, model.options.seed);
   result.after = {calibrated.validation.average_rate, calibrated.validation.calibration_error,
                   calibrated.unknown};
   result.model = std::move(model);

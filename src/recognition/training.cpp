@@ -139,7 +139,7 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   report(progress, "Calibrating", 0);
   const Calibrated calibrated =
       calibrate(held_out[chosen], judges.samples, judges.folds, options.unknown.false_alarm_rate);
-  model.held_out = keptFrames(judges, chosen);
+  model.held_out = keptFrames(judges, chosen, options.seed);
   model.calibration = calibrated.calibration;
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;

@@ -18,8 +18,8 @@
 
 #include "base/rate_limit.h"
 #include "place_recognition/recognizer.h"
-#include "recognition/image_guard.h"
 #include "recognition/depth_scale.h"
+#include "recognition/image_guard.h"
 #include "ros/diagnostics.h"
 #include "ros/image_input.h"
 #include "ros/model_slot.h"

@@ -20,6 +20,8 @@ StagedBag::StagedBag(const std::string& path, const std::string& suffix)
   try {
     bag_->open(staged_path_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& e) {
+    abandon();
+    std::remove(staged_path_.c_str());
     throwCannotWrite(e.what());
   }
 }

@@ -167,7 +167,8 @@ class Recognitions {
     for (; !waiting_.empty(); waiting_.pop_front()) {
       Waiting& next = waiting_.front();
       if (next.for_answer && !smoother_.ready()) return;
-      if (next.for_answer) next.object["smoothed"] = overTime(recognizer_.model(), smoother_.next());
+      if (next.for_answer)
+        next.object["smoothed"] = overTime(recognizer_.model(), smoother_.next());
       if (output_.json == "-") {
         std::cout << jsonLine(next.object) << std::flush;
       } else {

@@ -17,7 +17,7 @@ from sensor_msgs.msg import CompressedImage, Image
 
 SOURCE = pathlib.Path(os.environ["PLACE_RECOGNITION_SOURCE_DIR"])
 PROGRAMS = pathlib.Path(os.environ["PLACE_RECOGNITION_PROGRAMS"])
-PATIENCE = 30  # s
+PATIENCE = 120  # s, for roslaunch on a busy machine
 
 sys.path.append(str(SOURCE / "test/tool"))
 from tool_case import paint  # noqa: E402,F401
@@ -51,12 +51,14 @@ class Program:
         self.process.send_signal(signal.SIGINT)
         return self.wait()
 
-    def kill(self):
+    def end(self):
+        """However it goes; roslaunch ends its nodes only if it is asked to."""
+        self.process.send_signal(signal.SIGINT)
         try:
+            self.wait()
+        except subprocess.TimeoutExpired:
             os.killpg(self.process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-        self.process.wait()
+            self.process.wait()
         self.log.close()
 
 
@@ -73,7 +75,7 @@ class NodeCase(unittest.TestCase):
                               ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
             environment = dict(os.environ, ROS_LOG_DIR=tempfile.gettempdir())
             NodeCase.master = Program(["/usr/bin/rosmaster", "--core", "-p", port], None, environment)
-            unittest.addModuleCleanup(NodeCase.master.kill)
+            unittest.addModuleCleanup(NodeCase.master.end)
             while not rosgraph.is_master_online():
                 time.sleep(0.05)
             rospy.init_node("person", disable_signals=True)
@@ -88,7 +90,7 @@ class NodeCase(unittest.TestCase):
     def start(self, *command, cwd=None):
         environment = dict(os.environ, HOME=str(self.home), ROS_HOME=str(self.folder / "ros_home"))
         program = Program(command, cwd or self.folder, environment)
-        self.addCleanup(program.kill)
+        self.addCleanup(program.end)
         return program
 
     def start_node(self, node, *arguments, name=None, cwd=None):
