@@ -65,18 +65,15 @@ TEST(Enlarged, MeansOverPixelsAreThePixelsAgain) {
 }
 
 TEST(ImageScaler, ShrinkingALittleDoesNotBlur) {
-  const cv::Mat image = texture(160, 120, CV_8UC3);
+  const cv::Mat room = texture(800, 600, CV_8UC3);
+  const cv::Mat image = shrunk(room, 0.2), large = shrunk(room, 0.25);
   ImageProfile trained;
   trained.width = image.cols;
   trained.height = image.rows;
-  for (const double factor : {1.25, 1.5}) {
-    const cv::Mat large =
-        enlarged(image, cv::Size(static_cast<int>(160 * factor), static_cast<int>(120 * factor)));
-    const double difference = meanDifference(ImageScaler(trained, 0).scaled(large), image);
-    cv::Mat plain;
-    cv::resize(large, plain, image.size(), 0, 0, cv::INTER_AREA);
-    EXPECT_LT(difference, 0.5 * meanDifference(plain, image)) << factor;
-  }
+  cv::Mat plain;
+  cv::resize(large, plain, image.size(), 0, 0, cv::INTER_AREA);
+  EXPECT_LT(meanDifference(ImageScaler(trained, 0).scaled(large), image),
+            meanDifference(plain, image));
 }
 
 TEST(Enlarged, KeepsWhatDerivativesSeeInTheOriginal) {
