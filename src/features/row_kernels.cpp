@@ -65,12 +65,10 @@ constexpr int mostTaps(Orders orders) { return 10 - 2 * count(orders); }
 template <Orders kOrders, bool kFirst, int kCount = mostTaps(kOrders)>
 PLACE_RECOGNITION_INLINE void addUpTo(int count, const float* in, std::ptrdiff_t stride,
                                       const float* const* taps, int tap, int n, float* const* out) {
-  if constexpr (kCount > 0) {
-    if (count >= kCount) {
-      addTaps<kOrders, kFirst>(in, stride, taps, tap, n, out, std::make_index_sequence<kCount>());
-    } else {
-      addUpTo<kOrders, kFirst, kCount - 1>(count, in, stride, taps, tap, n, out);
-    }
+  if (count >= kCount) {
+    addTaps<kOrders, kFirst>(in, stride, taps, tap, n, out, std::make_index_sequence<kCount>());
+  } else if constexpr (kCount > 1) {
+    addUpTo<kOrders, kFirst, kCount - 1>(count, in, stride, taps, tap, n, out);
   }
 }
 
