@@ -4,6 +4,8 @@ set(PLACE_RECOGNITION_TEST_DATA "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PAT
 
 find_package(GTest REQUIRED)
 find_program(ROSTEST NAMES rostest)
+# Debian's and Ubuntu's, for which ROS is installed.
+find_program(PYTHON3 NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 
 # Tests are built by the target `tests`, not by `all`.
 if(NOT TARGET tests)
@@ -49,7 +51,7 @@ function(place_recognition_add_rostest name launch_file)
   add_test(NAME ${name}_home COMMAND ${CMAKE_COMMAND} -E remove_directory ${home})
   add_test(NAME ${name} COMMAND ${CATKIN_ENV} ${PYTHON_EXECUTABLE} ${ROSTEST}
     --pkgdir=${PROJECT_SOURCE_DIR} --package=${PROJECT_NAME} --results-filename=${name}.xml
-    --results-base-dir=${CATKIN_TEST_RESULTS_DIR}
+    --results-base-dir=${CMAKE_BINARY_DIR}/rostest_results
     ${CMAKE_CURRENT_SOURCE_DIR}/${launch_file} home:=${home})
   place_recognition_set_test_environment(${name})
   set_tests_properties(${name}_home PROPERTIES FIXTURES_SETUP ${name})
