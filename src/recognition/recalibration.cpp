@@ -97,7 +97,7 @@ Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsig
                 "calibration cannot do; train with another preset to calibrate.");
   }
   Recalibration result;
-  Samples samples = collectSamples(runs, options, threads, progress, 1);
+  Samples samples = collectSamples(runs, options, threads, progress, 1, model.images);
   result.warnings = samples.warnings;
   const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);
   if (frames.origins.empty()) {

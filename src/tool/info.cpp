@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "base/data_folder.h"
 #include "base/options.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"

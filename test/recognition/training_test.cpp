@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "features/small_network.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
@@ -84,10 +86,10 @@ TEST(Training, LeavesOutWhatItCannotUse) {
   EXPECT_EQ(training.images, 20u);
   EXPECT_EQ(training.model.provenance.skipped_images, 4u);
   EXPECT_EQ(training.model.provenance.place_images, (std::vector<std::uint64_t>{9, 11}));
-  ASSERT_FALSE(training.warnings.empty());
-  EXPECT_EQ(training.warnings[0],
-            "drawn: 2 pictures without label and 2 unusable ones (frame5: it is damaged and cannot "
-            "be decoded) were left out.");
+  EXPECT_EQ(std::count(training.warnings.begin(), training.warnings.end(),
+                       "drawn: 2 pictures without label and 2 unusable ones (frame5: it is damaged "
+                       "and cannot be decoded) were left out."),
+            1);
 }
 
 /// The same frames from a camera of `factor` times the size.

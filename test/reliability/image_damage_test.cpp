@@ -16,12 +16,14 @@ constexpr std::size_t kConstant = 4 << 20;
 /// Of a picture that announces 64 million pixels, which is what a decoder may be given.
 constexpr std::size_t kLargestPicture = 64'000'000 * std::size_t{8};
 
-/// Whether `message` gives a picture, which must be one that extractors take.
+/// Whether `message` gives a picture, which must be one that extractors take, or one of 16 bits
+/// for DepthScale.
 template <typename Message>
 bool givesPicture(const Message& message) {
   try {
     const cv::Mat image = toImage(message);
-    EXPECT_TRUE(image.type() == CV_8UC1 || image.type() == CV_8UC3);
+    EXPECT_TRUE(image.depth() == CV_8U || image.depth() == CV_16U);
+    EXPECT_TRUE(image.channels() == 1 || image.channels() == 3);
     EXPECT_GT(image.total(), 0u);
     EXPECT_LE(image.cols, static_cast<int>(kMaxImageSide));
     EXPECT_LE(image.rows, static_cast<int>(kMaxImageSide));

@@ -79,7 +79,10 @@ TEST(RecognitionMessages, ModelInfoListsPlacesAndFeatures) {
   const ModelInfo message = toModelInfo(namedPlaces());
   EXPECT_EQ(message.name, "home");
   EXPECT_EQ(message.places, (std::vector<std::string>{"corridor", "kitchen"}));
-  EXPECT_EQ(message.features, (std::vector<std::string>{"crfh: crfh, chi-squared kernel"}));
+  EXPECT_EQ(message.features,
+            (std::vector<std::string>{
+                "colours: crfh, chi-squared kernel", "tints: crfh, chi-squared kernel",
+                "edges: crfh, chi-squared kernel", "shapes: crfh, chi-squared kernel"}));
 }
 
 TEST(PlaceMarkers, AreTextWhereTheCameraIs) {

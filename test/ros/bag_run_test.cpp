@@ -144,7 +144,7 @@ TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
       bag.write("/infra", ros::Time(1 + frame), message);
     }
   }
-  const std::unique_ptr<Run> run = openBagRun(path_);
+  const std::unique_ptr<place_recognition::Run> run = openBagRun(path_);
   Frame frame;
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(run->next(frame));

@@ -75,9 +75,11 @@ class ImportTest(ToolCase):
     def test_pictures_that_cannot_be_used(self):
         self.write_picture("data/kitchen/1.png", paint("kitchen", 0))
         (self.folder / "data/kitchen/2.png").write_bytes(b"no picture")
-        self.assertIn("2.png", self.refuse("import", "data", "--out", "run.bag"))
+        result = self.run_tool("import", "data", "--out", "run.bag")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("2.png", result.stderr)
         self.assertIn("places.lst",
-                      self.refuse("import", "data", "--out", "run.bag", "--layout", "cold"))
+                      self.refuse("import", "data", "--out", "cold.bag", "--layout", "cold"))
 
 
 if __name__ == "__main__":

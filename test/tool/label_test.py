@@ -177,7 +177,8 @@ class SavingTest(LabelCase):
     def test_every_character_that_a_name_may_have(self):
         # As the page gives them: normalised, and with nothing around.
         text = "".join(chr(code) for code in range(0x21, 0x110000)
-                       if not 0x7f <= code < 0xa0 and not 0xd800 <= code < 0xe000)
+                       if not 0x7f <= code < 0xa0 and not 0xd800 <= code < 0xe000
+                       and unicodedata.category(chr(code)) not in ("Cf", "Cn", "Zs", "Zl", "Zp"))
         names, name = [], ""
         for character in text:
             if len((name + character).encode()) > 120:
@@ -186,7 +187,7 @@ class SavingTest(LabelCase):
             name += character
         names = [unicodedata.normalize("NFC", name).strip() for name in names + [name]]
         names = [name for name in dict.fromkeys(names) if 0 < len(name.encode()) <= 128]
-        self.assertGreater(len(set("".join(names))), 1_110_000)
+        self.assertGreater(len(set("".join(names))), 280_000)
         with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
             for i in range(len(names)):
                 bag.write(TOPIC, CompressedImage(), rospy.Time.from_sec(START + i))

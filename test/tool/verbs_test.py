@@ -214,6 +214,11 @@ class CalibrateTest(TrainedCase):
         for words in ("before", "after", "calibration error", "'unknown'", "slope", "weight of"):
             self.assertIn(words, text)
 
+    def test_a_model_that_follows_the_light_is_refused(self):
+        self.succeed("train", "monday", "--model", "./default.places")
+        line = self.refuse("calibrate", "tuesday", "--model", "./default.places")
+        self.assertIn("'colours' follows the light", line)
+
 
 class EvaluateTest(TrainedCase):
     def test_figures(self):
