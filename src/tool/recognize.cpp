@@ -46,7 +46,7 @@ Json scores(const Model& model, const Recognition& answer) {
 Json overTime(const Model& model, const FilteredAnswer& answer) {
   const auto rooms = answer.probabilities.head(static_cast<Eigen::Index>(model.places.size()));
   Eigen::Index best = 0;
-  const double evidence = rooms.sum();
+  const double evidence = std::max(rooms.sum(), 1e-9);
   const double confidence = rooms.maxCoeff(&best) / evidence;
   Json probabilities = Json::object();
   for (std::size_t k = 0; k < model.places.size(); ++k) {
