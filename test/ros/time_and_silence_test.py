@@ -17,6 +17,14 @@ IMAGE = "image:=/camera/image_raw"
 ROOMS = "places: [{name: kitchen, position: [[0, 0], [4, 0], [4, 3]]}]"
 
 
+def size(path):
+    """Of a file that may not be there yet, in bytes."""
+    try:
+        return path.stat().st_size
+    except FileNotFoundError:
+        return 0
+
+
 class SilenceTest(NodeCase):
     def camera(self, *arguments, **options):
         camera = Camera(*arguments, **options)
@@ -97,7 +105,7 @@ class LastWordsTest(NodeCase):
         for _ in range(10):
             camera.send()
         bag = self.folder / "run.bag.active"
-        self.wait_for(lambda: bag.stat().st_size > 10000, "nothing is recorded")
+        self.wait_for(lambda: size(bag) > 10000, "nothing is recorded")
         rospy.sleep(0.5)
         return node
 
