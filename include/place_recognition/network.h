@@ -20,7 +20,7 @@ std::string networkPath(const std::string& name);
 /// $ROS_HOME/place_recognition/networks, or ~/.ros/place_recognition/networks.
 std::string networkFolder();
 
-/// Of a network's file.
+/// Largest network file that is read, bytes.
 constexpr std::size_t kMaxNetworkBytes = std::size_t{128} << 20;
 
 }  // namespace place_recognition

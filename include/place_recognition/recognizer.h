@@ -48,7 +48,7 @@ class Recognizer {
   /// The next frame begins a new stream.
   void forgetLight();
 
-  /// Of the stream of frames.
+  /// Light of the current stream, estimated from its frames so far.
   const LightEstimate& light() const { return *light_; }
 
   /// The model's threshold until set: evidence below it is answered 'unknown', 0..1.

@@ -65,7 +65,7 @@ void checkCosts(const cv::dnn::Net& net, const NetworkInput& input) {
           "it takes more than 100 thousand million operations for an image");
 }
 
-/// Of a mid-grey image.
+/// Output of the network for a mid-grey image.
 cv::Mat firstOutput(cv::dnn::Net& net, const NetworkInput& input) {
   net.setInput(cv::Mat(shapeOf(input), CV_32F, cv::Scalar(0.1)));
   return net.forward();

@@ -33,7 +33,8 @@ class OnnxGraph {
   /// it does not depend on exactly one image.
   void cutBehind(const std::string& layer);
 
-  /// Of the image; after cutBehind(). Throws Error if it is not one of channels x height x width.
+  /// Shape of the input image; call after cutBehind(). Throws Error unless it is
+  /// channels x height x width.
   NetworkInput input() const;
   /// Declares the shape of the image. Nothing may be open.
   void setInput(const NetworkInput& input);

@@ -21,7 +21,7 @@ bool isForHistograms(const KernelType& type) {
   return type.measure == Measure::kChiSquared || type.measure == Measure::kIntersection;
 }
 
-/// Of the types that `belongs` holds for, separated by commas.
+/// Names of the types that `belongs` holds for, separated by commas.
 template <typename Predicate>
 std::string namesOfTypes(const Predicate& belongs) {
   std::string names;

@@ -24,7 +24,7 @@ bool showsColour(const cv::Mat& image) {
   return false;
 }
 
-/// Of the first image of a run; 0 x 0 if it has none.
+/// Size of the first image of a run; 0 x 0 if it has none.
 cv::Size firstSize(Run& run) {
   for (Frame frame; run.next(frame);) {
     if (!frame.image.empty()) return frame.image.size();
