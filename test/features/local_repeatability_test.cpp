@@ -205,7 +205,11 @@ TEST(Repeatability, OnRealPictures) {
     std::printf("\n");
   }
   for (const double m : mean) std::printf("mean %.3f\n", m);
-  EXPECT_GT(mean[0], 0.8);
+#ifdef PLACE_RECOGNITION_HAS_VLFEAT
+  EXPECT_GT(mean[0], 0.88);
+#else
+  EXPECT_GT(mean[0], 0.8);  // of all our points, the weaker ones as well
+#endif
 }
 
 }  // namespace
