@@ -96,7 +96,7 @@ class ClockTest(NodeCase):
 
 class LastWordsTest(NodeCase):
     def record(self, *arguments):
-        """A recorder that has recorded ten images."""
+        """A recorder that has recorded ten images, of a camera that is gone."""
         camera = Camera()
         self.addCleanup(camera.close)
         node = self.start_node("place_labeler", "_bag:=run.bag", IMAGE, "_image_transport:=compressed",
@@ -107,6 +107,7 @@ class LastWordsTest(NodeCase):
         bag = self.folder / "run.bag.active"
         self.wait_for(lambda: size(bag) > 10000, "nothing is recorded")
         rospy.sleep(0.5)
+        camera.close()  # else the next recorder's camera counts this one among its listeners
         return node
 
     def test_the_count_is_said_however_the_node_is_ended(self):

@@ -75,11 +75,12 @@ class Page:
             if status == 200 else json.loads(content)
 
     def open_events(self):
-        """A connection as an open page holds it."""
+        """A stream of events as an open page holds it, until it is closed."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
         connection.request("GET", self.path + "events")
-        connection.getresponse().readline()
-        return connection
+        events = connection.getresponse()  # owns the socket from here on
+        events.readline()
+        return events
 
     def stop(self):
         """As Ctrl-C does; returns the exit status and what was said."""

@@ -425,7 +425,10 @@ class DoubtsTest(PageCase):
             self.drag(i * 8 + .6, i * 8 + 4.6)
             self.press(str(i + 1))
         self.element("learn").click()
-        self.wait(lambda: len(self.doubts()) == 3)
+        self.wait(lambda: self.doubts() and not self.element("progress").is_displayed())
+        self.assertEqual(set(map(tuple, self.doubts())),
+                         {(f"no label → {room}", "not labelled")
+                          for room in ("kitchen", "corridor", "office")})
         self.element("accept-all").click()
         self.wait(lambda: len(self.drafted()) == 3)
         self.save()
