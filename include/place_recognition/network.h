@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "place_recognition/embedding_options.h"
 
@@ -12,6 +14,25 @@ namespace place_recognition {
 /// them, as are memory and work before it runs. Throws Error, one line that names the file, the
 /// layer and OpenCV's version, if it is missing, damaged, or of a kind that OpenCV does not run.
 std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options);
+
+/// What a network file holds.
+struct NetworkFacts {
+  std::size_t bytes = 0;
+  std::string sha256;  ///< 64 hexadecimal digits
+  int channels = 0;    ///< of its input; 0: it is left open, as the two below
+  int width = 0;
+  int height = 0;
+  std::size_t layers = 0;     ///< that lead to the layer taken
+  std::size_t dimension = 0;  ///< of the vectors that it gives
+};
+
+/// Reads the network `name` (see networkPath()), cuts it behind `layer` and runs it once, on an
+/// image of 224 x 224 pixels in three channels unless it declares another one. Throws like
+/// loadNetwork().
+NetworkFacts networkFacts(const std::string& name, const std::string& layer);
+
+/// Names of the networks in networkFolder(), ascending.
+std::vector<std::string> networkNames();
 
 /// The path of a network by name: NAME itself if it has a slash or ends in `.onnx`, else
 /// networkFolder()/NAME.onnx. Throws Error for a name that is not [A-Za-z0-9_-]{1,64}.

@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 constexpr const char* kExtension = ".onnx";
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 1024;
+constexpr int kUsualSide = 224;  // of networks that leave it open
+constexpr int kUsualChannels = 3;
 
 bool isSide(int side) { return side == 0 || (side >= kMinSide && side <= kMaxSide); }
 
@@ -42,15 +44,28 @@ NetworkInput chooseInput(const NetworkInput& declared, const EmbeddingOptions& o
           chooseSide("width", declared.width, options.width)};
 }
 
-std::string readNetwork(const EmbeddingOptions& options) {
-  const std::string path = networkPath(options.network);
+std::string readNetwork(const std::string& name) {
+  const std::string path = networkPath(name);
   std::error_code ignored;
-  if (!isFileName(options.network, kExtension) && !fs::exists(path, ignored)) {
-    throw Error("There is no network '" + options.network + "' in " + networkFolder() +
-                "; put an ONNX file there as " + options.network + kExtension +
+  if (!isFileName(name, kExtension) && !fs::exists(path, ignored)) {
+    throw Error("There is no network '" + name + "' in " + networkFolder() +
+                "; install one: place_tool network add FILE --name " + name +
                 " (doc/networks.md lists some).");
   }
   return readFile(path, kMaxNetworkBytes);
+}
+
+/// `work()`, with the network, the layer and OpenCV's version before what is wrong.
+template <typename Work>
+auto explained(const std::string& name, const std::string& layer, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& e) {
+    throw Error("The network " + networkPath(name) + " cannot be used (" +
+                (layer.empty() ? "its output" : "layer " + quoted(layer)) +
+                ", OpenCV " CV_VERSION "): " + e.what() +
+                "; see doc/networks.md for some that can.");
+  }
 }
 
 }  // namespace
@@ -83,18 +98,43 @@ void EmbeddingOptions::check() const {
 
 std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options) {
   options.check();
-  const std::string file = readNetwork(options);
-  try {
+  const std::string file = readNetwork(options.network);
+  return explained(options.network, options.layer, [&] {
     OnnxGraph graph(file);
     graph.cutBehind(options.layer);
     graph.setInput(chooseInput(graph.input(), options));
     const NetworkRunner runner(graph);
     return std::make_shared<const Network>(
         Network{graph.bytes(), runner.dimension(), sha256(file)});
-  } catch (const Error& e) {
-    throw Error("The network " + networkPath(options.network) + " cannot be used: " + e.what() +
-                " (OpenCV " CV_VERSION "); see doc/networks.md for some that can.");
+  });
+}
+
+NetworkFacts networkFacts(const std::string& name, const std::string& layer) {
+  const std::string file = readNetwork(name);
+  return explained(name, layer, [&] {
+    OnnxGraph graph(file);
+    graph.cutBehind(layer);
+    const NetworkInput declared = graph.input();
+    const auto or_else = [](int value, int usual) { return value > 0 ? value : usual; };
+    graph.setInput({or_else(declared.channels, kUsualChannels),
+                    or_else(declared.height, kUsualSide), or_else(declared.width, kUsualSide)});
+    const NetworkRunner runner(graph);
+    return NetworkFacts{file.size(),     sha256(file),   declared.channels, declared.width,
+                        declared.height, graph.layers(), runner.dimension()};
+  });
+}
+
+std::vector<std::string> networkNames() {
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(networkFolder(), failure)) {
+    const fs::path& path = entry.path();
+    if (path.extension() == kExtension && isPlainName(path.stem().string())) {
+      names.push_back(path.stem().string());
+    }
   }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string networkFolder() { return dataFolder("networks"); }

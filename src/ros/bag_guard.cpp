@@ -1,11 +1,11 @@
 #include "ros/bag_guard.h"
 
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <unistd.h>
 
+#include "base/process_limits.h"
 #include "ros/bag_records.h"
 
 namespace place_recognition {
@@ -22,21 +22,11 @@ void onCrash(int number) {
   raise(number);
 }
 
-void limitMemory() {
-// Sanitizers reserve terabytes of address space.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  const rlimit limit{kMaxMemory, kMaxMemory};
-  setrlimit(RLIMIT_AS, &limit);
-#endif
-}
-
 }  // namespace
 
 void guardBag(const std::string& path) {
   stat(path.c_str(), &bag_file);
   limitMemory();
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGPROF}) signal(number, onCrash);
   restartWorkLimit();
 }

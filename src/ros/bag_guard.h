@@ -5,10 +5,7 @@
 
 namespace place_recognition {
 
-/// The address space that reading a bag may take; the largest image needs a tenth of it.
-constexpr std::uint64_t kMaxMemory = std::uint64_t{4} << 30;
-
-/// For a process that does nothing but read the bag at `path`: limits its memory, and lets a crash
+/// For a process that does nothing but read the bag at `path`: limits its memory and lets a crash
 /// or an endless loop end it with a kCrash record on standard output.
 void guardBag(const std::string& path);
 

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/process_limits.h"
 #include "place_recognition/error.h"
 #include "recognition/depth_scale.h"
 #include "ros/bag_guard.h"

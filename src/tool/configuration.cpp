@@ -5,6 +5,7 @@
 
 #include "base/options.h"
 #include "place_recognition/error.h"
+#include "tool/network_trial.h"
 #include "tool/package_folder.h"
 
 namespace place_recognition::tool {
@@ -70,6 +71,7 @@ TrainingOptions ConfigurationOptions::read(TrainingOptions options) const {
       options.check();
     });
   }
+  tryNetworks(options);
   return options;
 }
 

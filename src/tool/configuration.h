@@ -16,7 +16,8 @@ struct ConfigurationOptions {
   void addTo(Verb& verb);
 
   /// `options`, overwritten by the file, overwritten by the assignments; checked. A list in the
-  /// file, as of cues, replaces that of `options`. Throws Error naming the file and the key.
+  /// file, as of cues, replaces that of `options`. Networks that they name are tried
+  /// (network_trial.h). Throws Error naming the file and the key.
   TrainingOptions read(TrainingOptions options = {}) const;
 };
 

@@ -19,6 +19,10 @@ void addReduce(CommandLine& tool);
 void addFeatures(CommandLine& tool);
 void addInfo(CommandLine& tool);
 void addRestore(CommandLine& tool);
+void addNetworkAdd(CommandLine& tool);
+void addNetworkList(CommandLine& tool);
+/// Hidden: what tryNetworks() has another process do.
+void addNetworkTry(CommandLine& tool);
 /// Hidden: writes doc/configuration.md.
 void addDocument(CommandLine& tool);
 
@@ -37,6 +41,9 @@ inline void addVerbs(CommandLine& tool) {
   addFeatures(tool);
   addInfo(tool);
   addRestore(tool);
+  addNetworkAdd(tool);
+  addNetworkList(tool);
+  addNetworkTry(tool);
   addDocument(tool);
 }
 

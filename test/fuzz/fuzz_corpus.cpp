@@ -1,10 +1,12 @@
-// fuzz_corpus FOLDER: what the fuzzers start from, FOLDER/model and FOLDER/image.
+// fuzz_corpus FOLDER: what the fuzzers start from, FOLDER/model, FOLDER/image and
+// FOLDER/network.
 
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "features/small_network.h"
 #include "recognition/drawn_run.h"
 #include "reliability/preset_models.h"
 
@@ -32,6 +34,8 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   std::filesystem::create_directories(folder + "/model");
   std::filesystem::create_directories(folder + "/image");
+  std::filesystem::create_directories(folder + "/network");
+  write(folder + "/network/small", SmallNetwork::onnx());
   int number = 0;
   // Of few pictures, for a fuzzer reads small models much faster.
   for (const std::string& model : trainPresets(drawFrames(2, 2))) {

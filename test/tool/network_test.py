@@ -1,9 +1,18 @@
 #!/usr/bin/env python3
 """The cue `embedding`: a network by name, in a model, and what is refused."""
+import functools
+import hashlib
+import http.server
 import shutil
+import threading
 import unittest
 
 from tool_case import ToolCase
+
+
+class QuietHandler(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
 
 
 class NetworkTest(ToolCase):
@@ -46,7 +55,81 @@ class NetworkTest(ToolCase):
         self.network.write_bytes(whole)
         self.assertIn("'absent'", self.refuse(*train, "--set", "cues.embedding.feature.layer=absent"))
         shutil.rmtree(self.network.parent)
-        self.assertIn("as mobilenet.onnx", self.refuse(*train))
+        self.assertIn("place_tool network add FILE --name mobilenet", self.refuse(*train))
+
+    def test_the_line_names_file_layer_and_version_before_a_picture_is_read(self):
+        self.network.write_bytes(self.network.read_bytes()[:-1])
+        line = self.refuse("train", "no_such_run", "--model", "./home.places", "--config",
+                           "embedding", "--set", "cues.embedding.feature.layer=pooled")
+        self.assertIn("mobilenet.onnx", line)
+        self.assertIn("layer 'pooled'", line)
+        self.assertRegex(line, r"OpenCV \d+\.\d+\.\d+")
+
+    def test_a_network_that_ends_the_process_that_tries_it_is_refused(self):
+        self.write_run("monday")
+        tools = self.folder / "libexec"
+        tools.mkdir()
+        (tools / "place_tool").write_text("#!/bin/sh\nkill -SEGV $$\n")
+        (tools / "place_tool").chmod(0o755)
+        self.extra_environment = {"PLACE_RECOGNITION_LIBEXEC": str(tools)}
+        line = self.refuse("train", "monday", "--model", "./home.places", "--config", "embedding")
+        self.assertIn("mobilenet.onnx", line)
+        self.assertIn("Segmentation fault", line)
+        self.assertRegex(line, r"its output, OpenCV \d+\.\d+")
+
+
+class InstallTest(ToolCase):
+    def setUp(self):
+        super().setUp()
+        self.network = self.install_network()
+        self.given = self.network.rename(self.folder / "given.onnx")
+        self.checksum = hashlib.sha256(self.given.read_bytes()).hexdigest()
+
+    def serve(self):
+        """The address of the test's folder on a server of its own."""
+        handler = functools.partial(QuietHandler, directory=str(self.folder))
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        return f"http://127.0.0.1:{server.server_port}"
+
+    def test_a_file_is_installed_and_listed(self):
+        self.assertIn("There is no network", self.succeed("network", "list"))
+        added = self.figures("network", "add", "given.onnx", "--name", "small", "--sha256",
+                             self.checksum.upper())
+        self.assertEqual(added["sha256"], self.checksum)
+        self.assertEqual([added[key] for key in ("channels", "width", "height", "dimension")],
+                         [3, 32, 32, 8])
+        self.assertEqual((self.network.parent / "small.onnx").read_bytes(),
+                         self.given.read_bytes())
+        (self.network.parent / "broken.onnx").write_bytes(b"no network")
+        broken, small = self.figures("network", "list")["networks"]
+        self.assertIn("is not an ONNX file", broken["problem"])
+        self.assertEqual(small, added)
+
+    @unittest.skipUnless(shutil.which("curl"), "curl is not installed")
+    def test_a_network_is_downloaded_only_when_asked(self):
+        address = self.serve()
+        self.figures("network", "add", f"{address}/given.onnx", "--name", "small", "--sha256",
+                     self.checksum)
+        self.assertEqual((self.network.parent / "small.onnx").read_bytes(),
+                         self.given.read_bytes())
+        line = self.refuse("network", "add", f"{address}/absent.onnx", "--name", "other")
+        self.assertIn(f"{address}/absent.onnx", line)
+        self.assertIn("404", line)
+
+    def test_what_is_not_meant_or_not_sound_is_not_installed(self):
+        line = self.refuse("network", "add", "given.onnx", "--name", "small", "--sha256", "0" * 64)
+        self.assertIn(self.checksum, line)
+        self.network.parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / "bad.onnx").write_bytes(self.given.read_bytes()[:100])
+        line = self.refuse("network", "add", "bad.onnx", "--name", "small")
+        self.assertIn("bad.onnx", line)
+        self.assertNotIn(".new.onnx", line)
+        self.assertIn("'absent'", self.refuse("network", "add", "given.onnx", "--name", "small",
+                                              "--layer", "absent"))
+        self.refuse("network", "add", "given.onnx", "--name", "../small", status=2)
 
 
 if __name__ == "__main__":

@@ -42,9 +42,10 @@ class ToolCase(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory(prefix="place_tool_test_")
         self.addCleanup(scratch.cleanup)
         self.folder = pathlib.Path(scratch.name)
+        self.extra_environment = {}
 
     def environment(self):
-        return dict(os.environ, ROS_HOME=str(self.folder / "ros_home"))
+        return dict(os.environ, ROS_HOME=str(self.folder / "ros_home"), **self.extra_environment)
 
     def run_tool(self, *arguments):
         return subprocess.run([PLACE_TOOL, *map(str, arguments)], cwd=self.folder, text=True,
@@ -68,7 +69,7 @@ class ToolCase(unittest.TestCase):
         # On a busy machine there is progress before that line.
         lines = [line for line in result.stderr.splitlines() if not line.endswith(" %")]
         self.assertEqual(len(lines), 1, result.stderr)
-        self.assertTrue(lines[0].startswith(f"place_tool {arguments[0]}: "), lines[0])
+        self.assertTrue(lines[0].startswith(f"place_tool {arguments[0]}"), lines[0])
         self.assertEqual(self.files(), before)
         return lines[0]
 

@@ -1,0 +1,63 @@
+#include "tool/download.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+
+#include "place_recognition/error.h"
+#include "ros/child_process.h"
+#include "tool/progress_display.h"
+
+namespace place_recognition::tool {
+namespace {
+
+constexpr int kMaxSeconds = 1800;
+
+bool startsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+}  // namespace
+
+bool isUrl(const std::string& source) {
+  return startsWith(source, "https://") || startsWith(source, "http://") ||
+         startsWith(source, "ftp://");
+}
+
+std::string download(const std::string& url, std::size_t limit, const std::string& progress) {
+  ProgressDisplay display(progress);
+  const Progress report = display.callback();
+  const std::string most = std::to_string(limit);
+  ChildProcess curl({"/usr/bin/env", "curl", "--fail", "--location", "--silent", "--show-error",
+                     "--proto", "=https,http,ftp", "--max-filesize", most, "--max-time",
+                     std::to_string(kMaxSeconds), "--url", url},
+                    ChildProcess::Stderr::kPipe);
+  std::string bytes;
+  std::array<char, 1 << 16> buffer;
+  for (;;) {
+    const ssize_t count = read(curl.output(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+    if (bytes.size() > limit) throw Error(url + " holds more than " + most + " bytes.");
+    // How much there is to come is not known; the bar tells that it comes.
+    report("Downloading " + url, static_cast<double>(bytes.size()) / static_cast<double>(limit));
+  }
+  std::string complaint;
+  while (curl.readLines(
+      std::chrono::seconds(1), [](const std::string&) {},
+      [&complaint](const std::string& line) { complaint = line; })) {
+  }
+  const int status = curl.wait();
+  display.clear();
+  if (status == 0) return bytes;
+  throw Error("Cannot download " + url + ": " +
+              (complaint.empty()
+                   ? "curl ended with " + describeExit(status) + "; install it (apt install curl)"
+                   : complaint) +
+              ".");
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,164 @@
+#include <strings.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "base/atomic_file.h"
+#include "base/data_folder.h"
+#include "base/sha256.h"
+#include "place_recognition/error.h"
+#include "tool/download.h"
+#include "tool/network_trial.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+struct NetworkAddOptions {
+  std::string source;
+  std::string name;
+  std::string layer;
+  std::string sha256;
+  OutputOptions output;
+};
+
+Json figures(const std::string& name, const NetworkFacts& facts) {
+  return {{"network", name},        {"file", networkPath(name)},  {"bytes", facts.bytes},
+          {"sha256", facts.sha256}, {"channels", facts.channels}, {"width", facts.width},
+          {"height", facts.height}, {"layers", facts.layers},     {"dimension", facts.dimension}};
+}
+
+/// What `list` can tell of a network; a file that cannot be used is no reason not to list the
+/// others.
+Json describe(const std::string& name) {
+  try {
+    return figures(name, tryNetwork(name, ""));
+  } catch (const Error& e) {
+    return {{"network", name}, {"file", networkPath(name)}, {"problem", e.what()}};
+  }
+}
+
+/// 0: it is left open.
+std::string sizeText(int width, int height) {
+  return width > 0 && height > 0
+             ? "images of " + std::to_string(width) + " x " + std::to_string(height)
+             : "images of any size";
+}
+
+void print(const Json& network, std::ostream& out) {
+  out << network["network"].get<std::string>() << ": ";
+  if (network.contains("problem")) {
+    out << network["problem"].get<std::string>() << std::endl;
+    return;
+  }
+  out << network["bytes"] << " bytes, " << network["layers"] << " layers, "
+      << sizeText(network["width"], network["height"]) << " in, " << network["dimension"]
+      << " values out\n"
+      << "  SHA-256 " << network["sha256"].get<std::string>() << std::endl;
+}
+
+void requireSha256(const std::string& bytes, const NetworkAddOptions& options) {
+  if (options.sha256.empty()) return;
+  const std::string found = sha256(bytes);
+  if (strcasecmp(found.c_str(), options.sha256.c_str()) == 0) return;
+  throw Error("The SHA-256 of " + options.source + " is " + found + ", not " + options.sha256 +
+              "; it is not the network that is meant, and was not installed.");
+}
+
+/// A file on its way to networkFolder(), removed unless it arrives.
+class StagedNetwork {
+ public:
+  StagedNetwork(const std::string& name, const std::string& bytes)
+      : target_(networkPath(name)), staged_(networkFolder() + "/." + name + ".new.onnx") {
+    makeFolder(networkFolder());
+    writeFileAtomically(staged_, bytes);
+  }
+  ~StagedNetwork() { unlink(staged_.c_str()); }
+  StagedNetwork(const StagedNetwork&) = delete;
+  StagedNetwork& operator=(const StagedNetwork&) = delete;
+
+  const std::string& path() const { return staged_; }
+  void install() const {
+    std::error_code failure;
+    std::filesystem::rename(staged_, target_, failure);
+    if (failure) throw Error("Cannot write " + target_ + ": " + failure.message() + ".");
+  }
+
+ private:
+  std::string target_;
+  std::string staged_;
+};
+
+/// Tries it under its staged name, of which a message knows nothing.
+NetworkFacts tryStaged(const StagedNetwork& staged, const NetworkAddOptions& options) {
+  try {
+    return tryNetwork(staged.path(), options.layer);
+  } catch (const Error& e) {
+    std::string message = e.what();
+    const std::size_t at = message.find(staged.path());
+    if (at != std::string::npos) message.replace(at, staged.path().size(), options.source);
+    throw Error(message);
+  }
+}
+
+void add(const NetworkAddOptions& options) {
+  if (!isPlainName(options.name)) {
+    throw UsageError("--name takes 1 to 64 letters, digits, '_' or '-'");
+  }
+  const std::string bytes =
+      isUrl(options.source) ? download(options.source, kMaxNetworkBytes, options.output.progress)
+                            : readFile(options.source, kMaxNetworkBytes);
+  requireSha256(bytes, options);
+  const StagedNetwork staged(options.name, bytes);
+  const Json network = figures(options.name, tryStaged(staged, options));
+  staged.install();
+  print(network, options.output.text());
+  options.output.writeJson(network);
+}
+
+void list(const OutputOptions& output) {
+  Json networks = Json::array();
+  for (const std::string& name : networkNames()) networks.push_back(describe(name));
+  if (networks.empty()) {
+    output.text() << "There is no network in " << networkFolder()
+                  << "; see place_tool network add --help." << std::endl;
+  }
+  for (const Json& network : networks) print(network, output.text());
+  output.writeJson({{"networks", networks}});
+}
+
+}  // namespace
+
+void addNetworkAdd(CommandLine& tool) {
+  Verb& verb = tool.verb("network add", "Installs a network for the cue `embedding`");
+  const auto options = std::make_shared<NetworkAddOptions>();
+  verb.argument("SOURCE", options->source,
+                "ONNX file, or a URL (https, http, ftp) that curl gets one from");
+  verb.option("--name", "NAME", options->name,
+              "What configurations call it; `mobilenet` in the presets")
+      .required();
+  verb.option("--sha256", "HEX", options->sha256, "Refuse a file of any other SHA-256");
+  verb.option("--layer", "NAME", options->layer,
+              "The layer that will be taken; needed for a network of several outputs. The whole "
+              "file is installed all the same");
+  options->output.addTo(verb);
+  verb.footer(
+      "Networks live in $ROS_HOME/place_recognition/networks; doc/networks.md lists some.\n"
+      "Example:\n"
+      "  place_tool network add mobilenet_v1_1.0_224.onnx --name mobilenet");
+  verb.run([options] { add(*options); });
+}
+
+void addNetworkList(CommandLine& tool) {
+  Verb& verb = tool.verb("network list", "Tells which networks are installed");
+  const auto output = std::make_shared<OutputOptions>();
+  output->addTo(verb);
+  verb.footer("Example:\n  place_tool network list");
+  verb.run([output] { list(*output); });
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,110 @@
+#include "tool/network_trial.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <opencv2/core/version.hpp>
+#include <vector>
+
+#include "base/data_folder.h"
+#include "base/options.h"
+#include "base/process_limits.h"
+#include "place_recognition/error.h"
+#include "recognition/embeddings.h"
+#include "ros/child_process.h"
+#include "tool/output.h"
+#include "tool/verbs.h"
+
+namespace place_recognition::tool {
+namespace {
+
+constexpr unsigned kMaxSeconds = 60;  // of processor time
+
+struct TryOptions {
+  std::string name;
+  std::string layer;
+  std::string yaml;
+};
+
+std::string toText(const NetworkFacts& facts) {
+  return jsonLine({{"bytes", facts.bytes},
+                   {"sha256", facts.sha256},
+                   {"channels", facts.channels},
+                   {"width", facts.width},
+                   {"height", facts.height},
+                   {"layers", facts.layers},
+                   {"dimension", facts.dimension}});
+}
+
+NetworkFacts toFacts(const std::string& text) {
+  const Json json = Json::parse(text);
+  return {json.at("bytes"),  json.at("sha256"), json.at("channels"), json.at("width"),
+          json.at("height"), json.at("layers"), json.at("dimension")};
+}
+
+/// The work of the other process.
+void tryHere(const TryOptions& options) {
+  limitProcess(kMaxSeconds);
+  if (options.yaml.empty()) {
+    std::cout << toText(networkFacts(options.name, options.layer));
+    return;
+  }
+  EmbeddingOptions embedding;
+  readOptions(parseYaml(options.yaml, "the options of the embedding"), "", embedding);
+  loadNetwork(embedding);
+}
+
+/// What another place_tool prints for `network try` with these arguments. `name` and `layer` are
+/// for messages.
+std::string runTrial(const std::vector<std::string>& arguments, const std::string& name,
+                     const std::string& layer) {
+  std::vector<std::string> command{findExecutable("place_tool"), "network", "try"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  ChildProcess trial(command, ChildProcess::Stderr::kPipe);
+  std::string output;
+  std::string complaint;
+  while (trial.readLines(
+      std::chrono::seconds(1), [&](const std::string& line) { output += line; },
+      [&](const std::string& line) { complaint = line; })) {
+  }
+  const int status = trial.wait();
+  if (status == 0) return output;
+  const std::string own_name = "place_tool network try: ";
+  if (complaint.compare(0, own_name.size(), own_name) == 0) {
+    throw Error(complaint.substr(own_name.size()));
+  }
+  throw Error("The network " + networkPath(name) + " cannot be used (" +
+              (layer.empty() ? "its output" : "layer " + quoted(layer)) +
+              ", OpenCV " CV_VERSION "): the process that tried it ended with " +
+              describeExit(status) + "; see doc/networks.md for some that can.");
+}
+
+}  // namespace
+
+void tryNetworks(const TrainingOptions& options) {
+  for (const EmbeddingOptions* embedding : embeddingsOf(options)) {
+    if (embedding->loaded) continue;
+    runTrial({embedding->network, "--options=" + writeOptions(*embedding)}, embedding->network,
+             embedding->layer);
+  }
+}
+
+NetworkFacts tryNetwork(const std::string& name, const std::string& layer) {
+  std::vector<std::string> arguments{name};
+  if (!layer.empty()) arguments.push_back("--layer=" + layer);
+  return toFacts(runTrial(arguments, name, layer));
+}
+
+void addNetworkTry(CommandLine& tool) {
+  Verb& verb = tool.verb("network try", "Reads a network and runs it once, within bounds");
+  const auto options = std::make_shared<TryOptions>();
+  verb.argument("NAME", options->name, "Name or file of the network");
+  verb.option("--layer", "NAME", options->layer, "The layer that is taken");
+  verb.option("--options", "YAML", options->yaml, "All options of a feature of type embedding")
+      .excludes("--layer");
+  verb.footer("Example:\n  place_tool network try mobilenet");
+  verb.hide();
+  verb.run([options] { tryHere(*options); });
+}
+
+}  // namespace place_recognition::tool

@@ -1,0 +1,62 @@
+// ONNX files, damaged at random: each is refused with one line that names it, or a network whose
+// vectors are finite.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "features/embedding.h"
+#include "features/small_network.h"
+#include "place_recognition/error.h"
+#include "place_recognition/network.h"
+#include "reliability/damage.h"
+#include "rounds.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+namespace {
+
+/// Null if it is refused.
+std::shared_ptr<const Network> load(const EmbeddingOptions& options) {
+  try {
+    return loadNetwork(options);
+  } catch (const Error& e) {
+    const std::string message = e.what();
+    EXPECT_NE(message.find(options.network), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    return nullptr;
+  }
+}
+
+void expectUsable(EmbeddingOptions options) {
+  cv::Mat image(20, 24, CV_8UC3);
+  cv::theRNG().state = 20;
+  cv::randu(image, 0, 256);
+  Feature feature;
+  EmbeddingExtractor(options).extract(image, feature);
+  if (isMissing(feature)) return;
+  for (const float value : std::get<DenseVector>(feature).values) {
+    EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST(NetworkDamage, IsRefusedOrUsable) {
+  const ScratchFolder folder;
+  Damage damage({SmallNetwork::onnx()}, 1);
+  int accepted = 0;
+  const int count = rounds(2000, 100000);
+  for (int i = 0; i < count; ++i) {
+    EmbeddingOptions options;
+    options.network = folder.write("damaged.onnx", damage.next());
+    options.loaded = load(options);
+    if (!options.loaded) continue;
+    ++accepted;
+    expectUsable(options);
+  }
+  EXPECT_GT(accepted, 0);
+  EXPECT_LT(accepted, count);
+}
+
+}  // namespace
+}  // namespace place_recognition
