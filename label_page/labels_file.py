@@ -6,6 +6,7 @@ is relative to the bag's start, as place_tool tells it.
 import bisect
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unicodedata
@@ -14,7 +15,18 @@ from recording import Problem
 
 MAX_NAME_BYTES = 128
 UNKNOWN = "unknown"
+INVISIBLE = set("\u00ad\u200b\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2060\u2061\u2062\u2063\u2064"
+                "\u2066\u2067\u2068\u2069\ufeff")
 HEADER = "# Written by `place_tool label`. Seconds since the bag's start, see doc/nodes.md.\n"
+
+
+def tidy_name(name):
+    """`name` as place_tool keeps it: composed (NFC), without characters that show nothing, blanks of
+    any kind single ones and none at the ends. page/rooms.js does the same."""
+    visible = "".join(character for character in name if character not in INVISIBLE)
+    composed = unicodedata.normalize("NFC", visible).strip()
+    return re.sub(" +", " ", "".join(" " if unicodedata.category(character) == "Zs" else character
+                                     for character in composed))
 
 
 def check_name(name):
@@ -32,14 +44,19 @@ def check_name(name):
                       "name.")
 
 
-def check_spans(spans):
-    """Raises Problem unless `spans`, from the page, are in order and have names."""
+def checked(spans):
+    """`spans`, from the page, with tidy names. Raises Problem unless they are in order and have
+    names."""
     end = float("-inf")
+    tidy = []
     for span in spans:
-        check_name(span["place"])
+        name = tidy_name(span["place"]) if isinstance(span["place"], str) else span["place"]
+        check_name(name)
+        tidy.append({**span, "place": name})
         if not end <= float(span["from"]) < float(span["to"]) < float("inf"):
             raise Problem("The labels overlap or are out of order; nothing was saved.")
         end = float(span["to"])
+    return tidy
 
 
 def border(time, frames):
@@ -208,7 +225,7 @@ class RecordingLabels:
 
     def save(self, spans, overwrite):
         """Writes the file of each bag. Raises Problem, or Changed unless `overwrite`."""
-        check_spans(spans)
+        spans = checked(spans)
         changed = [bag.path for bag in self.bags if bag.bytes_on_disk() != bag.seen]
         if changed and not overwrite:
             raise Changed(f"{', '.join(changed)} has changed since it was read here.")

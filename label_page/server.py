@@ -9,7 +9,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from urllib.parse import parse_qs, urlsplit
 
-from labels_file import Changed
+from labels_file import Changed, checked
 from recording import HEIGHTS, Problem
 
 PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "page")
@@ -240,7 +240,7 @@ class Handler(BaseHTTPRequestHandler):
         self.send_json({"files": files})
 
     def learn(self, body):
-        spans = body["spans"]
+        spans = checked(body["spans"])
         self.server.opinion.learn([bag.labels(spans) for bag in self.server.labels.bags])
         self.send_json({})
 

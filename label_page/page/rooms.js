@@ -26,8 +26,12 @@ export class Rooms {
   ofKey(key) { return this.names[kKeys.indexOf(key)]; }
 }
 
-/// As it is kept: one character for what looks like one, nothing around it.
-export function tidyName(text) { return text.trim().normalize("NFC"); }
+/// As place_tool keeps it: composed (NFC), without characters that show nothing, blanks of any kind
+/// single ones and none at the ends. tidy_name() in labels_file.py does the same.
+export function tidyName(text) {
+  const visible = text.replace(/[\u00ad\u200b\u200e\u200f\u202a-\u202e\u2060-\u2064\u2066-\u2069\ufeff]/g, "");
+  return visible.normalize("NFC").trim().replace(/\p{Zs}+/gu, " ");
+}
 
 /// What is wrong with a name, for a person; "" if nothing is.
 export function faultOfName(name) {

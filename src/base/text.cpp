@@ -30,12 +30,25 @@ std::string utf8(const icu::UnicodeString& text) {
   return text.toUTF8String(bytes);
 }
 
-/// What is not seen, and what editors and spreadsheets leave at the ends of a text.
-bool isInvisible(UChar32 c) { return c == 0xfeff || c == 0x200b || c == 0x2060 || c == 0; }
+/// Whether `c` shows nothing and changes no letter beside it: soft hyphens, zero width spaces,
+/// marks of direction and of byte order, as pasted text has them. Joiners and variation selectors
+/// are not among them, for emoji and some scripts need these.
+bool isInvisible(UChar32 c) {
+  return c == 0xad || c == 0x200b || c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) ||
+         (c >= 0x2060 && c <= 0x2064) || (c >= 0x2066 && c <= 0x2069) || c == 0xfeff;
+}
 
 bool isBlank(UChar32 c) { return u_charType(c) == U_SPACE_SEPARATOR; }
 
-bool isTrimmed(UChar32 c) { return u_isUWhiteSpace(c) || isInvisible(c); }
+bool isTrimmed(UChar32 c) { return u_isUWhiteSpace(c) || c == 0; }
+
+icu::UnicodeString visible(const icu::UnicodeString& text) {
+  icu::UnicodeString shown;
+  for (std::int32_t i = 0; i < text.length(); i = text.moveIndex32(i, 1)) {
+    if (!isInvisible(text.char32At(i))) shown.append(text.char32At(i));
+  }
+  return shown;
+}
 
 }  // namespace
 
@@ -60,7 +73,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 std::string tidied(const std::string& text) {
   UErrorCode status = U_ZERO_ERROR;
   const icu::Normalizer2* composer = icu::Normalizer2::getNFCInstance(status);
-  const auto original = icu::UnicodeString::fromUTF8(text);
+  const icu::UnicodeString original = visible(icu::UnicodeString::fromUTF8(text));
   const icu::UnicodeString composed =
       U_SUCCESS(status) ? composer->normalize(original, status) : original;
   std::int32_t begin = 0, end = composed.length();
@@ -82,6 +95,10 @@ std::string tidied(const std::string& text) {
     after_blank = isBlank(c);
   }
   return utf8(tidy);
+}
+
+std::string counted(std::uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string caseFolded(const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,13 @@ std::string toUtf8(const std::string& bytes);
 /// The lines of a text, without their ends: those of Unix, Windows and of old Macs.
 std::vector<std::string> linesOf(const std::string& text);
 
-/// UTF-8 text composed (Unicode normalisation form C), its blanks of any kind single ones, and none
-/// of them nor invisible marks at its ends. `text` must be well formed.
+/// UTF-8 text composed (Unicode normalisation form C), without characters that show nothing (soft
+/// hyphens, zero width spaces, marks of direction), its blanks of any kind single ones, and none of
+/// them at its ends. `text` must be well formed.
 std::string tidied(const std::string& text);
+
+/// "1 picture", "2 pictures".
+std::string counted(std::uint64_t count, const std::string& noun);
 
 /// The same for all texts that differ in case only (Unicode case folding). `text` must be well
 /// formed UTF-8.

@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/model_file.h"
@@ -75,8 +76,8 @@ class Evaluator {
     takeSmoothed();
     evaluation_.warnings.insert(evaluation_.warnings.end(), run.warnings().begin(),
                                 run.warnings().end());
-    warn(run.name(), unlabelled, "have no label");
-    warn(run.name(), unreadable, "cannot be used (" + first_problem + ")");
+    warn(run.name(), unlabelled, "without label");
+    warn(run.name(), unreadable, "that cannot be used (" + first_problem + ")");
   }
 
   Evaluation finish() {
@@ -143,8 +144,8 @@ class Evaluator {
 
   void warn(const std::string& run, std::uint64_t count, const std::string& why) {
     if (count == 0) return;
-    evaluation_.warnings.push_back(run + ": " + std::to_string(count) + " pictures " + why +
-                                   " and were left out.");
+    evaluation_.warnings.push_back(run + ": left out are " + counted(count, "picture") + " " + why +
+                                   ".");
   }
 
   void requireLearnedPlaces() const {

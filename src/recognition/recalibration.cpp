@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "recognition/combination.h"
 #include "recognition/held_out_frames.h"
@@ -27,8 +28,8 @@ KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::st
     const bool known = place != model.places.end() && *place == samples.places[k];
     place_of.push_back(known ? static_cast<int>(place - model.places.begin()) : -1);
     if (known) continue;
-    warnings.push_back("The model does not know the place '" + samples.places[k] + "'; its " +
-                       std::to_string(samples.images[k]) + " pictures were left out.");
+    warnings.push_back("The model does not know the place '" + samples.places[k] + "', of which " +
+                       counted(samples.images[k], "picture") + " are left out.");
   }
   KnownFrames known;
   known.features.resize(samples.features.size());

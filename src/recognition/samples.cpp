@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "recognition/extraction_pool.h"
 #include "recognition/image_guard.h"
@@ -50,14 +51,14 @@ struct Skipped {
 };
 
 std::string warningOf(const std::string& run, const Skipped& skipped) {
-  std::string text = run + ": ";
-  if (skipped.unlabelled > 0)
-    text += std::to_string(skipped.unlabelled) + " pictures without label";
+  std::string text = run + ": left out are ";
+  if (skipped.unlabelled > 0) text += counted(skipped.unlabelled, "picture") + " without label";
   if (skipped.unlabelled > 0 && skipped.problems > 0) text += " and ";
   if (skipped.problems > 0) {
-    text += std::to_string(skipped.problems) + " unusable ones (" + skipped.first_problem + ")";
+    text += counted(skipped.problems, "picture") + " that cannot be used (" +
+            skipped.first_problem + ")";
   }
-  return text + " were left out.";
+  return text + ".";
 }
 
 /// Reads runs and remembers what came of each frame.
@@ -123,7 +124,7 @@ class Collector {
                   " is 'unknown', which is the answer for places that are not known; rename the "
                   "place, or leave its pictures unlabelled.");
     } else if (frame.image.empty()) {
-      skipped_.back().add(frame.name, frame.problem);
+      leaveOut(skipped_.back(), frame.place, frame.name, frame.problem);
     } else if (!rate_.admits(frame.stamp)) {
       ++passed_over_;
     } else {
@@ -141,10 +142,16 @@ class Collector {
     }
   }
 
+  void leaveOut(Skipped& skipped, const std::string& place, const std::string& name,
+                const std::string& problem) {
+    skipped.add(name, problem);
+    first_problem_of_.emplace(place, name + ": " + problem);
+  }
+
   void dropFeatureless() {
     const auto featureless = [this](const Record& record) {
       if (record.hasFeature()) return false;
-      skipped_[record.run].add(record.name, record.extracted.problem);
+      leaveOut(skipped_[record.run], record.place, record.name, record.extracted.problem);
       return true;
     };
     records_.erase(std::remove_if(records_.begin(), records_.end(), featureless), records_.end());
@@ -168,8 +175,10 @@ class Collector {
     labelled.erase("");
     for (const auto& [place, count] : labelled) {
       if (places_.count(place) > 0) continue;
-      samples.warnings.push_back("'" + place + "' is not learned: none of its " +
-                                 std::to_string(count) + " pictures can be used.");
+      const auto problem = first_problem_of_.find(place);
+      samples.warnings.push_back(
+          "'" + place + "' is not learned: its " + counted(count, "picture") + " cannot be used" +
+          (problem == first_problem_of_.end() ? "" : " (" + problem->second + ")") + ".");
     }
   }
 
@@ -260,10 +269,11 @@ class Collector {
   }
 
   std::vector<std::string> inputs_;
-  std::vector<std::vector<Seen>> seen_;  // one a run
-  std::vector<Skipped> skipped_;         // one a run
-  std::vector<std::string> warnings_;    // of the runs
-  std::deque<Record> records_;           // stay where they are while threads fill them
+  std::vector<std::vector<Seen>> seen_;                  // one a run
+  std::vector<Skipped> skipped_;                         // one a run
+  std::vector<std::string> warnings_;                    // of the runs
+  std::map<std::string, std::string> first_problem_of_;  // place
+  std::deque<Record> records_;  // stay where they are while threads fill them
   std::set<std::string> places_;
   std::uint64_t frames_ = 0;
   const ImageOptions image_options_;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "base/text.h"
 #include "recognition/block_choice.h"
 #include "recognition/color_normalization.h"
 #include "recognition/combination.h"
@@ -52,8 +53,8 @@ void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>
   for (std::size_t k = 0; k < samples.images.size(); ++k) {
     if (samples.images[k] >= 2 * static_cast<std::uint64_t>(folds)) continue;
     warnings.push_back("The place '" + samples.places[k] + "' has only " +
-                       std::to_string(samples.images[k]) +
-                       " pictures; its answers and their confidence will be poor.");
+                       counted(samples.images[k], "picture") +
+                       "; its answers and their confidence will be poor.");
   }
 }
 

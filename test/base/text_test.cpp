@@ -35,5 +35,28 @@ TEST(Text, LinesEndInAnyWay) {
   EXPECT_TRUE(linesOf("").empty());
 }
 
+TEST(Text, IsTidiedToOneWayOfWritingIt) {
+  EXPECT_EQ(tidied("Ku\u0308che "), "K\u00fcche");
+  EXPECT_EQ(tidied("\u00a0 living \u3000 room\t\n"), "living room");
+  EXPECT_EQ(tidied("\ufeffkit\u200bch\u00aden\u200e"), "kitchen");
+  EXPECT_EQ(tidied("\u202akitchen\u202c"), "kitchen");
+  EXPECT_EQ(tidied("u\u200b\u0308"), "\u00fc");  // composed behind what was between
+  EXPECT_EQ(tidied("kit\u200b chen"), "kit chen");
+  EXPECT_EQ(tidied("\u2060 \u200b"), "");
+}
+
+TEST(Text, KeepsWhatJoinsLetters) {
+  for (const char* text :
+       {"\U0001f469\u200d\U0001f373", "\u2615\ufe0f", "\u0646\u0645\u200c\u06cc"}) {
+    EXPECT_EQ(tidied(text), text);
+  }
+}
+
+TEST(Text, CountsInSingularAndPlural) {
+  EXPECT_EQ(counted(0, "picture"), "0 pictures");
+  EXPECT_EQ(counted(1, "picture"), "1 picture");
+  EXPECT_EQ(counted(2, "picture"), "2 pictures");
+}
+
 }  // namespace
 }  // namespace place_recognition

@@ -87,8 +87,8 @@ TEST(Training, LeavesOutWhatItCannotUse) {
   EXPECT_EQ(training.model.provenance.skipped_images, 4u);
   EXPECT_EQ(training.model.provenance.place_images, (std::vector<std::uint64_t>{9, 11}));
   EXPECT_EQ(std::count(training.warnings.begin(), training.warnings.end(),
-                       "drawn: 2 pictures without label and 2 unusable ones (frame5: it is damaged "
-                       "and cannot be decoded) were left out."),
+                       "drawn: left out are 2 pictures without label and 2 pictures that cannot be "
+                       "used (frame5: it is damaged and cannot be decoded)."),
             1);
 }
 

@@ -249,6 +249,8 @@ class LabellingTest(PageCase):
         self.open("run.bag")
         for name in names:
             self.add_room("  " + name)
+        for again in ("Ku\u0308che", "K\u200b\u00fcche ", "Elin's\u00a0 office"):
+            self.add_room(again)
         self.assertEqual(list(self.rooms_shown())[:-1], names)
         for refused in ("unknown", "x" * 129, "ü" * 65, " "):
             self.add_room(refused)
