@@ -19,7 +19,7 @@ struct Signature {
   FileKind kind;
 };
 
-constexpr std::array<Signature, 28> kSignatures{{
+constexpr std::array<Signature, 32> kSignatures{{
     {0,
      "version https://git-lfs"sv,
      {"a Git LFS pointer, not the file itself", "run: git lfs pull"}},
@@ -41,6 +41,12 @@ constexpr std::array<Signature, 28> kSignatures{{
     {0, "SQLite format 3"sv, {"an SQLite database, as ROS 2 records", kConvertBag}},
     {0, "rosbag2_bagfile_information"sv, {"the metadata of a ROS 2 bag", kConvertBag}},
     {0, "#ROSBAG V1"sv, {"a bag of version 1", "convert it with: rosbag fix"}},
+    {0, "#ROSRECORD V1"sv, {"a bag of version 1", "convert it with: rosbag fix"}},
+    {0,
+     "\0\x05\x16\x07"sv,
+     {"what macOS keeps beside a file", "give the file whose name does not start with ._"}},
+    {0, "\x89HDF"sv, {"an HDF5 file", "export its images as PNG or JPEG"}},
+    {8, "AVI "sv, {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
     {0, "GIF8"sv, {"a GIF picture", kConvertPicture}},
     {0, "\xff\x0a"sv, {"a JPEG XL picture", kConvertPicture}},
     {4, "JXL "sv, {"a JPEG XL picture", kConvertPicture}},

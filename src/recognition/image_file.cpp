@@ -44,11 +44,20 @@ std::string problemOf(const PictureHeader& header, const std::uint8_t* bytes, st
   return "";
 }
 
+/// Without an end marker OpenCV refuses a progressive JPEG, although all of it is there.
+bool lacksEnd(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
+  return header.format == PictureFormat::kJpeg &&
+         (bytes[size - 2] != 0xff || bytes[size - 1] != 0xd9);
+}
+
 DecodedImage decode(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
   DecodedImage decoded{{}, problemOf(header, bytes, size)};
   if (!decoded.problem.empty()) return decoded;
   try {
-    const cv::Mat buffer(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(bytes));
+    cv::Mat buffer(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(bytes));
+    if (lacksEnd(header, bytes, size)) {
+      cv::hconcat(buffer, cv::Mat_<std::uint8_t>({1, 2}, {0xff, 0xd9}), buffer);
+    }
     decoded.image = cv::imdecode(buffer, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
   } catch (const cv::Exception&) {
     decoded.image.release();

@@ -84,8 +84,10 @@ bool readAll(jpeg_decompress_struct& jpeg, ErrorManager& errors, const std::uint
   jpeg_read_header(&jpeg, TRUE);
   decodeRows(jpeg);
   const bool all_scans = hasAllScans(jpeg);
+  // An arithmetic decoder takes all that lies behind the data for zeros, without a word.
+  const bool tells_of_end = jpeg.arith_code == FALSE;
   jpeg_finish_decompress(&jpeg);
-  return all_scans || !errors.end_missing;
+  return (all_scans && tells_of_end) || !errors.end_missing;
 }
 
 }  // namespace

@@ -17,18 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 12> kPictures{"png",  "jpg", "jpeg", "webp", "bmp", "tif",
-                                                     "tiff", "pgm", "ppm",  "pbm",  "pnm", "jp2"};
+constexpr std::array<std::string_view, 17> kPictures{"png", "jpg", "jpeg", "jpe",  "jfif", "webp",
+                                                     "bmp", "dib", "tif",  "tiff", "pgm",  "ppm",
+                                                     "pbm", "pnm", "jp2",  "ras",  "sr"};
 
 /// Endings of pictures and videos that are not read, and are told when they lie among others.
 constexpr std::array<std::string_view, 20> kUnread{
     "gif", "heic", "heif", "avif", "jxl", "svg", "psd", "dng", "cr2", "nef",
     "arw", "raw",  "exr",  "mp4",  "mov", "avi", "mkv", "zip", "tar", "gz"};
 
-constexpr std::array<std::string_view, 14> kCameAlong{
-    "__macosx", "thumbs.db",  "ehthumbs.db", "desktop.ini",    "@eadir",
-    "#recycle", "#snapshot",  "@recycle",    "$recycle.bin",   "system volume information",
-    "recycler", "lost+found", "icon\r",      "temporary items"};
+constexpr std::array<std::string_view, 18> kCameAlong{
+    "__macosx",    "thumbs.db",   "ehthumbs.db",
+    "desktop.ini", "@eadir",      "#recycle",
+    "#snapshot",   "@recycle",    "$recycle.bin",
+    "recycler",    "icon\r",      "system volume information",
+    "lost+found",  "found.000",   "temporary items",
+    "cvs",         "__pycache__", "network trash folder"};
 
 template <std::size_t N>
 bool isOneOf(const std::string& text, const std::array<std::string_view, N>& list) {
@@ -225,10 +229,13 @@ FoundPictures findPicturesBelow(const std::string& folder) {
 
 bool holdsRoomPictures(const std::string& folder) {
   const FolderEntries entries = entriesOf(folder);
-  if (!entries.pictures.empty()) return true;
-  return std::any_of(entries.folders.begin(), entries.folders.end(), [&](const std::string& name) {
-    return hasPicturesOrDatesOfThem(fs::path(folder) / name);
-  });
+  const auto anyFolder = [&](auto is) {
+    return std::any_of(entries.folders.begin(), entries.folders.end(),
+                       [&](const std::string& name) { return is(fs::path(folder) / name); });
+  };
+  if (anyFolder(hasPicturesOrDatesOfThem)) return true;
+  return !entries.pictures.empty() &&
+         !anyFolder([](const fs::path& inner) { return holdsRoomPictures(inner.string()); });
 }
 
 }  // namespace place_recognition

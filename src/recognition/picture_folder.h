@@ -7,8 +7,8 @@ namespace place_recognition {
 
 // Which files of a folder are pictures is decided here, for every verb.
 
-/// Whether a name ends as a picture that can be read does, in any case: png, jpg, jpeg, webp, bmp,
-/// tif, tiff, pgm, ppm, pbm, pnm, jp2.
+/// Whether a name ends as a picture that can be read does, in any case: png, jpg, jpeg, jpe, jfif,
+/// webp, bmp, dib, tif, tiff, pgm, ppm, pbm, pnm, jp2, ras, sr.
 bool isPictureName(const std::string& name);
 
 /// Whether an entry of a folder came along from elsewhere: hidden files ('.git', '._1.jpg'), and
@@ -52,9 +52,9 @@ FoundPictures findRoomPictures(const std::string& folder);
 /// folder that cannot be opened is named in the warnings. Throws as above.
 FoundPictures findPicturesBelow(const std::string& folder);
 
-/// Whether `folder` is of `room/picture` or holds pictures itself. Below a room, only folders with
-/// the name of a date are looked into, for a folder of other names may be one of several
-/// recordings.
+/// Whether `folder` is of `room/picture`, or holds pictures itself and no folder that is. Below a
+/// room, only folders with the name of a date are looked into, for a folder of other names may be
+/// one of several recordings.
 bool holdsRoomPictures(const std::string& folder);
 
 }  // namespace place_recognition

@@ -90,9 +90,18 @@ PictureHeader readJpeg(const Bytes& file) {
   return header;
 }
 
+/// Whether the first `size` bytes end in a buffer that was not filled: more than a quarter are
+/// zeros, where pictures of one colour have a twentieth.
+bool endsInZeros(const Bytes& file, std::uint64_t size) {
+  std::uint64_t end = size;
+  while (end > 0 && file.at(end - 1) == 0) --end;
+  return size - end > size / 4;
+}
+
 /// RIFF, its length, WEBP, then a chunk of one of three kinds.
 PictureHeader readWebp(const Bytes& file) {
-  PictureHeader header{PictureFormat::kWebp, 0, 0, file.little(4, 4) + 8 <= file.size()};
+  const std::uint64_t size = file.little(4, 4) + 8;
+  PictureHeader header{PictureFormat::kWebp, 0, 0, size <= file.size() && !endsInZeros(file, size)};
   if (file.startsWith("VP8 ", 12)) {
     header.width = file.little(26, 2) & 0x3fff;
     header.height = file.little(28, 2) & 0x3fff;
@@ -199,7 +208,19 @@ PictureHeader readTiff(const Bytes& file) {
           directory.hasParts(kStrips, kStripBytes) || directory.hasParts(kTiles, kTileBytes)};
 }
 
-/// The netpbm formats in bytes, P4 to P6: numbers as text, with comments, then pixels.
+/// How many numbers stand from `i` on; digits of bitmaps need not be separated.
+std::uint64_t countNumbers(const Bytes& file, std::uint64_t i, bool each_digit) {
+  std::uint64_t count = 0;
+  for (bool within = false; i < file.size(); ++i) {
+    const bool digit = std::isdigit(file.at(i)) != 0;
+    if (digit && (each_digit || !within)) ++count;
+    within = digit;
+  }
+  return count;
+}
+
+/// The netpbm formats in text, P1 to P3, and in bytes, P4 to P6: numbers as text, with comments,
+/// then pixels.
 PictureHeader readPnm(const Bytes& file) {
   std::uint64_t i = 2;
   const auto number = [&file, &i] {
@@ -216,9 +237,14 @@ PictureHeader readPnm(const Bytes& file) {
   };
   const char kind = static_cast<char>(file.at(1));
   const std::uint64_t width = number(), height = number();
-  const std::uint64_t largest = kind == '4' ? 1 : number();
+  const bool bitmap = kind == '1' || kind == '4';
+  const std::uint64_t largest = bitmap ? 1 : number();
+  if (kind <= '3') {
+    const std::uint64_t needed = width * height * (kind == '3' ? 3 : 1);
+    return {PictureFormat::kPnm, width, height, countNumbers(file, i, bitmap) >= needed};
+  }
   const std::uint64_t row =
-      kind == '4' ? (width + 7) / 8 : width * (kind == '6' ? 3 : 1) * (largest > 255 ? 2 : 1);
+      bitmap ? (width + 7) / 8 : width * (kind == '6' ? 3 : 1) * (largest > 255 ? 2 : 1);
   // Both below 10^9, so the product fits.
   return {PictureFormat::kPnm, width, height, i + 1 + row * height <= file.size()};
 }
@@ -249,21 +275,38 @@ PictureHeader readJpeg2000(const Bytes& file) {
   return header;
 }
 
+/// Eight numbers, then colours and rows of pixels; a length of the pixels is given if they are
+/// compressed.
+PictureHeader readSunRaster(const Bytes& file) {
+  const std::uint64_t width = file.big(4, 4), height = file.big(8, 4), bits = file.big(12, 4);
+  const std::uint64_t row = (width * bits + 15) / 16 * 2;
+  const bool compressed = file.big(20, 4) == 2;
+  const std::uint64_t pixels = compressed ? file.big(16, 4) : row * height;
+  // All below 2^32, and `row` below 2^62 with a sound number of bits.
+  const bool sound = bits <= 32 && width <= 1 << 16 && height <= 1 << 16;
+  return {PictureFormat::kSunRaster, width, height,
+          sound && 32 + file.big(28, 4) + pixels <= file.size()};
+}
+
 struct Signature {
   std::string_view start;
   PictureHeader (*read)(const Bytes&);
 };
 
-constexpr std::array<Signature, 11> kSignatures{{
+constexpr std::array<Signature, 15> kSignatures{{
     {"\x89PNG\r\n\x1a\n"sv, readPng},
     {"\xff\xd8"sv, readJpeg},
     {"RIFF"sv, readWebp},
     {"BM"sv, readBmp},
     {"II*\0"sv, readTiff},
     {"MM\0*"sv, readTiff},
+    {"P1"sv, readPnm},
+    {"P2"sv, readPnm},
+    {"P3"sv, readPnm},
     {"P4"sv, readPnm},
     {"P5"sv, readPnm},
     {"P6"sv, readPnm},
+    {"\x59\xa6\x6a\x95"sv, readSunRaster},
     {"\xff\x4f\xff\x51"sv, readJpeg2000},
     {"\0\0\0\x0cjP  \r\n\x87\n"sv, readJpeg2000},
 }};

@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-enum class PictureFormat { kNone, kPng, kJpeg, kWebp, kBmp, kTiff, kPnm, kJpeg2000 };
+enum class PictureFormat { kNone, kPng, kJpeg, kWebp, kBmp, kTiff, kPnm, kJpeg2000, kSunRaster };
 
 /// What a picture says of itself before anything of it is decoded.
 struct PictureHeader {

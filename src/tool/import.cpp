@@ -1,4 +1,5 @@
 #include <iostream>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -35,6 +36,7 @@ void importPictures(const ImportOptions& options) {
   const Progress progress = display.callback();
   LabelledBagWriter bag(options.out, bag_options);
   std::set<std::string> places;
+  std::map<std::string, std::string> problems;  // the first, by place
   UnusablePictures unusable;
   std::vector<std::string> paths;
   for (const LabelledPicture& picture : pictures) paths.push_back(picture.path);
@@ -45,6 +47,7 @@ void importPictures(const ImportOptions& options) {
     const DecodedImage decoded = sequence.read(i);
     if (decoded.image.empty()) {
       unusable.add(picture.path, decoded.problem);
+      problems.emplace(picture.place, picture.path + ": " + decoded.problem);
       continue;
     }
     bag.write(decoded.image, picture.place, picture.stamp);
@@ -53,6 +56,11 @@ void importPictures(const ImportOptions& options) {
   unusable.requireOthers(pictures.size());
   if (!sequence.note().empty()) warnings.push_back(options.folder + ": " + sequence.note());
   bag.close();
+  for (const auto& [place, problem] : problems) {
+    if (places.count(place) > 0) continue;
+    warnings.push_back("'" + place + "' is not in the bag: its pictures cannot be used (" +
+                       problem + ").");
+  }
   display.clear();
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
   unusable.warn(std::cerr);

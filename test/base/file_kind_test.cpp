@@ -21,6 +21,9 @@ TEST(FileKind, IsToldByTheFirstBytes) {
   EXPECT_NE(name("\x89MCAP0\r\n"sv).find("ROS 2"), std::string::npos);
   EXPECT_NE(name("\x1f\x8b\x08"sv).find("gzip"), std::string::npos);
   EXPECT_NE(name("PK\x03\x04..."sv).find("zip"), std::string::npos);
+  EXPECT_NE(name("\0\x05\x16\x07\0\x02"sv).find("macOS"), std::string::npos);
+  EXPECT_NE(name("#ROSRECORD V1.1\n").find("version 1"), std::string::npos);
+  EXPECT_NE(name("RIFF\x10\0\0\0AVI LIST"sv).find("video"), std::string::npos);
   EXPECT_EQ(name("#ROSBAG V2.0\n"), "");
   EXPECT_EQ(name("\xff\xd8\xff\xe0"sv), "");
   EXPECT_EQ(name(""), "");

@@ -51,23 +51,37 @@ class PictureFolders : public testing::Test {
 
 TEST_F(PictureFolders, AllEndingsInAnyCase) {
   for (const char* name : {"1.png", "2.JPG", "3.Jpeg", "4.webp", "5.BMP", "6.tif", "7.TIFF",
-                           "8.pgm", "9.ppm", "10.jp2"}) {
+                           "8.pgm", "9.ppm", "10.jp2", "11.jpe", "12.jfif", "13.dib", "14.ras"}) {
     touch(std::string("run/hall/") + name);
   }
   touch("run/hall/notes.txt");
-  EXPECT_EQ(found().pictures.size(), 10u);
-  EXPECT_EQ(pictures().back(), "hall: hall/10.jp2");
+  EXPECT_EQ(found().pictures.size(), 14u);
+  EXPECT_EQ(pictures().back(), "hall: hall/14.ras");
   EXPECT_TRUE(found().warnings.empty());
 }
 
 TEST_F(PictureFolders, WhatCameAlongIsPassedOverInSilence) {
   touch("run/hall/1.jpg");
-  for (const char* path :
-       {"run/hall/._1.jpg", "run/._hall", "run/__MACOSX/hall/._1.jpg", "run/__MACOSX/hall/1.jpg",
-        "run/.DS_Store", "run/hall/Thumbs.db", "run/hall/desktop.ini", "run/@eaDir/1.jpg/x.jpg",
-        "run/hall/@eaDir/1.jpg", "run/.git/objects/1.jpg", "run/.thumbnails/1.png",
-        "run/lost+found/1.jpg", "run/$RECYCLE.BIN/1.jpg", "run/hall/.cache/2.jpg",
-        "run/System Volume Information/1.jpg", "run/#recycle/1.jpg"}) {
+  for (const char* path : {"run/hall/._1.jpg",
+                           "run/._hall",
+                           "run/__MACOSX/hall/._1.jpg",
+                           "run/__MACOSX/hall/1.jpg",
+                           "run/.DS_Store",
+                           "run/hall/Thumbs.db",
+                           "run/hall/desktop.ini",
+                           "run/@eaDir/1.jpg/x.jpg",
+                           "run/hall/@eaDir/1.jpg",
+                           "run/.git/objects/1.jpg",
+                           "run/.thumbnails/1.png",
+                           "run/lost+found/1.jpg",
+                           "run/$RECYCLE.BIN/1.jpg",
+                           "run/hall/.cache/2.jpg",
+                           "run/System Volume Information/1.jpg",
+                           "run/#recycle/1.jpg",
+                           "run/found.000/1.jpg",
+                           "run/CVS/1.jpg",
+                           "run/__pycache__/1.jpg",
+                           "run/Network Trash Folder/1.jpg"}) {
     touch(path);
   }
   EXPECT_EQ(pictures(), std::vector<std::string>{"hall: hall/1.jpg"});
@@ -142,6 +156,13 @@ TEST_F(PictureFolders, ARunIsToldFromAFolderOfRuns) {
   EXPECT_TRUE(holdsRoomPictures(scratch_ / "dated"));
   EXPECT_FALSE(holdsRoomPictures(scratch_ / "days"));
   EXPECT_FALSE(holdsRoomPictures(scratch_ / "nowhere"));
+  touch("runs/map.png");  // among runs
+  EXPECT_FALSE(holdsRoomPictures(scratch_ / "runs"));
+  touch("days/map.png");
+  EXPECT_FALSE(holdsRoomPictures(scratch_ / "days"));
+  touch("runs/monday/1.jpg");  // among rooms
+  EXPECT_TRUE(holdsRoomPictures(scratch_ / "runs/monday"));
+  EXPECT_TRUE(holdsRoomPictures(scratch_ / "runs/monday/hall"));  // of one room
 }
 
 TEST_F(PictureFolders, NothingThereIsAnError) {
