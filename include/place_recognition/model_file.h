@@ -25,6 +25,9 @@ std::uint64_t saveModel(const Model& model, const std::string& path);
 /// Loads and checks a model file; sets name and version.
 Model loadModel(const std::string& path);
 
+/// Whether the file at `path` starts as a model does, whatever its name.
+bool startsAsModel(const std::string& path);
+
 /// How many models that were saved to the same path before are kept.
 constexpr int kModelBackups = 3;
 

@@ -54,6 +54,11 @@ std::uint64_t sizeOf(std::istream& file) {
 
 }  // namespace
 
+bool startsAsContainer(std::istream& file) {
+  char start[sizeof(Header::magic)] = {};
+  return file.read(start, sizeof(start)) && std::memcmp(start, kMagic, sizeof(start)) == 0;
+}
+
 std::string packContainer(std::string_view message, std::string_view numbers) {
   if (sizeof(Header) + message.size() + numbers.size() > kMaxModelBytes) {
     throw Error("The model would be larger than 2 GB; train on fewer images or reduce it.");

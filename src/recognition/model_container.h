@@ -33,6 +33,9 @@ class NumberWriter {
   std::string bytes_;
 };
 
+/// Whether a file starts as model files do.
+bool startsAsContainer(std::istream& file);
+
 /// A model file of this message and these numbers.
 std::string packContainer(std::string_view message, std::string_view numbers);
 

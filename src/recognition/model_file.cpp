@@ -122,6 +122,11 @@ Model loadModel(const std::string& path) {
   return model;
 }
 
+bool startsAsModel(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return startsAsContainer(file);
+}
+
 void restoreModel(const std::string& path, int age) {
   const std::string backup = backupPath(path, age);
   const std::string bytes = readFile(backup, kMaxModelBytes);

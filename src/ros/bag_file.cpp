@@ -43,6 +43,13 @@ bool startsAsBag(const std::string& path) { return startOf(path).rfind(kStart, 0
 
 bool isActiveBag(const std::string& path) { return endsWith(path, ".bag.active"); }
 
+std::string whyActive(const std::string& path) {
+  const std::string name = path.substr(0, path.size() - std::string(".active").size());
+  return "it is being recorded, or was left by a recorder that was killed; in the latter case run: "
+         "rosbag reindex " +
+         path + ", and rename it to " + name;
+}
+
 bool isBag(const std::string& path) {
   std::error_code ignored;
   if (isRos2Bag(path)) return false;

@@ -11,6 +11,10 @@ bool isBag(const std::string& path);
 /// Whether a recorder that was killed, or still records, has left the bag under this name.
 bool isActiveBag(const std::string& path);
 
+/// What is the matter with an active bag at `path` that has no index, and what to do, behind "PATH:
+/// ", without a full stop.
+std::string whyActive(const std::string& path);
+
 /// Whether the folder is a bag of ROS 2.
 bool isRos2Bag(const std::string& folder);
 

@@ -22,6 +22,7 @@
 #include "base/process_limits.h"
 #include "place_recognition/error.h"
 #include "recognition/depth_scale.h"
+#include "ros/bag_file.h"
 #include "ros/bag_guard.h"
 #include "ros/bag_records.h"
 #include "ros/bag_run.h"
@@ -110,13 +111,13 @@ cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
 /// The first and the last of most images: those that no gap of more than a day sets apart, as a
 /// clock does that was not set.
 std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
-  static const ros::Duration kGap(24 * 60 * 60);
+  constexpr double kGap = 24 * 60 * 60;  // s
   std::pair<ros::Time, ros::Time> span;
   std::uint32_t most = 0, count = 0;
   ros::Time first, last;
   for (const rosbag::MessageInstance& image : images) {
     const ros::Time time = image.getTime();
-    if (count == 0 || time - last > kGap) {
+    if (count == 0 || time.toSec() - last.toSec() > kGap) {
       first = time;
       count = 0;
     }
@@ -129,17 +130,25 @@ std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
   return span;
 }
 
-/// The time of the bag: of all messages within a day of the images.
+/// The time of the bag: of the images, and of all messages that no gap of more than ten minutes
+/// sets apart from them.
 std::pair<ros::Time, ros::Time> spanOf(const rosbag::Bag& bag) {
+  constexpr double kGap = 10 * 60;  // s
   rosbag::View all(bag);
   if (all.size() == 0) return {};
   rosbag::View images(bag, rosbag::TypeQuery({kImageType, kCompressedType}));
   if (images.size() == 0) return {all.getBeginTime(), all.getEndTime()};
-  static const ros::Duration kDay(24 * 60 * 60);
   const auto [first, last] = spanOfImages(images);
-  const ros::Time from = first > ros::TIME_MIN + kDay ? first - kDay : ros::TIME_MIN;
-  rosbag::View near(bag, from, last < ros::TIME_MAX - kDay ? last + kDay : ros::TIME_MAX);
-  return {near.getBeginTime(), near.getEndTime()};
+  ros::Time begin = all.getBeginTime(), before = begin, end = last;
+  for (const rosbag::MessageInstance& message : rosbag::View(bag, ros::TIME_MIN, first)) {
+    if (message.getTime().toSec() - before.toSec() > kGap) begin = message.getTime();
+    before = message.getTime();
+  }
+  for (const rosbag::MessageInstance& message : rosbag::View(bag, last)) {
+    if (message.getTime().toSec() - end.toSec() > kGap) break;
+    end = message.getTime();
+  }
+  return {begin, end};
 }
 
 void sendSpan(const rosbag::Bag& bag) {
@@ -298,14 +307,8 @@ void readBag(bool images, const std::string& path, const std::string& image_topi
 }
 
 std::string whyUnindexed(const std::string& path) {
-  const std::string reindex = "run: rosbag reindex " + path;
-  const std::string active = ".active";
-  if (path.size() <= active.size() ||
-      path.compare(path.size() - active.size(), active.size(), active) != 0) {
-    return "it has no index, as when recording was cut short; " + reindex;
-  }
-  return "it is being recorded, or was left by a recorder that was killed; in the latter case " +
-         reindex + ", and rename it to " + path.substr(0, path.size() - active.size());
+  if (isActiveBag(path)) return whyActive(path);
+  return "it has no index, as when recording was cut short; run: rosbag reindex " + path;
 }
 
 /// readBag() with every error told to the other end of the pipe.

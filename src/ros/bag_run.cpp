@@ -5,6 +5,7 @@
 #include <limits>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "place_recognition/error.h"
@@ -142,6 +143,10 @@ class BagRun : public Run {
  public:
   BagRun(const std::string& path, const BagRunOptions& options)
       : Run(path), bag_(path, "images", options) {
+    if (isActiveBag(path)) {
+      warnings_.push_back(path +
+                          " is whole, though named as one that is being recorded; rename it.");
+    }
     if (!bag_.labels.note().empty()) warnings_.push_back(bag_.labels.note());
     if (!bag_.note.empty()) warnings_.push_back(path + ": " + bag_.note);
   }
@@ -150,10 +155,12 @@ class BagRun : public Run {
     const BagRecord record = std::move(bag_.following);
     if (record.kind == BagRecordKind::kEnd) {
       time_ = bag_.info.start + bag_.info.duration;
+      warnOfUnseenPlaces();
       return false;
     }
     time_ = record.time;
     frame.place = bag_.labels.at(record.time);
+    seen_.insert(frame.place);
     frame.stamp = record.stamp;
     frame.name = record.text;
     frame.problem = record.detail;
@@ -168,8 +175,18 @@ class BagRun : public Run {
   }
 
  private:
+  void warnOfUnseenPlaces() {
+    bag_.labels.forEach(bag_.info.start, std::numeric_limits<double>::infinity(),
+                        [this](double, double, const std::string& place) {
+                          if (!seen_.insert(place).second) return;
+                          warnings_.push_back(name() + ": the label '" + place +
+                                              "' is of no use, for no image came while it held.");
+                        });
+  }
+
   OpenBag bag_;
-  double time_ = 0;  // bag time of the last frame, s
+  double time_ = 0;             // bag time of the last frame, s
+  std::set<std::string> seen_;  // places of frames
 };
 
 bool hasImages(const BagTopic& topic) { return topic.type.find("Image") != std::string::npos; }

@@ -46,8 +46,8 @@ struct BagLabel {
 
 /// What is in a bag.
 struct BagInfo {
-  double start = 0;  ///< s since 1970, or of simulated time; without messages that lie more than a
-                     ///< day apart from most images, as those of a clock that was not set
+  double start = 0;  ///< s since 1970, or of simulated time; of the first image or what precedes it
+                     ///< without a gap of ten minutes, as a clock leaves that was not set
   double duration = 0;           ///< s
   std::vector<BagTopic> topics;  ///< of images first, then in order of name
   std::vector<BagLabel> labels;  ///< in order of time; empty: the bag is not labelled

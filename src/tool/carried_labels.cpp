@@ -1,7 +1,11 @@
 #include "tool/carried_labels.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <numeric>
+#include <regex>
 
 #include "place_recognition/error.h"
 #include "ros/bag_file.h"
@@ -12,8 +16,7 @@ namespace {
 /// s; parts of a recording follow each other within a message or two.
 constexpr double kMaxGap = 2;
 
-/// What is in a bag whose labels are its own; nothing for what cannot be read, which its reader
-/// will tell.
+/// What is in a bag; nothing for what cannot be read, which its reader will tell.
 BagInfo infoOf(const std::string& run, const BagRunOptions& options) {
   try {
     return isBag(run) ? bagInfo(run, options) : BagInfo();
@@ -22,31 +25,67 @@ BagInfo infoOf(const std::string& run, const BagRunOptions& options) {
   }
 }
 
+/// Whether `run` is named as rosbag names a part of a recording behind the first.
+bool isLaterPart(const std::string& run) {
+  static const std::regex part(R"(.*_0*[1-9]\d{0,3}\.bag)");
+  const std::string name = std::filesystem::path(run).filename().string();
+  return name.size() < 256 && std::regex_match(name, part);
+}
+
+/// The bag that ends where bag `i` starts; the one given before it, if that does. -1: none.
+int partBefore(const std::vector<BagInfo>& bags, int i) {
+  const auto gapBehind = [&](int j) {
+    const BagInfo& bag = bags[static_cast<std::size_t>(j)];
+    return std::abs(bags[static_cast<std::size_t>(i)].start - bag.start - bag.duration);
+  };
+  int nearest = -1;
+  for (int j = 0; j < static_cast<int>(bags.size()); ++j) {
+    const bool may_be = j != i && !bags[static_cast<std::size_t>(j)].topics.empty();
+    if (!may_be || gapBehind(j) > kMaxGap) continue;
+    if (j == i - 1) return j;
+    if (nearest < 0 || gapBehind(j) < gapBehind(nearest)) nearest = j;
+  }
+  return nearest;
+}
+
+void warnOfStart(const std::string& run, const BagInfo& bag, bool among_others) {
+  constexpr double kAtOnce = 0.5;  // s
+  const bool none = bag.labels.empty();
+  if (!none && bag.labels.front().from <= kAtOnce) return;
+  if (!isLaterPart(run) && !(none && among_others)) return;
+  std::cerr << "warning: " << run << (none ? " has no labels." : " starts without a label.")
+            << " One that was said in another part of its recording holds if that part is given, "
+               "too; rosbag record --repeat-latched repeats it in every part.\n";
+}
+
 }  // namespace
 
 std::vector<std::string> carriedLabels(const std::vector<std::string>& runs,
                                        const BagRunOptions& options) {
   std::vector<std::string> carried(runs.size());
-  if (runs.size() < 2 || !options.label.empty()) return carried;
-  BagInfo before;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    BagRunOptions own = options;
-    BagInfo bag = infoOf(runs[i], own);
-    const double gap = bag.start - before.start - before.duration;
-    const bool has_topics = !bag.topics.empty() && bag.labels_file.empty();
-    if (has_topics && !before.last_label.empty() && std::abs(gap) <= kMaxGap) {
-      carried[i] = own.initial_label = before.last_label;
-      bag = infoOf(runs[i], own);
-      std::cerr << "note: " << runs[i] << " goes on where " << runs[i - 1]
-                << " ends, and starts in '" << carried[i] << "'.\n";
-    } else if (has_topics && bag.labels.empty()) {
-      std::cerr
-          << "warning: " << runs[i]
-          << " has no labels. One that was said in another bag holds in the next only if that "
-             "is given behind it and goes on where it ends; rosbag record --repeat-latched "
-             "repeats it in every part.\n";
+  const bool may_lack = runs.size() > 1 || isLaterPart(runs.front());
+  if (!may_lack || !options.label.empty()) return carried;
+  std::vector<BagInfo> bags;
+  for (const std::string& run : runs) bags.push_back(infoOf(run, options));
+  // In order of time, so that a label is carried through parts that say none.
+  std::vector<int> order(runs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&bags](int a, int b) {
+    return bags[static_cast<std::size_t>(a)].start < bags[static_cast<std::size_t>(b)].start;
+  });
+  for (const int number : order) {
+    const auto i = static_cast<std::size_t>(number);
+    if (bags[i].topics.empty() || !bags[i].labels_file.empty()) continue;
+    const int before = partBefore(bags, number);
+    if (before < 0 || bags[static_cast<std::size_t>(before)].last_label.empty()) {
+      warnOfStart(runs[i], bags[i], runs.size() > 1);
+      continue;
     }
-    before = std::move(bag);
+    BagRunOptions own = options;
+    own.initial_label = carried[i] = bags[static_cast<std::size_t>(before)].last_label;
+    bags[i] = infoOf(runs[i], own);
+    std::cerr << "note: " << runs[i] << " goes on where " << runs[static_cast<std::size_t>(before)]
+              << " ends, and starts in '" << carried[i] << "'.\n";
   }
   return carried;
 }

@@ -7,9 +7,10 @@
 
 namespace place_recognition::tool {
 
-/// For each of `runs` the label that holds at its start because it goes on where the bag before it
-/// ends, as the parts of a split recording do: a label is recorded when it is said, in the part of
-/// that time. Empty: none. Says on stderr what is carried, and which bag has no label at all.
+/// For each of `runs` (at least one) the label that holds at its start because it goes on where
+/// another of them ends, as the parts of a split recording do: a label is recorded when it is said,
+/// in the part of that time. Empty: none. Says on stderr what is carried, and which part lacks a
+/// label at its start.
 std::vector<std::string> carriedLabels(const std::vector<std::string>& runs,
                                        const BagRunOptions& options);
 

@@ -4,8 +4,9 @@
 #include <boost/algorithm/string.hpp>
 #include <boost/program_options.hpp>
 #include <iostream>
-#include <numeric>
 #include <sstream>
+
+#include "base/nearest_name.h"
 
 namespace place_recognition::tool {
 namespace {
@@ -13,32 +14,9 @@ namespace {
 namespace po = boost::program_options;
 using Words = std::vector<std::string>;
 
-/// Insertions, deletions and substitutions that turn one word into the other (Levenshtein 1966).
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (const char c : a) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (b[j] == c ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
-    }
-  }
-  return row.back();
-}
-
 /// " (did you mean X?)", if one of `known` is near enough to have been meant.
 std::string suggestion(const std::string& word, const Words& known) {
-  std::size_t nearest = 1 + word.size() / 3;  // more typing errors than that are another word
-  std::string meant;
-  for (const std::string& name : known) {
-    const std::size_t distance = editDistance(word, name);
-    if (distance <= nearest && (meant.empty() || distance < nearest)) {
-      nearest = distance;
-      meant = name;
-    }
-  }
+  const std::string meant = nearestName(word, known);
   return meant.empty() ? "" : " (did you mean " + meant + "?)";
 }
 

@@ -147,7 +147,7 @@ std::string modelPathOf(const std::string& name) {
   if (std::filesystem::is_directory(name, ignored)) {
     throw Error(name + " is a folder; give a bag or a model.");
   }
-  const bool is_model = std::filesystem::path(name).extension() == ".places";
+  const bool is_model = std::filesystem::path(name).extension() == ".places" || startsAsModel(name);
   if (!is_model) throw Error(name + " is neither a bag nor a model; give a .bag or .places file.");
   return name;
 }
@@ -155,6 +155,10 @@ std::string modelPathOf(const std::string& name) {
 void info(const InfoOptions& options) {
   if (isBag(options.name)) {
     const BagInfo bag = bagInfo(options.name, options.input.bag);
+    if (isActiveBag(options.name)) {
+      std::cerr << "warning: " << options.name
+                << " is whole, though named as one that is being recorded; rename it.\n";
+    }
     if (options.output.json != "-") printBag(bag, options.name);
     options.output.writeJson(bagFigures(bag, options.name));
     return;

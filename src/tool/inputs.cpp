@@ -37,7 +37,7 @@ std::string whyNoRun(const std::string& folder) {
 /// Why `path`, in a folder of runs, is none; empty if nobody would take it for one.
 std::string whyPassedOver(const std::string& path) {
   std::error_code ignored;
-  if (isActiveBag(path)) return "it was left by a recorder that was killed, or is being recorded";
+  if (isActiveBag(path)) return whyActive(path);
   const std::string what = whyNoRecording(path);
   const bool is_folder = fs::is_directory(path, ignored);
   if (!what.empty()) return is_folder || isBag(path) ? "it is " + what : "";

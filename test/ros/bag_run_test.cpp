@@ -127,6 +127,69 @@ TEST_F(Bags, AClockThatWasNotSetDoesNotCount) {
   }
 }
 
+TEST_F(Bags, AMessageLongBeforeOrAfterDoesNotCount) {
+  const double seventy_years = 70 * 365.25 * 86400;  // more than a ros::Duration holds
+  for (const double odd : {1.5e9 - 3600, 1.5e9 - 20 * 3600, 1.5e9 + 3600, 1.5e9 + seventy_years}) {
+    {
+      rosbag::Bag bag(path_, rosbag::bagmode::Write);
+      for (int i = 0; i < 3; ++i) {
+        bag.write("/image", ros::Time(1.5e9 + i), toImageMessage(picture(i), std_msgs::Header()));
+      }
+      bag.write("/rosout", ros::Time(odd), std_msgs::String());
+      if (odd > 2e9) {
+        bag.write("/image", ros::Time(odd), toImageMessage(picture(0), std_msgs::Header()));
+      }
+    }
+    const BagInfo info = bagInfo(path_);
+    EXPECT_DOUBLE_EQ(info.start, 1.5e9);
+    EXPECT_DOUBLE_EQ(info.duration, 2);
+  }
+}
+
+TEST_F(Bags, ACameraThatStartsLateOrPausesDoesNotCutTheRecording) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    for (int minute = 0; minute < 30; ++minute) {
+      bag.write("/odom", ros::Time(1.5e9 + 60 * minute), std_msgs::String());
+    }
+    for (const double minute : {40.0, 100.0}) {  // a lunch break
+      bag.write("/image", ros::Time(1.5e9 + 60 * minute),
+                toImageMessage(picture(0), std_msgs::Header()));
+    }
+  }
+  EXPECT_DOUBLE_EQ(bagInfo(path_).start, 1.5e9 + 40 * 60);  // 11 minutes after the last message
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Append);
+    bag.write("/odom", ros::Time(1.5e9 + 60 * 35), std_msgs::String());
+  }
+  const BagInfo info = bagInfo(path_);
+  EXPECT_DOUBLE_EQ(info.start, 1.5e9);
+  EXPECT_DOUBLE_EQ(info.duration, 100 * 60);
+}
+
+TEST_F(Bags, ALabelThatNoImageShowsIsNamed) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    const auto say = [&bag](double time, const char* text) {
+      std_msgs::String label;
+      label.data = text;
+      bag.write("/place_label", ros::Time(time), label);
+    };
+    say(100, "kitchen");
+    for (int i = 0; i < 3; ++i) {
+      bag.write("/image", ros::Time(100.0 + i), toImageMessage(picture(i), std_msgs::Header()));
+    }
+    say(101.1, "attic");
+    say(101.2, "kitchen");
+    say(103, "cellar");
+  }
+  const std::unique_ptr<place_recognition::Run> run = openBagRun(path_);
+  for (Frame frame; run->next(frame);) EXPECT_EQ(frame.place, "kitchen");
+  ASSERT_EQ(run->warnings().size(), 2u);
+  EXPECT_NE(run->warnings()[0].find("'attic'"), std::string::npos);
+  EXPECT_NE(run->warnings()[1].find("'cellar'"), std::string::npos);
+}
+
 TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
   {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);

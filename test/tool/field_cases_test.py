@@ -63,6 +63,17 @@ class FolderTest(FieldCase):
         self.assertNotIn("warning: Nothing", said)
         self.assertEqual(self.figures("import", "run", "--out", "run.bag")["images"], 24)
 
+    def test_a_picture_beside_runs_does_not_make_rooms_of_them(self):
+        for run in ("monday", "tuesday"):
+            self.write_run(f"runs/{run}")
+        self.write_picture("runs/map.png", paint("office", 1))
+        self.assertEqual(self.rooms_of("runs"), sorted(ROOMS))
+        self.assertEqual(self.rooms_of("runs/monday"), sorted(ROOMS))
+        self.write_picture("runs/monday/map.png", paint("office", 1))
+        figures, said = self.train("runs/monday")
+        self.assertEqual(sorted(figures["rooms"]), sorted(ROOMS))
+        self.assertIn("1 picture without label", said)
+
     def test_folders_that_give_nothing_are_named(self):
         self.write_run("run")
         (self.folder / "run/attic").mkdir()
@@ -74,7 +85,17 @@ class FolderTest(FieldCase):
                      self.run_tool("import", "run", "--out", "run.bag").stderr):
             self.assert_names(said, "run/attic: it holds 1 .heic file", "run/cellar: it is empty",
                               "run/loft/1.jpg: it is empty")
-        self.assertIn("'loft' is not learned", self.train("run")[1])
+        self.assert_names(self.train("run")[1],
+                          "'loft' is not learned: its 1 picture cannot be used (run/loft/1.jpg: it")
+        self.assert_names(self.run_tool("import", "run", "--out", "run2.bag").stderr,
+                          "'loft' is not in the bag: its pictures cannot be used (run/loft/1.jpg")
+
+    def test_a_model_of_any_name_is_told_from_other_files(self):
+        self.write_run("run")
+        self.succeed("train", "run", "--model", "./plain", "--config", "crfh_colour")
+        self.assertIn("kitchen", self.succeed("info", "./plain"))
+        (self.folder / "notes.txt").write_text("notes")
+        self.assertIn("neither a bag nor a model", self.refuse("info", "notes.txt"))
 
     def test_rooms_that_are_links(self):
         self.write_run("store")
@@ -104,7 +125,7 @@ class FolderTest(FieldCase):
 
     def test_two_names_of_one_room(self):
         names = [unicodedata.normalize(form, "Küche") for form in ("NFC", "NFD")]
-        for i, name in enumerate([*names, names[0] + " "]):
+        for i, name in enumerate([*names, names[0] + " ", "Kü\u200bche", "\u00adK\u200eüche"]):
             for view in range(4):
                 self.write_picture(f"run/{name}/{view}.png", paint("kitchen", 4 * i + view))
         for i, name in enumerate(("Office_A", "office_a")):
@@ -112,7 +133,7 @@ class FolderTest(FieldCase):
                 self.write_picture(f"run/{name}/{view}.png", paint("office", 4 * i + view))
         figures, said = self.train("run")
         self.assertEqual(sorted(figures["rooms"]), sorted([names[0], "Office_A", "office_a"]))
-        self.assertEqual(figures["rooms"][names[0]]["count"], 12)
+        self.assertEqual(figures["rooms"][names[0]]["count"], 20)
         self.assert_names(said, "'Office_A' and 'office_a' differ in upper and lower case only")
 
 
@@ -141,6 +162,13 @@ class BagTest(FieldCase):
                          {"kitchen": 5, "office": 14, "corridor": 6})
         self.assert_names(said, "run_1.bag goes on where run_0.bag ends, and starts in 'office'",
                           "late.bag has no labels", "--repeat-latched")
+        figures, said = self.train("run_2.bag", "run_1.bag", "run_0.bag")  # in any order
+        self.assertEqual(figures["rooms"]["office"]["count"], 14)
+        self.assertNotIn("warning: run_", said)
+        self.assert_names(self.train("run_2.bag", "run_0.bag")[1],
+                          "run_2.bag starts without a label", "--repeat-latched")
+        self.assert_names(self.run_tool("train", "run_1.bag", *MODEL).stderr,
+                          "run_1.bag has no labels", "--repeat-latched")
         (self.folder / "late.bag").unlink()
         self.assertEqual(self.train(".")[0]["images"], 25)
 
@@ -184,6 +212,21 @@ class BagTest(FieldCase):
         for verb in (("info", "monday.bag.active"), ("train", "monday.bag.active", *MODEL)):
             self.assert_names(self.refuse(*verb), "rosbag reindex monday.bag.active",
                               "rename it to monday.bag")
+        (self.folder / "runs").mkdir()
+        self.write_labelled("runs/sound.bag", 1000, ["kitchen"] * 4 + ["office"] * 4,
+                            [(0, "kitchen"), (4, "office")])
+        (self.folder / "runs/monday.bag.active").write_bytes(content)
+        self.assert_names(self.train("runs")[1], "rosbag reindex runs/monday.bag.active",
+                          "rename it to runs/monday.bag")
+
+    def test_a_whole_bag_that_is_named_as_if_it_were_being_recorded(self):
+        self.write_labelled("run.bag", 1000, ["kitchen"] * 4 + ["office"] * 4,
+                            [(0, "kitchen"), (4, "office")])
+        (self.folder / "run.bag").rename(self.folder / "run.bag.active")
+        figures, said = self.train("run.bag.active")
+        self.assertEqual(figures["images"], 8)
+        self.assert_names(said, "run.bag.active is whole", "rename it")
+        self.assert_names(self.run_tool("info", "run.bag.active").stderr, "rename it")
 
     def test_recordings_of_other_kinds_are_named(self):
         ros2 = self.folder / "rosbag2_run"
