@@ -27,7 +27,8 @@ generate_dynamic_reconfigure_options(cfg/PlaceRecognizer.cfg)
 #catkin_lint: ignore unused_include_path
 catkin_package(
   INCLUDE_DIRS include
-  LIBRARIES place_recognition_base place_recognition_features place_recognition_learning
+  LIBRARIES place_recognition_base place_recognition_labels place_recognition_report
+    place_recognition_datasets place_recognition_features place_recognition_learning
     place_recognition_recognition
   CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure
     geometry_msgs image_transport message_runtime nav_msgs nodelet pluginlib rosbag_storage roscpp

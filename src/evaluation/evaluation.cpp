@@ -5,14 +5,14 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/place_name.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
 #include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "place_recognition/temporal_filter.h"
-#include "recognition/image_guard.h"
-#include "recognition/names.h"
+#include "recognition/frames/image_guard.h"
 
 namespace place_recognition {
 namespace {

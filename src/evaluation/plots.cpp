@@ -3,42 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "evaluation/svg.h"
-#include "evaluation/text_table.h"
+#include "report/share_plot.h"
+#include "report/svg.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
-namespace {
 
-constexpr const char* kBlue = "#3b6ea5";
-constexpr const char* kRed = "#c0504d";
-constexpr const char* kGreen = "#6a994e";
-constexpr const char* kGrid = "#ddd";
-constexpr const char* kDark = "#888";
-
-/// A square plot of one share (0..1) against another.
-class SharePlot {
- public:
-  SharePlot(const std::string& x_label, const std::string& y_label) : svg_(360, 300) {
-    for (int i = 0; i <= 5; ++i) {
-      const double share = i / 5.0;
-      svg_.line(x(share), y(0), x(share), y(1), kGrid);
-      svg_.line(x(0), y(share), x(1), y(share), kGrid);
-      svg_.text(x(share), y(0) + 16, fixed(100 * share, 0), "middle");
-      svg_.text(x(0) - 6, y(share) + 4, fixed(100 * share, 0), "end");
-    }
-    svg_.text(x(0.5), y(0) + 34, x_label + ", %", "middle");
-    svg_.text(4, y(1) - 13, y_label + ", %");
-  }
-
-  double x(double share) const { return 44 + 300 * share; }
-  double y(double share) const { return 250 - 225 * share; }
-  Svg& svg() { return svg_; }
-
- private:
-  Svg svg_;
-};
-
-}  // namespace
+using namespace plot_colors;
 
 std::string ratesPlot(const Summary& summary) {
   constexpr double kLeft = 200, kWidth = 560, kRow = 26;
@@ -125,23 +96,6 @@ std::string rocPlot(const UnknownSummary& unknown) {
   plot.svg().polyline(curve, kBlue);
   plot.svg().circle(plot.x(unknown.false_alarm_rate), plot.y(unknown.detection_rate), 4, kRed,
                     "at the model's threshold");
-  return plot.svg().str();
-}
-
-std::string sharesPlot(const std::string& x_label, const std::string& y_label,
-                       const std::vector<Curve>& curves) {
-  constexpr std::array<const char*, 4> kColours = {kBlue, kRed, kGreen, kDark};
-  SharePlot plot(x_label, y_label);
-  double y = plot.y(0) - 12;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const char* const colour = kColours[i % kColours.size()];
-    std::vector<std::pair<double, double>> line;
-    for (const auto& [px, py] : curves[i].points) line.emplace_back(plot.x(px), plot.y(py));
-    plot.svg().polyline(line, colour);
-    plot.svg().rectangle(plot.x(0.62), y - 9, 10, 10, colour);
-    plot.svg().text(plot.x(0.62) + 16, y, curves[i].name);
-    y -= 16;
-  }
   return plot.svg().str();
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "evaluation/evaluation.h"
 #include "evaluation/summary.h"
@@ -25,15 +23,5 @@ std::string riskPlot(const Summary& summary);
 
 /// Share of places never learned that a threshold finds, against the known ones it calls unknown.
 std::string rocPlot(const UnknownSummary& unknown);
-
-/// Points (share, share), 0..1, joined in their order.
-struct Curve {
-  std::string name;
-  std::vector<std::pair<double, double>> points;
-};
-
-/// Any such curves in one square, with their names.
-std::string sharesPlot(const std::string& x_label, const std::string& y_label,
-                       const std::vector<Curve>& curves);
 
 }  // namespace place_recognition

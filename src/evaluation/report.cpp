@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "evaluation/html_page.h"
 #include "evaluation/plots.h"
 #include "evaluation/result_table.h"
-#include "evaluation/svg.h"
-#include "evaluation/text_table.h"
 #include "evaluation/timeline.h"
+#include "report/html_page.h"
+#include "report/svg.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

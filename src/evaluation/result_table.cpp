@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "evaluation/text_table.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

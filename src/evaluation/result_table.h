@@ -4,7 +4,7 @@
 
 #include "evaluation/evaluation.h"
 #include "evaluation/summary.h"
-#include "evaluation/text_table.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 

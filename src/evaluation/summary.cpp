@@ -3,8 +3,8 @@
 #include <functional>
 #include <numeric>
 
-#include "evaluation/text_table.h"
-#include "recognition/scores.h"
+#include "recognition/model/scores.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

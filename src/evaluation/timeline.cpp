@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "evaluation/over_time.h"
-#include "evaluation/svg.h"
+#include "report/svg.h"
 
 namespace place_recognition {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
-#include "experiments/digest.h"
+#include "base/digest.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {

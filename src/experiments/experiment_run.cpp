@@ -3,8 +3,8 @@
 #include <map>
 
 #include "base/atomic_file.h"
-#include "evaluation/text_table.h"
-#include "experiments/digest.h"
+#include "base/digest.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

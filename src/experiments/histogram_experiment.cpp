@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "datasets/image_file.h"
 #include "experiments/crfh_bank.h"
 #include "experiments/histogram_tables.h"
 #include "learning/gram.h"
 #include "place_recognition/error.h"
-#include "recognition/cue_extraction.h"
-#include "recognition/image_file.h"
+#include "recognition/frames/cue_extraction.h"
 
 namespace place_recognition {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "datasets/picture_set.h"
 #include "experiments/experiment.h"
-#include "experiments/picture_set.h"
 #include "experiments/table_8_4.h"
 #include "experiments/test_sets.h"
 #include "place_recognition/feature.h"

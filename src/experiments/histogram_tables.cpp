@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "evaluation/text_table.h"
 #include "experiments/test_sets.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

@@ -11,7 +11,7 @@
 #include "learning/gram.h"
 #include "learning/reduction.h"
 #include "place_recognition/error.h"
-#include "recognition/samples.h"
+#include "recognition/training/samples.h"
 
 namespace place_recognition {
 namespace {

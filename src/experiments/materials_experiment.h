@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "datasets/picture_set.h"
 #include "experiments/experiment.h"
-#include "experiments/picture_set.h"
 #include "experiments/test_sets.h"
 #include "place_recognition/learning_options.h"
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "evaluation/plots.h"
-#include "evaluation/text_table.h"
 #include "experiments/thesis_materials.h"
+#include "report/share_plot.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "learning/support_set.h"
-#include "recognition/cue_training.h"
+#include "recognition/training/cue_training.h"
 
 namespace place_recognition {
 namespace {

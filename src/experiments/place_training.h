@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "experiments/picture_set.h"
+#include "datasets/picture_set.h"
 #include "experiments/test_sets.h"
 #include "learning/machines.h"
 #include "place_recognition/progress.h"
 #include "place_recognition/training_options.h"
-#include "recognition/samples.h"
+#include "recognition/training/samples.h"
 
 namespace place_recognition {
 

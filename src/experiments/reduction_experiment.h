@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "datasets/picture_set.h"
 #include "experiments/experiment.h"
-#include "experiments/picture_set.h"
 #include "experiments/place_training.h"
 
 namespace place_recognition {

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "recognition/scores.h"
+#include "recognition/model/scores.h"
 
 namespace place_recognition {
 

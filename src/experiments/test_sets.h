@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "experiments/picture_set.h"
+#include "datasets/picture_set.h"
 #include "learning/folds.h"
 #include "learning/machines.h"
 

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "place_recognition/error.h"
-#include "ros/bag_file.h"
+#include "ros/bags/bag_file.h"
 
 namespace place_recognition::tool {
 namespace {

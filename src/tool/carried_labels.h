@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/bag_run.h"
+#include "ros/bags/bag_run.h"
 
 namespace place_recognition::tool {
 

@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <chrono>
 
+#include "base/child_process.h"
 #include "place_recognition/error.h"
-#include "ros/child_process.h"
 #include "tool/progress_display.h"
 
 namespace place_recognition::tool {

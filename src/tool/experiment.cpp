@@ -2,12 +2,12 @@
 #include <memory>
 #include <ostream>
 
+#include "datasets/layout_sets.h"
 #include "experiments/experiment_run.h"
 #include "experiments/final_experiment.h"
 #include "experiments/histogram_experiment.h"
 #include "experiments/materials_experiment.h"
 #include "experiments/reduction_experiment.h"
-#include "tool/layout_sets.h"
 #include "tool/output.h"
 #include "tool/verbs.h"
 

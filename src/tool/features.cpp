@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "place_recognition/error.h"
-#include "recognition/cue_extraction.h"
+#include "recognition/frames/cue_extraction.h"
 #include "tool/configuration.h"
 #include "tool/inputs.h"
 #include "tool/verbs.h"

@@ -3,9 +3,9 @@
 #include <memory>
 #include <set>
 
-#include "recognition/picture_sequence.h"
-#include "ros/labelled_bag_writer.h"
-#include "tool/layouts.h"
+#include "datasets/layouts.h"
+#include "datasets/picture_sequence.h"
+#include "ros/bags/labelled_bag_writer.h"
 #include "tool/output.h"
 #include "tool/unusable_pictures.h"
 #include "tool/verbs.h"

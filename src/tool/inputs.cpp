@@ -5,10 +5,10 @@
 #include <iostream>
 #include <system_error>
 
+#include "datasets/image_file.h"
+#include "datasets/picture_folder.h"
 #include "place_recognition/error.h"
-#include "recognition/image_file.h"
-#include "recognition/picture_folder.h"
-#include "ros/bag_file.h"
+#include "ros/bags/bag_file.h"
 #include "tool/carried_labels.h"
 
 namespace place_recognition::tool {

@@ -7,7 +7,7 @@
 
 #include "place_recognition/run.h"
 #include "place_recognition/training.h"
-#include "ros/bag_run.h"
+#include "ros/bags/bag_run.h"
 #include "tool/command_line.h"
 
 namespace place_recognition::tool {

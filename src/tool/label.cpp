@@ -7,7 +7,7 @@
 
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
-#include "ros/bag_file.h"
+#include "ros/bags/bag_file.h"
 #include "tool/inputs.h"
 #include "tool/package_folder.h"
 #include "tool/verbs.h"

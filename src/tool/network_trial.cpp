@@ -6,12 +6,12 @@
 #include <opencv2/core/version.hpp>
 #include <vector>
 
+#include "base/child_process.h"
 #include "base/data_folder.h"
 #include "base/options.h"
 #include "base/process_limits.h"
 #include "place_recognition/error.h"
-#include "recognition/embeddings.h"
-#include "ros/child_process.h"
+#include "recognition/model/embeddings.h"
 #include "tool/output.h"
 #include "tool/verbs.h"
 

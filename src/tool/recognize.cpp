@@ -8,15 +8,15 @@
 #include <memory>
 
 #include "base/atomic_file.h"
+#include "datasets/picture_folder.h"
 #include "evaluation/evaluation.h"
 #include "place_recognition/error.h"
 #include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "place_recognition/temporal_filter.h"
-#include "recognition/image_guard.h"
-#include "recognition/picture_folder.h"
-#include "ros/bag_file.h"
+#include "recognition/frames/image_guard.h"
+#include "ros/bags/bag_file.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/unusable_pictures.h"

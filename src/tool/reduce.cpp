@@ -4,11 +4,11 @@
 #include "base/atomic_file.h"
 #include "learning/support_set.h"
 #include "place_recognition/model_file.h"
+#include "recognition/training/model_reduction.h"
+#include "recognition/training/reduction_sweep.h"
 #include "tool/inputs.h"
-#include "tool/model_reduction.h"
 #include "tool/output.h"
 #include "tool/reduction_report.h"
-#include "tool/reduction_sweep.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {

@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "evaluation/html_page.h"
-#include "evaluation/plots.h"
-#include "evaluation/svg.h"
-#include "evaluation/text_table.h"
+#include "report/html_page.h"
+#include "report/share_plot.h"
+#include "report/svg.h"
+#include "report/text_table.h"
 
 namespace place_recognition::tool {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tool/model_reduction.h"
+#include "recognition/training/model_reduction.h"
 #include "tool/output.h"
 
 namespace place_recognition::tool {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
-#include "ros/labelled_bag_writer.h"
+#include "ros/bags/labelled_bag_writer.h"
 #include "simulation/simulation.h"
 #include "tool/output.h"
 #include "tool/staged_folder.h"

@@ -5,8 +5,8 @@
 
 #include "base/atomic_file.h"
 #include "base/options.h"
-#include "evaluation/text_table.h"
 #include "place_recognition/tuning.h"
+#include "report/text_table.h"
 #include "tool/configuration.h"
 #include "tool/inputs.h"
 #include "tool/output.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "learning/gram.h"
-#include "recognition/gamma_choice.h"
+#include "recognition/training/gamma_choice.h"
 
 namespace place_recognition {
 namespace {

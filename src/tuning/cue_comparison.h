@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "place_recognition/training_options.h"
-#include "recognition/held_out.h"
+#include "recognition/training/held_out.h"
 #include "tuning/tuning_samples.h"
 
 namespace place_recognition {

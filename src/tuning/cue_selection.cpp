@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "recognition/combination.h"
+#include "recognition/training/combination.h"
 
 namespace place_recognition {
 namespace {

@@ -1,7 +1,7 @@
 #include "tuning/score.h"
 
-#include "recognition/log_loss.h"
-#include "recognition/scores.h"
+#include "recognition/model/scores.h"
+#include "recognition/training/log_loss.h"
 
 namespace place_recognition {
 namespace {

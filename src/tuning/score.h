@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "recognition/held_out.h"
+#include "recognition/training/held_out.h"
 #include "tuning/tuning_samples.h"
 
 namespace place_recognition {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "recognition/sampling.h"
+#include "recognition/training/sampling.h"
 
 namespace place_recognition {
 namespace {

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "recognition/image_profile.h"
+#include "recognition/frames/image_profile.h"
 #include "tuning/cue_selection.h"
 #include "tuning/family_rounds.h"
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "recognition/block_choice.h"
-#include "recognition/names.h"
+#include "base/place_name.h"
+#include "recognition/training/block_choice.h"
 #include "tuning/thinned_run.h"
 
 namespace place_recognition {

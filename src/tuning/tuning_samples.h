@@ -5,7 +5,7 @@
 
 #include "learning/folds.h"
 #include "place_recognition/training.h"
-#include "recognition/samples.h"
+#include "recognition/training/samples.h"
 
 namespace place_recognition {
 

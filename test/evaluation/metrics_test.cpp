@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evaluation/text_table.h"
+#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

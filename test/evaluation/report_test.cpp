@@ -9,8 +9,8 @@
 #include "evaluation/made_up_evaluation.h"
 #include "evaluation/result_json.h"
 #include "evaluation/result_table.h"
-#include "evaluation/svg.h"
 #include "evaluation/timeline.h"
+#include "report/svg.h"
 
 namespace place_recognition {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "experiments/digest.h"
+#include "base/digest.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "place_recognition/error.h"
-#include "ros/conversions.h"
+#include "ros/messages/conversions.h"
 
 using namespace place_recognition;
 

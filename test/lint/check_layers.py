@@ -1,58 +1,106 @@
-"""Checks that the arrows between the folders of src/ point one way (doc/design.md).
+"""Checks that the arrows between the folders of src/ point one way.
 
-A source may include the public headers, its own folder, and the folders its layer may use; only
-src/ros knows ROS.
+The table of folders in doc/design.md is the rule: a source may include the public headers, its own
+folder, and the folders and libraries that the table's row for it names. The folders inside a layer
+have an order, too, and the CMake targets link nothing that the table does not name.
 """
 import pathlib
 import re
 import sys
 
-MAY_INCLUDE = {
-    "base": set(),
-    "features": {"base"},
-    "learning": {"base"},
-    "recognition": {"base", "features", "learning"},
-    "tuning": {"base", "learning", "recognition"},
-    "evaluation": {"base", "learning", "recognition"},
-    "experiments": {"base", "features", "learning", "recognition", "evaluation"},
-    "simulation": {"base"},
-    "ros": {"base", "recognition"},
-    "tool": {"base", "features", "learning", "recognition", "tuning", "evaluation", "experiments",
-             "simulation", "ros"},
+# Libraries as the table calls them, and what their includes begin with.
+LIBRARIES = {
+    "Eigen": {"Eigen"},
+    "ICU": {"unicode"},
+    "libjpeg": {"jpeglib.h"},
+    "libsvm": {"libsvm", "svm.h"},
+    "nlohmann_json": {"nlohmann"},
+    "OpenCV": {"opencv2"},
+    "OpenSSL": {"openssl"},
+    "Boost": {"boost"},
+    "protobuf": {"google"},
+    "ROS": {"ros", "sensor_msgs", "std_msgs", "std_srvs", "cv_bridge", "rosbag", "image_transport",
+            "actionlib", "nodelet", "diagnostic_updater", "dynamic_reconfigure", "pluginlib",
+            "tf2_ros", "nav_msgs", "visualization_msgs", "geometry_msgs", "xmlrpcpp"},
+    "yaml-cpp": {"yaml-cpp"},
+    "zlib": {"zlib.h"},
 }
-MAY_KNOW = {
-    "opencv2": {"features", "recognition", "tuning", "evaluation", "experiments", "simulation", "ros",
-                "tool"},
-    "svm.h": {"learning"},
-    "libsvm": {"learning"},
-    "google": {"recognition"},
-}
-ROS = {"ros", "sensor_msgs", "std_msgs", "std_srvs", "cv_bridge", "rosbag", "image_transport",
-       "actionlib", "nodelet", "diagnostic_updater", "dynamic_reconfigure", "pluginlib", "tf2_ros",
-       "nav_msgs", "visualization_msgs", "geometry_msgs"}
+ROW = re.compile(r"^\| `src/(\w+)/` \| .* \| (.*) \|$", re.MULTILINE)
+SUBFOLDERS = re.compile(r"^\| `src/(\w+)/(\w+)/` \| .* \| (.*) \|$", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+LAYER_TARGET = re.compile(r"place_recognition_(\w+)")
+
+
+def names(cell):
+    return {name.strip() for name in cell.split(",")} - {"-", ""}
+
+
+class Rule:
+    """What each folder may use, as the table says."""
+
+    def __init__(self, table):
+        self.layers = {folder: names(cell) for folder, cell in ROW.findall(table)}
+        self.inside = {}
+        for layer, folder, cell in SUBFOLDERS.findall(table):
+            self.inside.setdefault(layer, {})[folder] = names(cell)
+
+    def mistakes(self, root):
+        """Rows without a folder, folders without a row, and names of neither folder nor library."""
+        folders = {path.name for path in (root / "src").iterdir() if path.is_dir()}
+        for name in sorted(folders ^ set(self.layers)):
+            yield f"src/{name} is either no folder or not in the table of doc/design.md"
+        for layer, uses in self.layers.items():
+            for name in sorted(uses - set(self.layers) - set(LIBRARIES)):
+                yield f"doc/design.md lets src/{layer} use {name}, which nobody knows"
+
+
+def library_of(include):
+    head = include.split("/")[0]
+    return next((name for name, heads in LIBRARIES.items() if head in heads), None)
+
+
+def complaint(root, rule, path, include):
+    """Why `path` may not include `include`, or None."""
+    parts = path.relative_to(root / "src").parts
+    layer, heads = parts[0], include.split("/")
+    if (root / "src" / include).exists():
+        if heads[0] != layer:
+            return None if heads[0] in rule.layers[layer] else f"src/{layer} may not use src/{heads[0]}"
+        inside = rule.inside.get(layer, {})
+        if len(parts) < 3 or len(heads) < 3 or parts[1] == heads[1] or parts[1] not in inside:
+            return None
+        allowed = heads[1] in inside[parts[1]]
+        return None if allowed else f"src/{layer}/{parts[1]} may not use src/{layer}/{heads[1]}"
+    library = library_of(include)
+    allowed = library is None or library in rule.layers[layer]
+    return None if allowed else f"src/{layer} does not know {library}"
+
+
+def source_complaints(root, rule):
+    for path in sorted((root / "src").rglob("*")):
+        if path.suffix in (".h", ".cpp"):
+            for include in INCLUDE.findall(path.read_text()):
+                reason = complaint(root, rule, path, include)
+                if reason:
+                    yield f"{path.relative_to(root)} includes {include}: {reason}"
+    for path in sorted((root / "include").rglob("*.h")):
+        for include in INCLUDE.findall(path.read_text()):
+            if library_of(include) == "ROS" or include.split("/")[0] in rule.layers:
+                yield f"{path.relative_to(root)} includes {include}: not for a public header"
+
+
+def target_complaints(root, rule):
+    for layer, uses in rule.layers.items():
+        for target in LAYER_TARGET.findall((root / "src" / layer / "CMakeLists.txt").read_text()):
+            if target in rule.layers and target != layer and target not in uses:
+                yield f"src/{layer}/CMakeLists.txt names place_recognition_{target}: not in the table"
 
 
 def complaints(root):
-    for path in sorted((root / "src").rglob("*")):
-        if path.suffix not in (".h", ".cpp"):
-            continue
-        layer = path.relative_to(root / "src").parts[0]
-        for include in INCLUDE.findall(path.read_text()):
-            head = include.split("/")[0]
-            where = f"{path.relative_to(root)} includes {include}: "
-            if head in MAY_INCLUDE and head != layer and head not in MAY_INCLUDE[layer]:
-                # The generated and system headers of ROS share the name of src/ros.
-                if not (head == "ros" and layer == "ros"):
-                    yield where + f"src/{layer} may not use src/{head}"
-            elif head in ROS and layer != "ros" and not (root / "src" / include).exists():
-                yield where + "only src/ros knows ROS"
-            elif head in MAY_KNOW and layer not in MAY_KNOW[head]:
-                yield where + f"src/{layer} does not know {head}"
-    for path in sorted((root / "include").rglob("*.h")):
-        for include in INCLUDE.findall(path.read_text()):
-            if include.split("/")[0] in ROS or include.split("/")[0] in MAY_INCLUDE:
-                yield f"{path.relative_to(root)} includes {include}: not for a public header"
+    rule = Rule((root / "doc/design.md").read_text())
+    yield from rule.mistakes(root)
+    yield from source_complaints(root, rule)
+    yield from target_complaints(root, rule)
 
 
 if __name__ == "__main__":

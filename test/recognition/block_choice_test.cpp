@@ -1,4 +1,4 @@
-#include "recognition/block_choice.h"
+#include "recognition/training/block_choice.h"
 
 #include <gtest/gtest.h>
 

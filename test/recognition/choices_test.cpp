@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "recognition/combination.h"
-#include "recognition/gamma_choice.h"
-#include "recognition/model_validation.h"
-#include "recognition/names.h"
-#include "recognition/scores.h"
+#include "base/place_name.h"
+#include "recognition/model/scores.h"
+#include "recognition/training/combination.h"
+#include "recognition/training/gamma_choice.h"
+#include "recognition/training/model_validation.h"
 
 namespace place_recognition {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-#include "recognition/model_container.h"
+#include "recognition/model/model_container.h"
 
 namespace place_recognition {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "place_recognition/error.h"
-#include "recognition/room_chain.h"
+#include "recognition/over_time/room_chain.h"
 
 namespace place_recognition {
 namespace {

@@ -1,4 +1,4 @@
-#include "recognition/image_guard.h"
+#include "recognition/frames/image_guard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "recognition/image_scaling.h"
+#include "recognition/frames/image_scaling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "recognition/light_estimate.h"
+#include "recognition/recognizer/light_estimate.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <random>
 
 #include "place_recognition/recognizer.h"
-#include "recognition/color_normalization.h"
-#include "recognition/color_statistics.h"
 #include "recognition/drawn_run.h"
+#include "recognition/frames/color_normalization.h"
+#include "recognition/frames/color_statistics.h"
 
 namespace place_recognition {
 namespace {

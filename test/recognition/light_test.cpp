@@ -1,4 +1,4 @@
-#include "recognition/light.h"
+#include "recognition/frames/light.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <opencv2/core.hpp>
 
 #include "place_recognition/recognizer.h"
-#include "recognition/cue_extraction.h"
 #include "recognition/drawn_run.h"
-#include "recognition/samples.h"
+#include "recognition/frames/cue_extraction.h"
+#include "recognition/training/samples.h"
 
 namespace place_recognition {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "model.pb.h"
 #include "place_recognition/error.h"
-#include "recognition/classifier_numbers.h"
-#include "recognition/model_container.h"
+#include "recognition/model/classifier_numbers.h"
+#include "recognition/model/model_container.h"
 
 namespace place_recognition {
 

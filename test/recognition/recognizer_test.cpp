@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "place_recognition/model_file.h"
-#include "recognition/cue_extraction.h"
 #include "recognition/drawn_run.h"
+#include "recognition/frames/cue_extraction.h"
 
 namespace place_recognition {
 namespace {

@@ -1,4 +1,4 @@
-#include "recognition/reduction_choice.h"
+#include "recognition/training/reduction_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "recognition/room_chain.h"
+#include "recognition/over_time/room_chain.h"
 
 #include <gtest/gtest.h>
 

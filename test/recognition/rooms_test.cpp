@@ -7,7 +7,7 @@
 
 #include "place_recognition/recognizer.h"
 #include "place_recognition/training.h"
-#include "recognition/scores.h"
+#include "recognition/model/scores.h"
 
 namespace place_recognition {
 namespace {

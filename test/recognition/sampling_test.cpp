@@ -1,4 +1,4 @@
-#include "recognition/sampling.h"
+#include "recognition/training/sampling.h"
 
 #include <gtest/gtest.h>
 

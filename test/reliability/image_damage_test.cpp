@@ -5,7 +5,7 @@
 #include "place_recognition/error.h"
 #include "reliability/allocation_meter.h"
 #include "reliability/image_messages.h"
-#include "ros/conversions.h"
+#include "ros/messages/conversions.h"
 #include "rounds.h"
 
 namespace place_recognition {

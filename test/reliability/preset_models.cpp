@@ -7,7 +7,7 @@
 #include "features/small_network.h"
 #include "place_recognition/model_file.h"
 #include "recognition/drawn_run.h"
-#include "recognition/embeddings.h"
+#include "recognition/model/embeddings.h"
 
 namespace place_recognition {
 namespace {

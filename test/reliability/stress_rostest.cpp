@@ -20,9 +20,9 @@
 #include "recognition/drawn_run.h"
 #include "reliability/image_messages.h"
 #include "reliability/other_process.h"
-#include "ros/conversions.h"
 #include "ros/drawn_model.h"
 #include "ros/inbox.h"
+#include "ros/messages/conversions.h"
 #include "ros/rostest_main.h"
 #include "rounds.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "ros/conversions.h"
 #include "ros/gradient.h"
-#include "ros/place_marker.h"
+#include "ros/messages/conversions.h"
+#include "ros/recognizer/place_marker.h"
 
 namespace place_recognition {
 namespace {

@@ -1,6 +1,6 @@
 // Bags written here and read back: raw, JPEG, bz2, lz4; labelled in three ways.
 
-#include "ros/bag_run.h"
+#include "ros/bags/bag_run.h"
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "ros/conversions.h"
-#include "ros/labelled_bag_writer.h"
+#include "ros/bags/labelled_bag_writer.h"
+#include "ros/messages/conversions.h"
 #include "ros/written_bags.h"
 
 namespace place_recognition {

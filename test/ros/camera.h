@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
-#include "ros/conversions.h"
+#include "ros/messages/conversions.h"
 
 namespace place_recognition {
 

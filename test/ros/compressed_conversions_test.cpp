@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "place_recognition/error.h"
-#include "ros/conversions.h"
 #include "ros/gradient.h"
+#include "ros/messages/conversions.h"
 
 namespace place_recognition {
 namespace {

@@ -1,6 +1,6 @@
 // Every encoding against pixels made by hand, and messages as an enemy would send them.
 
-#include "ros/conversions.h"
+#include "ros/messages/conversions.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/conversions.h"
+#include "ros/messages/conversions.h"
 #include "ros/written_bags.h"
 
 namespace place_recognition {

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "ros/staged_bag.h"
+#include "ros/bags/staged_bag.h"
 #include "ros/written_bags.h"
 
 namespace place_recognition {

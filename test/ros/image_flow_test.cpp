@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "base/rate_limit.h"
-#include "ros/debug_image.h"
-#include "ros/newest_image.h"
+#include "ros/nodes/newest_image.h"
+#include "ros/recognizer/debug_image.h"
 
 namespace place_recognition {
 namespace {

@@ -1,6 +1,6 @@
 // What is said when no image comes.
 
-#include "ros/image_topics.h"
+#include "ros/nodes/image_topics.h"
 
 #include <gtest/gtest.h>
 

@@ -3,25 +3,14 @@
 #include <ros/ros.h>
 
 #include <boost/function.hpp>
-#include <chrono>
-#include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace place_recognition {
+#include "eventually.h"
 
-/// Whether `condition` has become true within `seconds` of wall time.
-template <typename Condition>
-bool eventually(Condition condition, double seconds = 15) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    ros::WallDuration(0.002).sleep();
-  }
-  return true;
-}
+namespace place_recognition {
 
 /// What has come on a topic; needs a spinner in another thread.
 template <typename Message>

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "recognition/drawn_run.h"
-#include "ros/bag_run.h"
+#include "ros/bags/bag_run.h"
 #include "ros/camera.h"
 #include "ros/inbox.h"
 

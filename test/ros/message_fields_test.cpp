@@ -1,6 +1,6 @@
 // The fields of messages without naming them: ~retrain asks for what ~train does.
 
-#include "ros/message_fields.h"
+#include "ros/nodes/message_fields.h"
 
 #include <gtest/gtest.h>
 #include <place_recognition/Retrain.h>

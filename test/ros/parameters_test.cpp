@@ -1,7 +1,7 @@
 // Parameters as launch files, rosparam and rosrun's command line hand them over: XML-RPC values of
 // whatever type the text happened to look like.
 
-#include "ros/parameters.h"
+#include "ros/nodes/parameters.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ros/inbox.h"
-#include "ros/place_over_time.h"
+#include "ros/recognizer/place_over_time.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {

@@ -13,12 +13,12 @@
 #include <set>
 #include <string>
 
+#include "base/child_process.h"
 #include "recognition/drawn_run.h"
+#include "ros/bags/labelled_bag_writer.h"
 #include "ros/camera.h"
-#include "ros/child_process.h"
 #include "ros/drawn_model.h"
 #include "ros/inbox.h"
-#include "ros/labelled_bag_writer.h"
 #include "ros/node_process.h"
 #include "ros/rostest_main.h"
 

@@ -1,6 +1,6 @@
 // What a goal from the network may and may not make place_tool do.
 
-#include "ros/train_command.h"
+#include "ros/trainer/train_command.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

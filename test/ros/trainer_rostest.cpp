@@ -14,8 +14,8 @@
 
 #include "place_recognition/model_file.h"
 #include "recognition/drawn_run.h"
+#include "ros/bags/labelled_bag_writer.h"
 #include "ros/inbox.h"
-#include "ros/labelled_bag_writer.h"
 #include "ros/rostest_main.h"
 
 namespace place_recognition {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "place_recognition/error.h"
-#include "ros/bag_run.h"
-#include "ros/labelled_bag_writer.h"
+#include "ros/bags/bag_run.h"
+#include "ros/bags/labelled_bag_writer.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {

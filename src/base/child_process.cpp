@@ -1,0 +1,173 @@
+#include "base/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+/// Both ends of a pipe, closed when it goes unless taken.
+struct Pipe {
+  int read_end = -1;
+  int write_end = -1;
+
+  Pipe() {
+    std::array<int, 2> ends;
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+      throw Error(std::string("Cannot start another process: ") + std::strerror(errno) + ".");
+    }
+    read_end = ends[0];
+    write_end = ends[1];
+  }
+  ~Pipe() {
+    if (read_end >= 0) close(read_end);
+    if (write_end >= 0) close(write_end);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  int takeReadEnd() { return std::exchange(read_end, -1); }
+};
+
+/// Between fork and exec: only what is safe after a fork of a program with threads.
+void closeOtherDescriptors() {
+#ifdef SYS_close_range
+  if (syscall(SYS_close_range, STDERR_FILENO + 1, ~0U, 0) == 0) return;
+#endif
+  const long limit = std::min(sysconf(_SC_OPEN_MAX), 65536L);
+  for (int fd = STDERR_FILENO + 1; fd < limit; ++fd) close(fd);
+}
+
+[[noreturn]] void becomeProgram(char* const* arguments, int input, int output, int errors) {
+  dup2(input, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(errors, STDERR_FILENO);
+  closeOtherDescriptors();
+  // A handler or mask of this program must not keep the other from being stopped.
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int number : {SIGPIPE, SIGINT, SIGTERM}) signal(number, SIG_DFL);
+  execv(arguments[0], arguments);
+  _exit(127);
+}
+
+constexpr std::size_t kMaxLine = 1 << 20;
+
+/// Reads once and hands over the lines that are complete; a line too long is cut into several.
+/// False at the end, after the rest.
+bool readSome(int fd, std::string& line, const ChildProcess::LineCallback& on_line) {
+  std::array<char, 4096> buffer;
+  const ssize_t count = read(fd, buffer.data(), buffer.size());
+  if (count < 0 && errno == EINTR) return true;
+  for (ssize_t i = 0; i < count; ++i) {
+    const char c = buffer[static_cast<std::size_t>(i)];
+    if (c != '\n') line += c;
+    if (c == '\n' || line.size() == kMaxLine) {
+      on_line(line);
+      line.clear();
+    }
+  }
+  if (count > 0) return true;
+  if (!line.empty()) on_line(line);
+  line.clear();
+  return false;
+}
+
+void closeOnce(int& fd) {
+  if (fd >= 0) close(fd);
+  fd = -1;
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments, Stderr stderr_use) {
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) {
+    pointers.push_back(const_cast<char*>(argument.c_str()));  // exec does not write to them
+  }
+  pointers.push_back(nullptr);
+  Pipe output;
+  Pipe errors;
+  const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
+  const int child_errors = stderr_use == Stderr::kPipe ? errors.write_end : null;
+  pid_ = fork();
+  if (pid_ == 0) becomeProgram(pointers.data(), null, output.write_end, child_errors);
+  close(null);
+  if (pid_ < 0) {
+    throw Error("Cannot start " + arguments[0] + ": " + std::strerror(errno) + ".");
+  }
+  output_ = output.takeReadEnd();
+  if (stderr_use == Stderr::kPipe) errors_ = errors.takeReadEnd();
+}
+
+ChildProcess::~ChildProcess() {
+  if (pid_ > 0) {
+    kill();
+    wait();
+  }
+  closeOnce(output_);
+  closeOnce(errors_);
+}
+
+bool ChildProcess::readLines(std::chrono::milliseconds timeout, const LineCallback& on_output,
+                             const LineCallback& on_error) {
+  // poll() passes over descriptors that are -1.
+  std::array<pollfd, 2> pipes{{{output_, POLLIN, 0}, {errors_, POLLIN, 0}}};
+  if (output_ < 0 && errors_ < 0) return false;
+  if (poll(pipes.data(), pipes.size(), static_cast<int>(timeout.count())) <= 0) return true;
+  if (pipes[0].revents != 0 && !readSome(output_, output_line_, on_output)) closeOnce(output_);
+  if (pipes[1].revents != 0 && !readSome(errors_, error_line_, on_error)) closeOnce(errors_);
+  return true;
+}
+
+void ChildProcess::interrupt() const { ::kill(pid_, SIGINT); }
+
+void ChildProcess::kill() const { ::kill(pid_, SIGKILL); }
+
+int ChildProcess::wait() {
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  return status;
+}
+
+std::string describeExit(int status) {
+  if (WIFSIGNALED(status)) {
+    const int number = WTERMSIG(status);
+    return "signal " + std::to_string(number) + " (" + strsignal(number) + ")";
+  }
+  return "exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+std::string findExecutable(const std::string& name) {
+  namespace fs = std::filesystem;
+  const fs::path own_folder = fs::read_symlink("/proc/self/exe").parent_path();
+  std::vector<fs::path> folders{own_folder, own_folder / "../lib/place_recognition"};
+  if (const char* folder = std::getenv("PLACE_RECOGNITION_LIBEXEC")) {
+    folders.insert(folders.begin(), folder);
+  }
+  for (const fs::path& folder : folders) {
+    if (access((folder / name).c_str(), X_OK) == 0) return (folder / name).string();
+  }
+  throw Error("The program " + name + " of place_recognition is not in " + own_folder.string() +
+              "; build or install the whole package, or name its folder in "
+              "PLACE_RECOGNITION_LIBEXEC.");
+}
+
+}  // namespace place_recognition

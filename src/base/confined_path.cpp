@@ -1,0 +1,124 @@
+#include "base/confined_path.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxPathBytes = 4096;
+
+std::string home() {
+  const char* folder = std::getenv("HOME");
+  return folder == nullptr ? "" : folder;
+}
+
+bool liesBelow(const fs::path& path, const fs::path& root) {
+  return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+}
+
+bool liesBelowAny(const fs::path& path, const std::vector<std::string>& roots) {
+  return std::any_of(roots.begin(), roots.end(), [&path](const std::string& root) {
+    std::error_code failure;
+    const fs::path folder = fs::canonical(root, failure);
+    return !failure && liesBelow(path, folder);
+  });
+}
+
+/// `path`, which starts at `root` if it is relative, without links, if it is a bag below any root.
+std::optional<std::string> bagBelow(const fs::path& path, const std::string& root,
+                                    const std::vector<std::string>& roots) {
+  std::error_code failure;
+  const fs::path file = fs::canonical(root / path, failure);  // `path` itself if it is absolute
+  if (failure || !liesBelowAny(file, roots) || file.extension() != ".bag" ||
+      !fs::is_regular_file(file, failure)) {
+    return std::nullopt;
+  }
+  return file.string();
+}
+
+/// A link below a root that leads out of all roots.
+struct WayOut {
+  fs::path link;
+  fs::path target;
+  fs::path folder;  // what would have to be a root
+};
+
+/// Where a link leads in the end, whether there is something or not.
+fs::path targetOf(fs::path link) {
+  constexpr int kMostLinks = 40;  // as the kernel has it
+  std::error_code failure;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(link, failure)); ++i) {
+    link = link.parent_path() / fs::read_symlink(link, failure);
+  }
+  return fs::weakly_canonical(link, failure);
+}
+
+/// The first link on the way from `root` along `path` that leads out. What lies behind it is not
+/// looked at.
+std::optional<WayOut> wayOut(const fs::path& path, const std::string& root,
+                             const std::vector<std::string>& roots) {
+  const fs::path below = path.is_absolute() ? path.lexically_relative(root) : path;
+  if (below.empty() || std::find(below.begin(), below.end(), "..") != below.end()) {
+    return std::nullopt;
+  }
+  fs::path current = root;
+  for (auto part = below.begin(); part != below.end(); ++part) {
+    current /= *part;
+    std::error_code failure;
+    if (!fs::is_symlink(fs::symlink_status(current, failure))) continue;
+    const fs::path target = targetOf(current);
+    if (target.empty() || liesBelowAny(target, roots)) continue;
+    const bool is_last = std::next(part) == below.end();
+    return WayOut{current, target, is_last ? target.parent_path() : target};
+  }
+  return std::nullopt;
+}
+
+std::string shortened(const std::string& path) {
+  std::string text = path.substr(0, 200);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return text;
+}
+
+}  // namespace
+
+std::string confinedBagPath(const std::string& path, const std::vector<std::string>& roots) {
+  const bool readable =
+      !path.empty() && path.size() <= kMaxPathBytes && path.find('\0') == std::string::npos;
+  if (readable) {
+    const fs::path expanded = path.compare(0, 2, "~/") == 0 ? home() + path.substr(1) : path;
+    for (const std::string& root : roots) {
+      if (const auto bag = bagBelow(expanded, root, roots)) return *bag;
+    }
+    for (const std::string& root : roots) {
+      if (const auto way_out = wayOut(expanded, root, roots)) {
+        throw Error("'" + shortened(path) + "' is reached by the link " + way_out->link.string() +
+                    ", which leads to " + way_out->target.string() +
+                    ", where bags may not lie; add " + way_out->folder.string() +
+                    " to ~bag_roots.");
+      }
+    }
+  }
+  std::string folders;
+  for (const std::string& root : roots) folders += (folders.empty() ? "" : ", ") + root;
+  throw Error("'" + shortened(path) + "' is no bag (*.bag) below " + folders +
+              "; move it there, or set ~bag_roots.");
+}
+
+std::vector<std::string> defaultBagRoots() {
+  std::vector<std::string> roots;
+  if (!home().empty()) roots.push_back(home());
+  if (const char* ros_home = std::getenv("ROS_HOME")) roots.emplace_back(ros_home);
+  return roots;
+}
+
+}  // namespace place_recognition

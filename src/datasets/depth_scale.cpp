@@ -1,0 +1,75 @@
+#include "datasets/depth_scale.h"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+namespace place_recognition {
+namespace {
+
+constexpr std::uint32_t kLevels = 1 << 16;
+
+/// The lowest and the highest value but for the extreme half percent of each side.
+std::pair<std::uint32_t, std::uint32_t> extent(const cv::Mat& image) {
+  const cv::Mat channels = image.reshape(1);
+  std::vector<std::size_t> counts(kLevels);
+  for (int row = 0; row < channels.rows; ++row) {
+    const auto* values = channels.ptr<std::uint16_t>(row);
+    for (int col = 0; col < channels.cols; ++col) ++counts[values[col]];
+  }
+  const std::size_t ignored = channels.total() / 200;
+  std::uint32_t low = 0, high = kLevels - 1;
+  for (std::size_t below = counts[low]; below <= ignored; below += counts[low]) ++low;
+  for (std::size_t above = counts[high]; above <= ignored; above += counts[high]) --high;
+  return {low, high};
+}
+
+/// The smallest power of two, 256 at least, that is above `value`.
+std::uint32_t powerAbove(std::uint32_t value) {
+  std::uint32_t power = 256;
+  while (power <= value) power *= 2;
+  return power;
+}
+
+}  // namespace
+
+void DepthScale::see(const cv::Mat& image) {
+  assert(image.depth() == CV_16U && !image.empty());
+  const auto [low, high] = extent(image);
+  low_ = hasSeen() ? std::min(low_, low) : low;
+  high_ = std::max(high_, high);
+  if (low_ < high_ / 2) {
+    start_ = 0;
+    width_ = powerAbove(high_);
+    return;
+  }
+  // A thermal camera: far from zero. Half of the range is left for what comes.
+  width_ = powerAbove(2 * (high_ - low_));
+  const std::uint32_t step = width_ / 4;
+  start_ = low_ / step * step;
+  if (start_ >= step) start_ -= step;
+}
+
+cv::Mat DepthScale::toEightBits(const cv::Mat& image) {
+  if (image.depth() != CV_16U) return image;
+  see(image);
+  cv::Mat scaled(image.size(), CV_8UC(image.channels()));
+  const cv::Mat from = image.reshape(1);
+  cv::Mat to = scaled.reshape(1);
+  for (int row = 0; row < from.rows; ++row) {
+    const auto* values = from.ptr<std::uint16_t>(row);
+    auto* bytes = to.ptr<std::uint8_t>(row);
+    for (int col = 0; col < from.cols; ++col) {
+      const std::uint32_t above = values[col] > start_ ? values[col] - start_ : 0;
+      bytes[col] = static_cast<std::uint8_t>(std::min(above * 256 / width_, std::uint32_t{255}));
+    }
+  }
+  return scaled;
+}
+
+std::string DepthScale::text() const {
+  return std::to_string(start_) + " .. " + std::to_string(std::min(start_ + width_, kLevels) - 1) +
+         " of 16 bits";
+}
+
+}  // namespace place_recognition

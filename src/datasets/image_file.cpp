@@ -1,0 +1,95 @@
+#include "datasets/image_file.h"
+
+#include <limits>
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/atomic_file.h"
+#include "base/file_kind.h"
+#include "datasets/jpeg_check.h"
+#include "datasets/picture_header.h"
+#include "datasets/picture_sequence.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr std::uint64_t kMaxPixels = 64'000'000;
+constexpr std::size_t kMaxFileSize = 256'000'000;
+
+/// What cameras send.
+bool isStreamed(PictureFormat format) {
+  return format == PictureFormat::kPng || format == PictureFormat::kJpeg ||
+         format == PictureFormat::kWebp;
+}
+
+std::string whyNoPicture(const std::uint8_t* bytes, std::size_t size) {
+  if (size == 0) return "it is empty";
+  const FileKind* kind = foreignFile({reinterpret_cast<const char*>(bytes), size});
+  if (!kind) return "it is no picture of a format that can be read";
+  return "it is " + std::string(kind->name) + "; " + std::string(kind->remedy);
+}
+
+/// What is wrong with a picture before it is decoded; empty if nothing is.
+std::string problemOf(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
+  if (header.format == PictureFormat::kNone) return whyNoPicture(bytes, size);
+  if (header.width == 0 || header.height == 0) return "its header is damaged";
+  if (header.width > kMaxPixels || header.height > kMaxPixels ||
+      header.width * header.height > kMaxPixels) {
+    return "it announces " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+           " pixels, more than 64 million";
+  }
+  if (size > std::numeric_limits<int>::max()) return "it has more than 2 GB";
+  const bool is_jpeg = header.format == PictureFormat::kJpeg;
+  if (!header.whole || (is_jpeg && !isWholeJpeg(bytes, size))) return "it is damaged or cut short";
+  return "";
+}
+
+/// Without an end marker OpenCV refuses a progressive JPEG, although all of it is there.
+bool lacksEnd(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
+  return header.format == PictureFormat::kJpeg &&
+         (bytes[size - 2] != 0xff || bytes[size - 1] != 0xd9);
+}
+
+DecodedImage decode(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
+  DecodedImage decoded{{}, problemOf(header, bytes, size)};
+  if (!decoded.problem.empty()) return decoded;
+  try {
+    cv::Mat buffer(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(bytes));
+    if (lacksEnd(header, bytes, size)) {
+      cv::hconcat(buffer, cv::Mat_<std::uint8_t>({1, 2}, {0xff, 0xd9}), buffer);
+    }
+    decoded.image = cv::imdecode(buffer, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH);
+  } catch (const cv::Exception&) {
+    decoded.image.release();
+  }
+  if (decoded.image.empty()) {
+    decoded.problem = "it is damaged and cannot be decoded";
+  } else if (decoded.image.depth() != CV_8U && decoded.image.depth() != CV_16U) {
+    decoded = {{}, "its pixels have neither 8 nor 16 bits a channel"};
+  }
+  return decoded;
+}
+
+}  // namespace
+
+DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size) {
+  const PictureHeader header = readPictureHeader(bytes, size);
+  if (header.format != PictureFormat::kNone && !isStreamed(header.format)) {
+    return {{}, "it is no PNG, JPEG or WebP picture"};
+  }
+  return decode(header, bytes, size);
+}
+
+DecodedImage readDeepImageFile(const std::string& path) {
+  try {
+    const std::string file = readFile(path, kMaxFileSize);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.data());
+    return decode(readPictureHeader(bytes, file.size()), bytes, file.size());
+  } catch (const Error&) {
+    return {{}, "it cannot be read or has more than 256 MB"};
+  }
+}
+
+DecodedImage readImageFile(const std::string& path) { return PictureSequence({path}).read(0); }
+
+}  // namespace place_recognition

@@ -1,0 +1,145 @@
+#include "datasets/layout_sets.h"
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include "datasets/layouts.h"
+#include "datasets/picture_folder.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kBlocks = 4;  // KTH-TIPS2 has four samples a material
+
+/// The entries of a folder that a data set is read from.
+FolderEntries openedEntries(const fs::path& folder) {
+  FolderEntries entries = entriesOf(folder.string());
+  if (entries.problem.empty()) return entries;
+  throw Error("Cannot read the folder " + folder.string() + ": " + entries.problem +
+              "; check its permissions.");
+}
+
+std::vector<fs::path> foldersIn(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  for (const std::string& name : openedEntries(folder).folders) folders.push_back(folder / name);
+  return folders;
+}
+
+/// The condition that the name of a sequence tells; empty if none.
+std::string conditionOf(const fs::path& sequence) {
+  const std::string name = sequence.filename().string();
+  for (const char* condition : {"cloudy", "night", "sunny"}) {
+    if (name.find(condition) != std::string::npos) return condition;
+  }
+  return "";
+}
+
+/// Pictures directly in `folder`, 9.jpg before 10.jpg.
+std::vector<std::string> picturesIn(const fs::path& folder) {
+  std::vector<std::string> paths;
+  for (const std::string& name : openedEntries(folder).pictures) {
+    paths.push_back((folder / name).string());
+  }
+  return paths;
+}
+
+/// Tells on stderr of folders that give nothing.
+std::vector<LabelledPicture> listAndWarn(const std::string& folder, const Layout& layout) {
+  std::vector<std::string> warnings;
+  std::vector<LabelledPicture> pictures = listPictures(folder, layout, warnings);
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
+  return pictures;
+}
+
+/// The pictures of all sequences below `folder`, by condition.
+void addSequences(const fs::path& folder, const Layout& layout,
+                  std::map<std::string, PictureSet>& sets) {
+  for (const fs::path& child : foldersIn(folder)) {
+    const std::string condition = conditionOf(child);
+    if (condition.empty()) {
+      addSequences(child, layout, sets);
+      continue;
+    }
+    PictureSet& set = sets[condition];
+    set.name = condition;
+    const auto pictures = listAndWarn(child.string(), layout);
+    set.pictures.insert(set.pictures.end(), pictures.begin(), pictures.end());
+  }
+}
+
+/// The samples of one material, each a list of pictures.
+std::vector<std::vector<std::string>> samplesOf(const fs::path& material) {
+  std::vector<std::vector<std::string>> samples;
+  for (const fs::path& sample : foldersIn(material)) samples.push_back(picturesIn(sample));
+  if (!samples.empty()) return samples;
+  const std::vector<std::string> all = picturesIn(material);
+  for (std::size_t block = 0; block < kBlocks; ++block) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(all.size() * block / kBlocks);
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(all.size() * (block + 1) / kBlocks);
+    samples.emplace_back(begin, end);
+  }
+  return samples;
+}
+
+void requireFolder(const std::string& folder) {
+  if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
+}
+
+}  // namespace
+
+std::vector<PictureSet> conditionSets(const std::string& folder, const std::string& layout) {
+  requireFolder(folder);
+  std::map<std::string, PictureSet> sets;
+  Layout one;
+  one.name = layout;
+  if (layout == "indecs") {
+    for (const std::string& condition : indecsConditions(folder)) {
+      one.condition = condition;
+      sets[condition] = {condition, listAndWarn(folder, one)};
+    }
+  } else {
+    addSequences(folder, one, sets);
+  }
+  if (sets.size() < 2) {
+    throw Error("The folder " + folder +
+                " does not hold pictures of two conditions of light or more (cloudy, night, "
+                "sunny); see doc/datasets.md for the layouts.");
+  }
+  std::vector<PictureSet> list;
+  for (auto& [name, set] : sets) list.push_back(std::move(set));
+  return list;
+}
+
+std::vector<PictureSet> sampleSets(const std::string& folder) {
+  requireFolder(folder);
+  std::vector<PictureSet> sets;
+  for (const fs::path& material : foldersIn(folder)) {
+    const auto samples = samplesOf(material);
+    if (sets.empty()) sets.resize(samples.size());
+    if (samples.size() != sets.size()) {
+      throw Error(material.string() + " has " + std::to_string(samples.size()) +
+                  " samples where others have " + std::to_string(sets.size()) +
+                  "; give each material the same number.");
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      sets[i].name = "sample " + std::to_string(i + 1);
+      for (const std::string& path : samples[i]) {
+        const auto stamp = static_cast<double>(sets[i].pictures.size());
+        sets[i].pictures.push_back({path, material.filename().string(), stamp});
+      }
+    }
+  }
+  for (const PictureSet& set : sets) {
+    if (set.pictures.empty()) throw Error("There are too few pictures in " + folder + ".");
+  }
+  if (sets.empty()) {
+    throw Error("The folder " + folder + " holds no materials; give MATERIAL/SAMPLE/PICTURE.");
+  }
+  return sets;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,263 @@
+#include "datasets/layouts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "base/atomic_file.h"
+#include "base/place_name.h"
+#include "base/text.h"
+#include "datasets/picture_folder.h"
+#include "labels/labels.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> split(const std::string& text, const char* separators) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    if (end > begin) words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+bool isNumber(const std::string& word) {
+  return word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// cloudy, night or sunny, if `word` says so in any case; else nothing.
+std::string asCondition(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word == "cloudy" || word == "night" || word == "sunny" ? word : "";
+}
+
+/// A double behind the first letter of `word`, as in t1125496218.37; NaN if there is none.
+double numberBehindLetter(const std::string& word) {
+  char* end = nullptr;
+  const double value = word.size() > 1 ? std::strtod(word.c_str() + 1, &end) : NAN;
+  return end && *end == '\0' ? value : NAN;
+}
+
+using Warnings = std::vector<std::string>;
+
+void stampByRate(std::vector<LabelledPicture>& pictures, double rate) {
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    pictures[i].stamp = static_cast<double>(i) / rate;
+  }
+}
+
+/// The pictures below a folder, for layouts whose paths tell more than the room.
+std::vector<std::string> picturesBelow(const std::string& folder, Warnings& warnings) {
+  FoundPictures found = findPicturesBelow(folder);
+  warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+  std::vector<std::string> paths;
+  for (PlacedPicture& picture : found.pictures) paths.push_back(std::move(picture.path));
+  return paths;
+}
+
+std::string allOf(const Warnings& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += " " + warning;
+  return text;
+}
+
+std::vector<LabelledPicture> listRooms(const fs::path& folder, Warnings& warnings) {
+  FoundPictures found = findRoomPictures(folder.string());
+  warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+  std::vector<LabelledPicture> pictures;
+  for (PlacedPicture& picture : found.pictures) {
+    if (!picture.place.empty()) pictures.push_back({picture.path, picture.place, 0});
+  }
+  return pictures;
+}
+
+/// What the path of a KTH-INDECS picture tells, wherever in it that stands.
+struct IndecsPicture {
+  std::string condition;
+  std::string room;
+  long marker = 0;
+  long angle = 0;  // degrees
+  std::string path;
+
+  /// `path` lies below `folder`. Throws Error if it names no room.
+  IndecsPicture(const fs::path& folder, const fs::path& path) : path(path.string()) {
+    for (const fs::path& part : path.lexically_relative(folder).parent_path()) {
+      if (const std::string found = asCondition(part.string()); !found.empty()) {
+        condition = found;
+      } else if (room.empty()) {
+        room = part.string();
+      }
+    }
+    const bool room_in_stem = room.empty();
+    bool room_ended = false;
+    for (const std::string& word : split(path.stem().string(), "_- ")) {
+      if (const std::string found = asCondition(word); !found.empty()) {
+        condition = found;
+        room_ended = true;
+      } else if (isNumber(word)) {
+        marker = angle;
+        angle = std::strtol(word.c_str(), nullptr, 10);
+        room_ended = true;
+      } else if (room_in_stem && !room_ended) {
+        room += (room.empty() ? "" : "_") + word;
+      }
+    }
+    if (room.empty()) {
+      throw Error(path.string() +
+                  " tells no room, neither by a folder nor by its name; see "
+                  "doc/datasets.md for the layout.");
+    }
+  }
+
+  bool operator<(const IndecsPicture& other) const {
+    return std::tie(room, marker, angle, path) <
+           std::tie(other.room, other.marker, other.angle, other.path);
+  }
+};
+
+std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::string& wanted,
+                                        Warnings& warnings) {
+  std::vector<IndecsPicture> found;
+  std::set<std::string> conditions;
+  for (const fs::path path : picturesBelow(folder.string(), warnings)) {
+    IndecsPicture picture(folder, path);
+    conditions.insert(picture.condition);
+    if (wanted.empty() || picture.condition == wanted) found.push_back(std::move(picture));
+  }
+  if (wanted.empty() && conditions.size() > 1) {
+    throw Error(folder.string() +
+                " holds several conditions of light, and a run is one of them; "
+                "add --condition cloudy, night or sunny.");
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<LabelledPicture> pictures;
+  for (const IndecsPicture& picture : found) pictures.push_back({picture.path, picture.room, 0});
+  return pictures;
+}
+
+std::vector<LabelledPicture> listIdol(const fs::path& folder, Warnings& warnings) {
+  std::vector<LabelledPicture> pictures;
+  for (const fs::path path : picturesBelow(folder.string(), warnings)) {
+    LabelledPicture picture{path.string(), "", NAN};
+    for (const std::string& word : split(path.stem().string(), "_")) {
+      if (word.front() == 't') picture.stamp = numberBehindLetter(word);
+      if (word.front() == 'r') picture.place = word.substr(1);
+    }
+    if (picture.place.empty() || std::isnan(picture.stamp)) {
+      throw Error(picture.path +
+                  " is not named as KTH-IDOL does (tTIME_rROOM_xX_yY_aANGLE); give "
+                  "the folder of one sequence, or another --layout.");
+    }
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+/// The stamp in the name of a picture of COLD; NaN if it has none.
+double coldStamp(const std::string& file) {
+  return numberBehindLetter(file.substr(0, file.find('_')));
+}
+
+/// A line a picture, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
+std::vector<LabelledPicture> listByPictures(const fs::path& cameras, const fs::path& list) {
+  constexpr std::size_t kMaxFileBytes = 64 << 20;
+  std::vector<LabelledPicture> pictures;
+  int number = 0;
+  for (const std::string& line : linesOf(toUtf8(readFile(list.string(), kMaxFileBytes)))) {
+    ++number;
+    std::istringstream words(line);
+    std::string file, place;
+    if (!(words >> file)) continue;
+    const double stamp = coldStamp(file);
+    if (!(words >> place) || std::isnan(stamp)) {
+      throw Error(list.string() + " line " + std::to_string(number) +
+                  " is not of the form 'tTIME_xX_yY_aANGLE.jpeg LABEL'; correct it.");
+    }
+    pictures.push_back({(cameras / file).string(), place, stamp});
+  }
+  return pictures;
+}
+
+/// Lines `timestamp label` (COLD-Meta), each of which holds until the next. Pictures before the
+/// first are left out.
+std::vector<LabelledPicture> listByTimes(const fs::path& cameras, const fs::path& labels_file,
+                                         Warnings& warnings) {
+  std::vector<LabelledPicture> pictures;
+  double start = std::numeric_limits<double>::infinity(), end = -start;
+  for (const std::string& path : picturesBelow(cameras.string(), warnings)) {
+    const double stamp = coldStamp(fs::path(path).filename().string());
+    if (std::isnan(stamp)) {
+      throw Error(path + " is not named as COLD does (tTIME_xX_yY_aANGLE); remove it.");
+    }
+    pictures.push_back({path, "", stamp});
+    start = std::min(start, stamp);
+    end = std::max(end, stamp);
+  }
+  const Labels labels = Labels::fromFile(labels_file.string(), start, end);
+  for (LabelledPicture& picture : pictures) picture.place = labels.at(picture.stamp);
+  pictures.erase(std::remove_if(pictures.begin(), pictures.end(),
+                                [](const auto& picture) { return picture.place.empty(); }),
+                 pictures.end());
+  return pictures;
+}
+
+std::vector<LabelledPicture> listCold(const fs::path& folder, Warnings& warnings) {
+  const fs::path cameras = folder / "std_cam", list = folder / "localization" / "places.lst";
+  if (fs::exists(list)) return listByPictures(cameras, list);
+  for (const fs::path& labels : {folder / "labels.dat", folder / "localization" / "labels.dat"}) {
+    if (fs::exists(labels) && fs::is_directory(cameras)) {
+      return listByTimes(cameras, labels, warnings);
+    }
+  }
+  throw Error("There is neither " + list.string() + " nor " + (folder / "labels.dat").string() +
+              "; give the folder of one COLD sequence, which holds std_cam and one of these.");
+}
+
+}  // namespace
+
+std::vector<std::string> indecsConditions(const std::string& folder) {
+  std::set<std::string> conditions;
+  Warnings told_later;
+  for (const std::string& path : picturesBelow(folder, told_later)) {
+    conditions.insert(IndecsPicture(folder, path).condition);
+  }
+  conditions.erase("");
+  return {conditions.begin(), conditions.end()};
+}
+
+std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout,
+                                          std::vector<std::string>& warnings) {
+  if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
+  const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
+  std::vector<LabelledPicture> pictures = layout.name == "rooms" ? listRooms(folder, warnings)
+                                          : layout.name == "indecs"
+                                              ? listIndecs(folder, layout.condition, warnings)
+                                          : layout.name == "idol" ? listIdol(folder, warnings)
+                                                                  : listCold(folder, warnings);
+  for (LabelledPicture& picture : pictures) picture.place = placeName(picture.place);
+  if (pictures.empty()) {
+    throw Error("The folder " + folder +
+                " holds no pictures (png, jpg, webp, bmp or tiff) in the layout '" + layout.name +
+                "'; check the path, or give another --layout." + allOf(warnings));
+  }
+  if (by_rate) {
+    stampByRate(pictures, layout.rate);
+  } else {
+    std::stable_sort(pictures.begin(), pictures.end(),
+                     [](const auto& a, const auto& b) { return a.stamp < b.stamp; });
+  }
+  return pictures;
+}
+
+}  // namespace place_recognition

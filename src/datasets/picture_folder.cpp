@@ -1,0 +1,241 @@
+#include "datasets/picture_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <string_view>
+#include <system_error>
+
+#include "base/place_name.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 17> kPictures{"png", "jpg", "jpeg", "jpe",  "jfif", "webp",
+                                                     "bmp", "dib", "tif",  "tiff", "pgm",  "ppm",
+                                                     "pbm", "pnm", "jp2",  "ras",  "sr"};
+
+/// Endings of pictures and videos that are not read, and are told when they lie among others.
+constexpr std::array<std::string_view, 20> kUnread{
+    "gif", "heic", "heif", "avif", "jxl", "svg", "psd", "dng", "cr2", "nef",
+    "arw", "raw",  "exr",  "mp4",  "mov", "avi", "mkv", "zip", "tar", "gz"};
+
+constexpr std::array<std::string_view, 18> kCameAlong{
+    "__macosx",    "thumbs.db",   "ehthumbs.db",
+    "desktop.ini", "@eadir",      "#recycle",
+    "#snapshot",   "@recycle",    "$recycle.bin",
+    "recycler",    "icon\r",      "system volume information",
+    "lost+found",  "found.000",   "temporary items",
+    "cvs",         "__pycache__", "network trash folder"};
+
+template <std::size_t N>
+bool isOneOf(const std::string& text, const std::array<std::string_view, N>& list) {
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+std::string lowerCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// In lower case, without its point.
+std::string endingOf(const std::string& name) {
+  const std::string ending = lowerCase(fs::path(name).extension().string());
+  return ending.empty() ? "" : ending.substr(1);
+}
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// The number that starts at `i`, without leading zeros, as digits; moves `i` behind it.
+std::string digits(const std::string& text, std::size_t& i) {
+  const std::size_t start = i;
+  while (i < text.size() && isDigit(text[i])) ++i;
+  const std::size_t zeros = std::min(text.find_first_not_of('0', start), i) - start;
+  return text.substr(start + zeros, i - start - zeros);
+}
+
+/// 2024-05-31, 20240531, 31.05.2024, perhaps with a time behind it.
+bool isDate(const std::string& name) {
+  static const std::regex date(
+      R"(((19|20)\d\d[-_. ]?[01]?\d[-_. ]?[0-3]?\d|[0-3]?\d[-_. ][01]?\d[-_. ](19|20)\d\d)([-_. T]*\d[-_.:h\d]*)?)");
+  return name.size() < 40 && std::regex_match(name, date);
+}
+
+bool hasPicturesOrDatesOfThem(const fs::path& folder) {
+  const FolderEntries entries = entriesOf(folder.string());
+  if (!entries.pictures.empty()) return true;
+  return std::any_of(entries.folders.begin(), entries.folders.end(), [&](const std::string& name) {
+    return isDate(name) && !entriesOf((folder / name).string()).pictures.empty();
+  });
+}
+
+/// "3 .heic files and 1 .gif file", of the endings that `told` is true for.
+template <typename Told>
+std::string countedByEnding(const std::vector<std::string>& names, Told told) {
+  std::map<std::string, int> counts;
+  for (const std::string& name : names) {
+    if (told(endingOf(name))) ++counts[endingOf(name)];
+  }
+  std::string text;
+  for (const auto& [ending, count] : counts) {
+    text += (text.empty() ? "" : " and ") + std::to_string(count) +
+            (ending.empty() ? "" : " ." + ending) + (count == 1 ? " file" : " files");
+  }
+  return text;
+}
+
+/// Collects pictures below a folder, and what hinders.
+class Search {
+ public:
+  explicit Search(FoundPictures& found) : found_(found) {}
+
+  /// For folders below `folder`, to which no link may lead back.
+  Search(FoundPictures& found, const fs::path& folder) : found_(found) {
+    std::error_code ignored;
+    open_.push_back(fs::canonical(folder, ignored));
+  }
+
+  /// Adds what is in `folder` and below; returns why this is nothing, or an empty text.
+  std::string add(const fs::path& folder, const std::string& place) {
+    const FolderEntries entries = entriesOf(folder.string());
+    if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
+    std::error_code failure;
+    const fs::path real = fs::canonical(folder, failure);
+    if (std::find(open_.begin(), open_.end(), real) != open_.end()) {
+      return "it is a link that leads back to " + real.string();
+    }
+    open_.push_back(real);
+    const std::size_t before = found_.pictures.size();
+    addPictures(folder, entries, place);
+    for (const std::string& inner : entries.folders) {
+      const std::string why_not = add(folder / inner, place);
+      if (!why_not.empty()) warn(folder / inner, why_not);
+    }
+    open_.pop_back();
+    return found_.pictures.size() > before ? "" : whyNothing(entries);
+  }
+
+  void addPictures(const fs::path& folder, const FolderEntries& entries, const std::string& place) {
+    for (const std::string& name : entries.pictures) {
+      found_.pictures.push_back({(folder / name).string(), place});
+    }
+    for (const std::string& name : entries.dead) {
+      warn(folder / name, "it is a link that leads nowhere");
+    }
+    const std::string unread = countedByEnding(
+        entries.others, [](const std::string& ending) { return isOneOf(ending, kUnread); });
+    if (!unread.empty() && !entries.pictures.empty()) {
+      found_.warnings.push_back(folder.string() + ": " + unread +
+                                " cannot be read; convert them to PNG or JPEG.");
+    }
+  }
+
+  void warn(const fs::path& path, const std::string& why) {
+    found_.warnings.push_back("Nothing is taken from " + path.string() + ": " + why + ".");
+  }
+
+ private:
+  static std::string whyNothing(const FolderEntries& entries) {
+    const std::string others =
+        countedByEnding(entries.others, [](const std::string&) { return true; });
+    if (!others.empty()) return "it holds " + others + ", which cannot be read as pictures";
+    return entries.folders.empty() && entries.dead.empty() ? "it is empty" : "it holds no pictures";
+  }
+
+  FoundPictures& found_;
+  std::vector<fs::path> open_;  // the folder at hand and those above it
+};
+
+/// The entries of a folder that was named by a person.
+FolderEntries openFolder(const std::string& folder) {
+  FolderEntries entries = entriesOf(folder);
+  if (entries.problem.empty()) return entries;
+  throw Error("Cannot read the folder " + folder + ": " + entries.problem +
+              "; check the path and its permissions.");
+}
+
+}  // namespace
+
+bool isPictureName(const std::string& name) { return isOneOf(endingOf(name), kPictures); }
+
+bool cameAlong(const std::string& name) {
+  return name.empty() || name[0] == '.' || isOneOf(lowerCase(name), kCameAlong);
+}
+
+bool naturalLess(const std::string& a, const std::string& b) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (isDigit(a[i]) && isDigit(b[j])) {
+      const std::string x = digits(a, i), y = digits(b, j);
+      if (x.size() != y.size()) return x.size() < y.size();
+      if (x != y) return x < y;
+    } else {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+    }
+  }
+  if (i < a.size() || j < b.size()) return j < b.size();
+  return a < b;  // Equal but for leading zeros.
+}
+
+FolderEntries entriesOf(const std::string& folder) {
+  FolderEntries entries;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const std::string name = entry->path().filename().string();
+    if (cameAlong(name)) continue;
+    std::error_code ignored;
+    const fs::file_status status = entry->status(ignored);  // follows links
+    if (fs::is_directory(status)) {
+      entries.folders.push_back(name);
+    } else if (fs::is_regular_file(status)) {
+      (isPictureName(name) ? entries.pictures : entries.others).push_back(name);
+    } else if (entry->is_symlink(ignored)) {
+      entries.dead.push_back(name);
+    }
+  }
+  if (failure) entries.problem = failure.message();
+  for (auto* names : {&entries.pictures, &entries.folders, &entries.others, &entries.dead}) {
+    std::sort(names->begin(), names->end(), naturalLess);
+  }
+  return entries;
+}
+
+FoundPictures findRoomPictures(const std::string& folder) {
+  const FolderEntries entries = openFolder(folder);
+  FoundPictures found;
+  Search search(found, folder);
+  search.addPictures(folder, entries, "");
+  for (const std::string& room : entries.folders) {
+    const std::string why_not = search.add(fs::path(folder) / room, placeName(room));
+    if (!why_not.empty()) search.warn(fs::path(folder) / room, why_not);
+  }
+  return found;
+}
+
+FoundPictures findPicturesBelow(const std::string& folder) {
+  openFolder(folder);
+  FoundPictures found;
+  Search(found).add(folder, "");
+  return found;
+}
+
+bool holdsRoomPictures(const std::string& folder) {
+  const FolderEntries entries = entriesOf(folder);
+  const auto anyFolder = [&](auto is) {
+    return std::any_of(entries.folders.begin(), entries.folders.end(),
+                       [&](const std::string& name) { return is(fs::path(folder) / name); });
+  };
+  if (anyFolder(hasPicturesOrDatesOfThem)) return true;
+  return !entries.pictures.empty() &&
+         !anyFolder([](const fs::path& inner) { return holdsRoomPictures(inner.string()); });
+}
+
+}  // namespace place_recognition

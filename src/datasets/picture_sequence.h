@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "datasets/depth_scale.h"
+#include "datasets/image_file.h"
+
+namespace place_recognition {
+
+/// Picture files of one camera, brought to 8 bits alike; see DepthScale, which a few of the
+/// pictures from beginning to end set when the first one of 16 bits is read.
+class PictureSequence {
+ public:
+  PictureSequence() = default;
+  explicit PictureSequence(std::vector<std::string> paths) : paths_(std::move(paths)) {}
+
+  std::size_t size() const { return paths_.size(); }
+  const std::string& path(std::size_t i) const { return paths_[i]; }
+
+  /// Picture `i` of size(): CV_8UC3 BGR or CV_8UC1, or why there is none.
+  DecodedImage read(std::size_t i);
+
+  /// How pictures of 16 bits were brought to 8, a sentence; empty if there was none yet.
+  std::string note() const;
+
+ private:
+  std::vector<std::string> paths_;
+  DepthScale scale_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,165 @@
+#include "labels/label_lines.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <regex>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/text.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 64 << 20;
+
+const char* const kWanted = "'timestamp label', as in '1700000000.5 kitchen'";
+
+/// A line before its numbers are understood.
+struct RawLine {
+  std::string time;
+  char separator = ' ';  // ' ' also for tabs
+  std::string label;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+bool isNumber(const std::string& text) {
+  static const std::regex number(R"([+-]?\d+([.,]\d+)?([eE][+-]?\d+)?)");
+  return text.size() < 40 && std::regex_match(text, number);
+}
+
+/// Whether a line heads the columns: its first word speaks of time.
+bool isHeader(const std::string& line) {
+  const std::string word = caseFolded(line.substr(0, line.find_first_of(",;\t ", 1)));
+  const auto says = [&word](const char* text) { return word.find(text) != std::string::npos; };
+  return says("time") || says("stamp") || says("sec") || word == "t" || word == "\"t\"";
+}
+
+/// The only field of `text`, which stands behind the separator; may be quoted, and followed by
+/// empty ones.
+std::string onlyField(const std::string& text, char separator, const std::string& where) {
+  std::string field;
+  std::string rest = trimmed(text);
+  if (!rest.empty() && rest[0] == '"') {
+    std::size_t i = 1;
+    for (; i < rest.size() && (rest[i] != '"' || rest.compare(i, 2, "\"\"") == 0); ++i) {
+      if (rest[i] == '"') ++i;
+      field += rest[i];
+    }
+    if (i >= rest.size()) throw Error(where + " has a quote that does not end; close it.");
+    rest = trimmed(rest.substr(i + 1));
+    if (!rest.empty() && rest[0] != separator) {
+      throw Error(where + " has text behind its quotes; write " + std::string(kWanted) + ".");
+    }
+  } else {
+    field = trimmed(rest.substr(0, rest.find(separator)));
+    rest.erase(0, rest.find(separator));
+  }
+  if (rest.find_first_not_of(std::string(" \t") + separator) != std::string::npos) {
+    throw Error(where + " has more than two columns; leave only " + kWanted + " (a name with '" +
+                separator + "' in it stands in double quotes).");
+  }
+  return field;
+}
+
+/// For a label behind a blank: that there is one, and no second timestamp before it.
+void requireOneLabel(const std::string& label, const std::string& where) {
+  if (label.empty()) throw Error(where + " has no label; write " + kWanted + ".");
+  const std::string first = label.substr(0, label.find_first_of(" \t"));
+  constexpr double kNoRoomNumber = 100000;
+  if (first.size() < label.size() && isNumber(first) && std::atof(first.c_str()) >= kNoRoomNumber) {
+    throw Error(where + " has a second number before its label; write " + kWanted +
+                ", and each label once, from where it holds.");
+  }
+}
+
+/// The part of a line that patterns are looked for in; std::regex recurses on each letter.
+std::string headOf(const std::string& line) { return line.substr(0, 100); }
+
+RawLine split(const std::string& line, const std::string& where) {
+  // The timestamp, perhaps quoted, and what separates it from the label. A comma followed by digits
+  // may be the decimal one, but only before a semicolon or a tab.
+  static const std::regex with_decimal_comma(R"re([ \t]*("?)([+-]?\d+,\d+)\1 *([;\t]))re");
+  static const std::regex usual(
+      R"re([ \t]*("?)([+-]?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)\1(?:[ \t]*([,;])|[ \t]))re");
+  const std::string head = headOf(line);
+  std::smatch parts;
+  const auto starts = [&head, &parts](const std::regex& pattern) {
+    return std::regex_search(head, parts, pattern, std::regex_constants::match_continuous);
+  };
+  if (!starts(with_decimal_comma) && !starts(usual)) {
+    throw Error(where + " is not " + kWanted + ".");
+  }
+  const char separator = parts[3].matched && parts[3] != "\t" ? *parts[3].first : ' ';
+  RawLine raw{parts[2], separator, trimmed(line.substr(static_cast<std::size_t>(parts.length())))};
+  if (separator == ' ') {
+    requireOneLabel(raw.label, where);
+    if (raw.label[0] == '"') raw.label = onlyField(raw.label, '\t', where);
+  } else {
+    // '1700000000,5 kitchen' has a decimal comma, or a room '5 kitchen'.
+    static const std::regex digits_and_more(R"(\d+[ \t]+\S)");
+    const std::string label = headOf(raw.label);
+    if (separator == ',' &&
+        std::regex_search(label, digits_and_more, std::regex_constants::match_continuous)) {
+      throw Error(where + " may have a decimal comma, or the label '" + label +
+                  "'; write the timestamp with a point, or the label in double quotes.");
+    }
+    raw.label = onlyField(raw.label, separator, where);
+  }
+  return raw;
+}
+
+double secondsPerUnit(double time) {
+  if (time > 1e17) return 1e-9;
+  if (time > 1e14) return 1e-6;
+  if (time > 1e11) return 1e-3;  // the year 5138 in seconds
+  return 1;
+}
+
+std::string noteOn(char separator, double unit) {
+  std::string note;
+  if (separator == ',') note = "as columns separated by commas";
+  if (separator == ';') note = "as columns separated by semicolons";
+  const char* name = unit == 1e-9 ? "ns" : unit == 1e-6 ? "us" : "ms";
+  if (unit != 1) note += std::string(note.empty() ? "" : ", ") + "with timestamps in " + name;
+  return note.empty() ? "" : "is read " + note + ".";
+}
+
+}  // namespace
+
+LabelLines readLabelLines(const std::string& path) {
+  const std::vector<std::string> lines = linesOf(toUtf8(readFile(path, kMaxFileBytes)));
+  LabelLines read;
+  char separator = 0;
+  double unit = 1;
+  bool may_be_header = true;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string line = trimmed(lines[i]);
+    // Spreadsheets tell each other the separator by 'sep=;'.
+    if (line.empty() || line[0] == '#' || line.compare(0, 4, "sep=") == 0) continue;
+    const std::string where = path + ", line " + std::to_string(i + 1);
+    if (std::exchange(may_be_header, false) && isHeader(line)) continue;
+    RawLine raw = split(lines[i], where);
+    std::replace(raw.time.begin(), raw.time.end(), ',', '.');
+    const double time = std::strtod(raw.time.c_str(), nullptr);
+    if (read.lines.empty()) {
+      separator = raw.separator;
+      unit = secondsPerUnit(time);
+    }
+    if (raw.separator != separator) {
+      throw Error(where + " separates its columns in another way than the lines before; write " +
+                  kWanted + ".");
+    }
+    read.lines.push_back({time * unit, raw.label, static_cast<int>(i + 1)});
+  }
+  read.note = noteOn(separator, unit);
+  return read;
+}
+
+}  // namespace place_recognition

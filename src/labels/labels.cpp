@@ -1,0 +1,168 @@
+#include "labels/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+#include "base/options.h"
+#include "base/place_name.h"
+#include "labels/label_lines.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+struct Interval {
+  double from = 0;
+  double to = std::numeric_limits<double>::infinity();
+  std::string place;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("from", self.from, "s");
+    visitor("to", self.to, "s; left out: until the next interval");
+    visitor("place", self.place, "label");
+  }
+};
+
+struct LabelsFile {
+  std::string times = "relative";
+  std::vector<Interval> labels;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("times", self.times, "relative to the bag's start, or absolute");
+    visitor("labels", self.labels, "intervals");
+  }
+};
+
+/// For messages: printable and short, whatever the label holds.
+std::string inQuotes(const std::string& label) {
+  std::string text = label.substr(0, 40);
+  for (char& c : text) {
+    if (c < 0x20 || c == 0x7f) c = '?';
+  }
+  return "'" + text + (label.size() > 40 ? "...'" : "'");
+}
+
+/// Nothing if the file says `labels: []`: on purpose, there are none.
+std::optional<std::vector<Interval>> readIntervals(const std::string& path, double start) {
+  LabelsFile file;
+  const YAML::Node tree = readYamlFile(path);
+  readOptions(tree, path, file);
+  if (file.labels.empty() && tree["labels"].IsDefined()) return std::nullopt;
+  if (file.times != "relative" && file.times != "absolute") {
+    throw Error(path + ": times is '" + file.times + "'; it must be relative or absolute.");
+  }
+  const double origin = file.times == "relative" ? start : 0;
+  for (std::size_t i = 0; i < file.labels.size(); ++i) {
+    Interval& interval = file.labels[i];
+    const std::string where = path + ", labels[" + std::to_string(i) + "]";
+    checkLabel(interval.place, where);
+    if (!std::isfinite(interval.from) || !(interval.from < interval.to)) {
+      throw Error(where + ": from must lie before to.");
+    }
+    interval.from += origin;
+    interval.to += origin;
+  }
+  return std::move(file.labels);
+}
+
+void addIntervals(std::vector<Interval> intervals, const std::string& path, Labels& labels) {
+  std::stable_sort(intervals.begin(), intervals.end(),
+                   [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const Interval& interval = intervals[i];
+    labels.add(interval.from, interval.place);
+    const bool last = i + 1 == intervals.size();
+    const double next = last ? std::numeric_limits<double>::infinity() : intervals[i + 1].from;
+    if (!std::isfinite(interval.to)) continue;
+    if (interval.to > next) {
+      throw Error(path + ": the intervals of " + inQuotes(interval.place) + " and " +
+                  inQuotes(intervals[i + 1].place) + " overlap; let the first end earlier.");
+    }
+    if (interval.to < next) labels.add(interval.to, "");
+  }
+}
+
+void addLines(const std::vector<LabelLine>& lines, const std::string& path, Labels& labels) {
+  double before = -std::numeric_limits<double>::infinity();
+  for (const LabelLine& line : lines) {
+    const std::string where = path + ", line " + std::to_string(line.number);
+    if (!line.label.empty()) checkLabel(line.label, where);
+    if (line.time < before) throw Error(where + ": time runs backwards; sort the lines.");
+    labels.add(line.time, line.label);
+    before = line.time;
+  }
+}
+
+}  // namespace
+
+void checkLabel(const std::string& label, const std::string& where) {
+  if (isPlaceName(placeName(label))) return;
+  throw Error(
+      where + ": the label " + inQuotes(label) +
+      " is no place name (1 to 128 bytes of UTF-8 without line breaks and the like); a file "
+      "RUN.labels.yaml beside RUN.bag can set it right.");
+}
+
+void checkNewLabel(const std::string& label, const std::string& where) {
+  checkLabel(label, where);
+  if (placeName(label) == kUnknownPlace) {
+    throw Error(where +
+                ": 'unknown' is the answer for places that are not known; choose another "
+                "name, or an empty one for no place.");
+  }
+}
+
+Labels Labels::wholeBag(const std::string& place) {
+  checkLabel(place, "Label of the whole bag");
+  Labels labels;
+  labels.add(-std::numeric_limits<double>::infinity(), place);
+  return labels;
+}
+
+Labels Labels::fromFile(const std::string& path, double start, double end) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  Labels labels;
+  bool fits = false;
+  if (extension == ".yaml" || extension == ".yml") {
+    std::optional<std::vector<Interval>> intervals = readIntervals(path, start);
+    if (!intervals) return labels;
+    addIntervals(*std::move(intervals), path, labels);
+    labels.forEach(start, end, [&fits](double, double, const std::string&) { fits = true; });
+  } else {
+    const LabelLines lines = readLabelLines(path);
+    if (!lines.note.empty()) labels.note_ = path + " " + lines.note;
+    addLines(lines.lines, path, labels);
+    fits = !labels.changes_.empty() && labels.changes_.front().first <= end &&
+           labels.changes_.back().first >= start;
+  }
+  if (!fits) {
+    std::ostringstream span;
+    span.precision(13);
+    span << start << " to " << end;
+    throw Error(path + ": no label falls into the bag, which lasts from " + span.str() +
+                " s; correct the times or remove the file.");
+  }
+  return labels;
+}
+
+void Labels::add(double time, const std::string& label) {
+  const std::string place = placeName(label);
+  if (!changes_.empty() && changes_.back().first == time) changes_.pop_back();
+  const bool changes = changes_.empty() ? !place.empty() : changes_.back().second != place;
+  if (changes) changes_.emplace_back(time, place);
+}
+
+const std::string& Labels::at(double time) const {
+  static const std::string kNone;
+  const auto after = std::upper_bound(
+      changes_.begin(), changes_.end(), time,
+      [](double t, const std::pair<double, std::string>& change) { return t < change.first; });
+  return after == changes_.begin() ? kNone : std::prev(after)->second;
+}
+
+}  // namespace place_recognition

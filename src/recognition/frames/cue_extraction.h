@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "place_recognition/feature_extractor.h"
+#include "place_recognition/model.h"
+#include "place_recognition/training_options.h"
+#include "recognition/frames/color_normalization.h"
+#include "recognition/frames/image_scaling.h"
+
+namespace place_recognition {
+
+/// The road from an image to the feature of each cue, the same in training and in recognition: the
+/// image is brought to the size that is worked at, its colours are normalized, then each cue's
+/// extractor looks at it. Keeps its buffers from image to image: one per thread.
+class CueExtraction {
+ public:
+  /// `images`: what the model is trained on, for their size.
+  CueExtraction(const TrainingOptions& options, const ImageProfile& images);
+  /// The cues of `model` that count: those of weight 0 are missing in every image.
+  explicit CueExtraction(const Model& model);
+
+  /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one a cue, into `features`, whose
+  /// memory is reused. False if no cue could be extracted; reason() then says why.
+  /// `light`: what cues that follow the light of the run multiply the image by.
+  bool extract(const cv::Mat& image, std::vector<Feature>& features, const Light& light = {});
+
+  /// logColor() of the last image, before any normalization; zero if no cue normalizes.
+  const Eigen::RowVector3d& color() const { return color_; }
+
+  const std::string& reason() const { return reason_; }
+
+ private:
+  ImageScaler scaler_;
+  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
+  std::vector<ColorNormalization> normalizations_;             // of each cue
+  bool normalizes_ = false;
+  Eigen::RowVector3d color_ = Eigen::RowVector3d::Zero();
+  NormalizedImage normalized_;
+  std::string reason_;
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,55 @@
+#include "recognition/frames/extraction_pool.h"
+
+#include "base/parallel.h"
+#include "recognition/frames/cue_extraction.h"
+
+namespace place_recognition {
+
+ExtractionPool::ExtractionPool(const TrainingOptions& options, const ImageProfile& images,
+                               unsigned threads)
+    : queue_(2 * threadCount(threads)) {
+  for (unsigned i = 0; i < threadCount(threads); ++i) {
+    threads_.emplace_back([this, options, images] { work(options, images); });
+  }
+}
+
+ExtractionPool::~ExtractionPool() { stop(); }
+
+void ExtractionPool::submit(const cv::Mat& image, ExtractedFeatures& result) {
+  if (!queue_.push({image, &result})) rethrowFailure();
+}
+
+void ExtractionPool::finish() {
+  stop();
+  rethrowFailure();
+}
+
+void ExtractionPool::work(const TrainingOptions& options, const ImageProfile& images) {
+  try {
+    CueExtraction extraction(options, images);
+    for (Job job; queue_.pop(job);) {
+      if (!extraction.extract(job.image, job.result->features)) {
+        job.result->problem = extraction.reason();
+      }
+      job.result->color = extraction.color();
+    }
+  } catch (...) {
+    const std::lock_guard<std::mutex> lock(failure_mutex_);
+    if (!failure_) failure_ = std::current_exception();
+    queue_.close();
+  }
+}
+
+void ExtractionPool::stop() {
+  queue_.close();
+  for (std::thread& thread : threads_) {
+    if (thread.joinable()) thread.join();
+  }
+}
+
+void ExtractionPool::rethrowFailure() {
+  const std::lock_guard<std::mutex> lock(failure_mutex_);
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+}  // namespace place_recognition

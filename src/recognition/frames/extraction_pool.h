@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <exception>
+#include <mutex>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "place_recognition/feature.h"
+#include "place_recognition/model.h"
+#include "place_recognition/training_options.h"
+#include "recognition/frames/bounded_queue.h"
+
+namespace place_recognition {
+
+/// Where the features of one image go.
+struct ExtractedFeatures {
+  std::vector<Feature> features;  ///< one a cue
+  Eigen::RowVector3d color;       ///< see logColor()
+  std::string problem;            ///< why no cue could be extracted; empty if one could
+};
+
+/// Threads that extract features from images handed to them.
+class ExtractionPool {
+ public:
+  ExtractionPool(const TrainingOptions& options, const ImageProfile& images, unsigned threads);
+  ~ExtractionPool();
+
+  /// Queues an image, waiting while the queue is full. `result` must stay where it is and is not
+  /// to be touched before finish(). Throws what an extractor threw.
+  void submit(const cv::Mat& image, ExtractedFeatures& result);
+
+  /// Waits until every result is there. Throws what an extractor threw.
+  void finish();
+
+ private:
+  struct Job {
+    cv::Mat image;
+    ExtractedFeatures* result = nullptr;
+  };
+
+  void work(const TrainingOptions& options, const ImageProfile& images);
+  void stop();
+  void rethrowFailure();
+
+  BoundedQueue<Job> queue_;
+  std::vector<std::thread> threads_;
+  std::mutex failure_mutex_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace place_recognition

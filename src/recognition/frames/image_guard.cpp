@@ -1,0 +1,112 @@
+#include "recognition/frames/image_guard.h"
+
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "recognition/frames/image_profile.h"
+
+namespace place_recognition {
+namespace {
+
+/// The same pixels in so many images and for so long, s, are no camera that stands still: its noise
+/// would change them.
+constexpr int kFrozenRepeats = 9;
+constexpr double kFrozenTime = 3;
+/// Ratios of width to height that differ by less than this, relatively, are due to rounding.
+constexpr double kSameRatio = 0.02;
+/// Images that are enlarged by more than this lack detail that the model goes by.
+constexpr double kHarmlessEnlargement = 1.1;
+
+std::string text(cv::Size size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+double ratio(cv::Size size) { return static_cast<double>(size.width) / size.height; }
+
+/// Nearly uniform, as no lit scene is, with the noise of a sensor.
+bool isFlat(const ImageStatistics& image) { return image.contrast <= 5; }
+
+bool isBlack(const ImageStatistics& image, const ImageProfile& trained) {
+  return isFlat(image) && image.brightness <= 10 &&
+         (!trained.known() || image.brightness < trained.darkest / 2);
+}
+
+bool isWhite(const ImageStatistics& image, const ImageProfile& trained) {
+  return isFlat(image) && image.brightness >= 245 &&
+         (!trained.known() || image.brightness > trained.brightest);
+}
+
+}  // namespace
+
+ImageGuard::ImageGuard(const ImageProfile& trained, const ImageOptions& options)
+    : trained_(trained), scaler_(trained, options.max_width) {}
+
+std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
+  problem_.clear();
+  news_.clear();
+  const ImageStatistics statistics = statisticsOf(image);
+  if (trained_.known()) {
+    judgeSize(image.size());
+    if (trained_.colour && !statistics.colour) {
+      fault(kGrey, "Images are grey, but the model was trained on colour",
+            "check the camera's encoding");
+    }
+  }
+  if (isBlack(statistics, trained_)) {
+    fault(kBlack, "Images are black", "check the lens, the exposure and the light");
+  }
+  if (isWhite(statistics, trained_)) fault(kWhite, "Images are white", "check the exposure");
+  if (isFrozen(image, stamp)) {
+    fault(kFrozen, "The camera sends the same image again and again", "check its driver");
+  }
+  return std::move(news_);
+}
+
+void ImageGuard::judgeSize(cv::Size size) {
+  const cv::Size trained{trained_.width, trained_.height};
+  const cv::Size used = scaler_.sizeFor(size);
+  if (std::abs(ratio(size) / ratio(trained) - 1) > kSameRatio) {
+    fault(kAspectRatio,
+          "Images of " + text(size) + " have another aspect ratio than the " + text(trained) +
+              " of the model",
+          "set the camera to that ratio, or train with it as it is");
+  } else if (used.width > kHarmlessEnlargement * size.width) {
+    fault(
+        kSize,
+        "Images of " + text(size) + " are enlarged to " + text(used) +
+            ", the size that the model works at, and lack its finest detail",
+        "set the camera to that size, or train with image.max_width=" + std::to_string(size.width));
+  } else if (size != trained && size != used) {
+    say(kSize, "Images of " + text(size) + " are scaled to " + text(used) +
+                   ", the size that the model works at.");
+  }
+}
+
+/// Two images are taken for the same if sampledRows() are.
+bool ImageGuard::isFrozen(const cv::Mat& image, double stamp) {
+  const cv::Mat rows = sampledRows(image);
+  const bool same = rows.size() == last_rows_.size() && rows.type() == last_rows_.type() &&
+                    cv::norm(rows, last_rows_, cv::NORM_INF) == 0;
+  if (same) {
+    ++repeats_;
+  } else {
+    rows.copyTo(last_rows_);
+    repeats_ = 0;
+    same_since_ = stamp;
+  }
+  return repeats_ >= kFrozenRepeats && stamp - same_since_ >= kFrozenTime;
+}
+
+void ImageGuard::fault(Kind kind, const std::string& what, const std::string& advice) {
+  problem_ += (problem_.empty() ? "" : "; ") + what;
+  say(kind, what + "; " + advice + ".");
+}
+
+void ImageGuard::say(Kind kind, const std::string& sentence) {
+  if (said_[kind]) return;
+  said_[kind] = true;
+  news_.push_back(sentence);
+}
+
+}  // namespace place_recognition

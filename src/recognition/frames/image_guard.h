@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "place_recognition/model.h"
+#include "recognition/frames/image_scaling.h"
+
+namespace place_recognition {
+
+/// Watches the images of one camera or run for what makes answers bad and cannot be seen in them:
+/// images unlike those that the model was trained on, and a camera that shows nothing. Cheap: it
+/// looks at a few rows of each image. Not thread-safe.
+class ImageGuard {
+ public:
+  explicit ImageGuard(const Model& model) : ImageGuard(model.images, model.options.image) {}
+  ImageGuard(const ImageProfile& trained, const ImageOptions& options);
+
+  /// Judges the next image (CV_8UC3 or CV_8UC1, not empty), of `stamp`, s. Returns what is to be
+  /// said about it and has not been said of an image before: sentences for a person.
+  std::vector<std::string> judge(const cv::Mat& image, double stamp);
+
+  /// What is wrong with the last image, without a full stop; empty: nothing.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  enum Kind { kSize, kAspectRatio, kGrey, kBlack, kWhite, kFrozen, kKinds };
+
+  void judgeSize(cv::Size size);
+  bool isFrozen(const cv::Mat& image, double stamp);
+  /// `what` is wrong now; it is said, with advice, once.
+  void fault(Kind kind, const std::string& what, const std::string& advice);
+  void say(Kind kind, const std::string& sentence);
+
+  ImageProfile trained_;
+  ImageScaler scaler_;
+  std::array<bool, kKinds> said_{};
+  std::string problem_;
+  std::vector<std::string> news_;
+  cv::Mat last_rows_;      // sampledRows() of the last image
+  int repeats_ = 0;        // how many before it had the same
+  double same_since_ = 0;  // s
+};
+
+}  // namespace place_recognition

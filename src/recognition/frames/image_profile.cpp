@@ -1,0 +1,83 @@
+#include "recognition/frames/image_profile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/core.hpp>
+
+namespace place_recognition {
+namespace {
+
+constexpr int kRows = 48;
+
+/// Whether some pixel of a CV_8UC3 image is not grey.
+bool showsColour(const cv::Mat& image) {
+  constexpr int kTolerance = 2;
+  for (int y = 0; y < image.rows; ++y) {
+    const std::uint8_t* pixel = image.ptr(y);
+    for (int x = 0; x < image.cols; ++x, pixel += 3) {
+      const auto [low, high] = std::minmax({pixel[0], pixel[1], pixel[2]});
+      if (high - low > kTolerance) return true;
+    }
+  }
+  return false;
+}
+
+/// Size of the first image of a run; 0 x 0 if it has none.
+cv::Size firstSize(Run& run) {
+  for (Frame frame; run.next(frame);) {
+    if (!frame.image.empty()) return frame.image.size();
+  }
+  return {};
+}
+
+}  // namespace
+
+cv::Mat sampledRows(const cv::Mat& image) {
+  // A view whose row step skips the rows in between.
+  const int step = std::max(1, image.rows / kRows);
+  return {(image.rows + step - 1) / step, image.cols, image.type(),
+          const_cast<std::uint8_t*>(image.data), image.step * static_cast<std::size_t>(step)};
+}
+
+ImageStatistics statisticsOf(const cv::Mat& image) {
+  assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
+  const cv::Mat rows = sampledRows(image);
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(rows, mean, deviation);
+  const int channels = image.channels();
+  ImageStatistics statistics;
+  double squares = 0;
+  for (int c = 0; c < channels; ++c) {
+    statistics.brightness += mean[c] / channels;
+    squares += (deviation[c] * deviation[c] + mean[c] * mean[c]) / channels;
+  }
+  statistics.contrast =
+      std::sqrt(std::max(0.0, squares - statistics.brightness * statistics.brightness));
+  statistics.colour = channels == 3 && showsColour(rows);
+  return statistics;
+}
+
+ImageProfile commonSize(const std::vector<RunOpener>& runs, const Progress& progress) {
+  ImageProfile smallest;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    report(progress, "Looking at the images",
+           static_cast<double>(r) / static_cast<double>(runs.size()));
+    const cv::Size size = firstSize(*runs[r]());
+    const bool smaller =
+        std::max(size.width, size.height) < std::max(smallest.width, smallest.height);
+    if (size.empty() || (smallest.known() && !smaller)) continue;
+    smallest.width = size.width;
+    smallest.height = size.height;
+  }
+  return smallest;
+}
+
+void include(const ImageStatistics& image, ImageProfile& profile) {
+  profile.colour = profile.colour || image.colour;
+  profile.darkest = std::min(profile.darkest, image.brightness);
+  profile.brightest = std::max(profile.brightest, image.brightness);
+}
+
+}  // namespace place_recognition

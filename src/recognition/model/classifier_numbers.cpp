@@ -1,0 +1,128 @@
+#include "recognition/model/classifier_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "base/require.h"
+#include "learning/machines.h"
+#include "learning/support_set.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+bool allFinite(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// The dimension of the dense vectors of an extractor; 0: it gives sparse ones.
+std::size_t dimensionOf(const FeatureOptions& options) {
+  if (const auto* embedding = std::get_if<EmbeddingOptions>(&options)) {
+    return embedding->loaded->dimension;
+  }
+  const auto* lbp = std::get_if<LbpOptions>(&options);
+  std::size_t dimension = 0;
+  if (!lbp) return dimension;
+  for (const LbpCircle& circle : lbp->circles) {
+    dimension += static_cast<std::size_t>(circle.points) + 2;
+  }
+  return dimension;
+}
+
+// One overload for each alternative of SupportSet::Index.
+void write(const VectorIndex& index, ClassifierNumbers& numbers) { numbers.lists = index.lists(); }
+void write(const LocalMatchIndex& index, ClassifierNumbers& numbers) {
+  for (const Feature& feature : index.vectors()) {
+    const auto& set = std::get<DescriptorSet>(feature);
+    numbers.set_sizes.push_back(static_cast<std::uint32_t>(set.size()));
+    numbers.descriptors.insert(numbers.descriptors.end(), set.descriptors.begin(),
+                               set.descriptors.end());
+  }
+}
+
+Machines machinesOf(const ClassifierNumbers& numbers, const Model& model) {
+  Machines machines;
+  machines.places = model.places.size();
+  machines.one_against_one = model.options.svm.multiclass == "one-against-one";
+  const std::size_t vectors = numbers.vector_places.size();
+  const std::size_t count = machineCount(machines.places, machines.one_against_one);
+  require(numbers.biases.size() == count, "the number of machines is not that of the places");
+  require(numbers.weights.size() == vectors * count,
+          "there are not as many weights as support vectors and machines");
+  require(allFinite(numbers.weights), "a weight is not finite");
+  require(allFinite(numbers.biases), "a bias is not finite");
+  machines.weights = Eigen::Map<const RowMajor>(
+      numbers.weights.data(), static_cast<Eigen::Index>(vectors), static_cast<Eigen::Index>(count));
+  machines.biases =
+      Eigen::Map<const Eigen::RowVectorXd>(numbers.biases.data(), static_cast<Eigen::Index>(count));
+  require(supportVectors(machines).size() == vectors, "a support vector has no weight");
+  return machines;
+}
+
+std::vector<int> placesOf(const ClassifierNumbers& numbers, const Model& model) {
+  for (const std::uint32_t place : numbers.vector_places) {
+    require(place < model.places.size(), "a support vector is of a place that there is not");
+  }
+  return {numbers.vector_places.begin(), numbers.vector_places.end()};
+}
+
+/// The sizes must add up before anything is allocated for the sets.
+std::vector<Feature> descriptorSets(const ClassifierNumbers& numbers) {
+  std::uint64_t total = 0;
+  for (const std::uint32_t size : numbers.set_sizes) {
+    require(size > 0, "a support vector is empty");
+    total += size;
+  }
+  require(numbers.set_sizes.size() == numbers.vector_places.size() &&
+              numbers.descriptors.size() == total * DescriptorSet::kDimension,
+          "the sizes of the support vectors do not add up");
+  std::vector<Feature> sets;
+  const std::uint8_t* begin = numbers.descriptors.data();
+  for (const std::uint32_t size : numbers.set_sizes) {
+    const std::uint8_t* end = begin + std::size_t{size} * DescriptorSet::kDimension;
+    sets.emplace_back(DescriptorSet{{begin, end}});
+    begin = end;
+  }
+  return sets;
+}
+
+SupportSet supportSetOf(ClassifierNumbers& numbers, const CueOptions& cue) {
+  const bool local = std::holds_alternative<LocalFeatureOptions>(cue.feature);
+  const PostingLists& lists = numbers.lists;
+  const bool no_lists = lists.totals.empty() && lists.bins.empty() && lists.counts.empty() &&
+                        lists.rows.empty() && lists.values.empty() && lists.numbers.empty();
+  require(local ? no_lists : numbers.set_sizes.empty() && numbers.descriptors.empty(),
+          "the support vectors are not what the extractor gives");
+  const Kernel kernel(cue.kernel);
+  if (local) return SupportSet(kernel, descriptorSets(numbers));
+  require(lists.vectors() == numbers.vector_places.size(),
+          "there are not as many totals as support vectors");
+  numbers.lists.dimension = dimensionOf(cue.feature);
+  return SupportSet(kernel, std::move(numbers.lists));
+}
+
+}  // namespace
+
+ClassifierNumbers numbersOf(const Classifier& classifier) {
+  ClassifierNumbers numbers;
+  numbers.vector_places.assign(classifier.vectorPlaces().begin(), classifier.vectorPlaces().end());
+  const RowMajor weights = classifier.machines().weights;
+  const Eigen::RowVectorXd& biases = classifier.machines().biases;
+  numbers.weights.assign(weights.data(), weights.data() + weights.size());
+  numbers.biases.assign(biases.data(), biases.data() + biases.size());
+  std::visit([&numbers](const auto& index) { write(index, numbers); },
+             classifier.supportSet().index());
+  return numbers;
+}
+
+Classifier classifierOf(ClassifierNumbers numbers, const Model& model, std::size_t cue) {
+  Machines machines = machinesOf(numbers, model);
+  std::vector<int> places = placesOf(numbers, model);
+  return Classifier(std::move(machines), supportSetOf(numbers, model.options.cues[cue]),
+                    std::move(places));
+}
+
+}  // namespace place_recognition

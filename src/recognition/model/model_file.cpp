@@ -1,0 +1,137 @@
+#include "place_recognition/model_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "base/atomic_file.h"
+#include "place_recognition/error.h"
+#include "place_recognition/feature_extractor.h"
+#include "recognition/model/classifier_numbers.h"
+#include "recognition/model/embeddings.h"
+#include "recognition/model/model_backups.h"
+#include "recognition/model/model_container.h"
+#include "recognition/model/model_message.h"
+
+namespace place_recognition {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void readNetworks(ContainerReader& reader, Model& model) {
+  for (EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    Network network = *embedding->loaded;
+    std::vector<char> onnx;
+    reader(onnx);
+    network.onnx.assign(onnx.begin(), onnx.end());
+    embedding->loaded = std::make_shared<const Network>(std::move(network));
+  }
+}
+
+/// Throws Error that says what is wrong, without saying where.
+Model readModel(std::istream& file) {
+  ContainerReader reader(file);
+  proto::Model message;
+  if (!message.ParseFromString(reader.message())) {
+    throw Error("it is not of the form that this program writes");
+  }
+  Model model = fromMessage(message);
+  std::vector<ClassifierNumbers> numbers(model.options.cues.size());
+  for (ClassifierNumbers& classifier : numbers) classifier.visit(reader);
+  readNetworks(reader, model);
+  reader.finish();
+  for (std::size_t c = 0; c < numbers.size(); ++c) {
+    model.classifiers.push_back(classifierOf(std::move(numbers[c]), model, c));
+  }
+  for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    makeFeatureExtractor(*embedding);  // throws if this machine cannot run the network
+  }
+  model.version = reader.version();
+  return model;
+}
+
+Model readModel(std::istream& file, const std::string& where) {
+  try {
+    return readModel(file);
+  } catch (const Error& e) {
+    throw Error("The model " + where + " cannot be used (" + e.what() +
+                "); restore a backup (place_tool restore) or train the model again.");
+  }
+}
+
+std::ifstream openFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string failure = file ? "" : std::strerror(errno);
+  std::error_code ignored;
+  if (!file || !fs::is_regular_file(path, ignored)) {
+    throw Error("Cannot read " + path + ": " + (file ? "not a file" : failure) +
+                "; check the name.");
+  }
+  return file;
+}
+
+/// A model that cannot be loaded is not to replace one that can.
+void requireLoadable(const std::string& bytes, const std::string& path) {
+  try {
+    std::istringstream file(bytes);
+    readModel(file);
+  } catch (const Error& e) {
+    throw Error("The model was not saved to " + path + ", because it could not be used (" +
+                e.what() + "); check its options, above all those of the kernels.");
+  }
+}
+
+}  // namespace
+
+std::string serializeModel(const Model& model) {
+  NumberWriter writer;
+  for (const Classifier& classifier : model.classifiers) numbersOf(classifier).visit(writer);
+  for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    writer(embedding->loaded->onnx);
+  }
+  return packContainer(toMessage(model).SerializeAsString(), writer.bytes());
+}
+
+Model parseModel(const std::string& bytes, const std::string& where) {
+  std::istringstream file(bytes);
+  return readModel(file, where);
+}
+
+std::uint64_t saveModel(const Model& model, const std::string& path) {
+  const std::string bytes = serializeModel(model);
+  requireLoadable(bytes, path);
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code failure;
+  if (!folder.empty()) fs::create_directories(folder, failure);
+  if (failure) {
+    throw Error("Cannot make the folder " + folder.string() + ": " + failure.message() +
+                "; choose one that can be written.");
+  }
+  replaceKeepingBackups(path, bytes);
+  return bytes.size();
+}
+
+Model loadModel(const std::string& path) {
+  std::ifstream file = openFile(path);
+  Model model = readModel(file, path);
+  model.name = fs::path(path).stem().string();
+  return model;
+}
+
+bool startsAsModel(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return startsAsContainer(file);
+}
+
+void restoreModel(const std::string& path, int age) {
+  const std::string backup = backupPath(path, age);
+  const std::string bytes = readFile(backup, kMaxModelBytes);
+  parseModel(bytes, backup);
+  replaceKeepingBackups(path, bytes);
+}
+
+}  // namespace place_recognition

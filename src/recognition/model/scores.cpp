@@ -1,0 +1,78 @@
+#include "recognition/model/scores.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace place_recognition {
+
+namespace {
+
+/// First and second moment of one room's values.
+struct Moments {
+  double sum = 0;
+  double squares = 0;
+  double count = 0;
+
+  double mean() const { return sum / count; }
+  double varianceOfMean() const { return std::max(0.0, squares / count - mean() * mean()) / count; }
+};
+
+/// One where the answer is right, zero elsewhere.
+std::vector<double> hits(const std::vector<int>& truth, const std::vector<int>& answers) {
+  assert(truth.size() == answers.size());
+  std::vector<double> values(truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) values[i] = answers[i] == truth[i] ? 1 : 0;
+  return values;
+}
+
+}  // namespace
+
+RoomMean roomMean(const std::vector<int>& truth, const std::vector<double>& values,
+                  std::size_t places) {
+  assert(truth.size() == values.size());
+  std::vector<Moments> rooms(places);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    Moments& room = rooms[static_cast<std::size_t>(truth[i])];
+    room.sum += values[i];
+    room.squares += values[i] * values[i];
+    room.count += 1;
+  }
+  double sum = 0;
+  double variance = 0;
+  double occurring = 0;
+  for (const Moments& room : rooms) {
+    if (room.count == 0) continue;
+    sum += room.mean();
+    variance += room.varianceOfMean();
+    occurring += 1;
+  }
+  if (occurring == 0) return {};
+  return {sum / occurring, std::sqrt(variance) / occurring};
+}
+
+double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
+                   std::size_t places) {
+  return roomMean(truth, hits(truth, answers), places).mean;
+}
+
+double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
+                        std::size_t places) {
+  return roomMean(truth, hits(truth, answers), places).standard_error;
+}
+
+double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct) {
+  assert(confidences.size() == correct.size());
+  constexpr int kBins = 10;
+  std::array<double, kBins> surplus{};  // correct answers less expected ones
+  for (std::size_t i = 0; i < confidences.size(); ++i) {
+    const int bin = std::clamp(static_cast<int>(confidences[i] * kBins), 0, kBins - 1);
+    surplus[bin] += (correct[i] ? 1 : 0) - confidences[i];
+  }
+  double error = 0;
+  for (const double bin : surplus) error += std::abs(bin);
+  return confidences.empty() ? 0 : error / static_cast<double>(confidences.size());
+}
+
+}  // namespace place_recognition

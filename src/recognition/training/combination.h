@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "recognition/training/held_out.h"
+
+namespace place_recognition {
+
+// Several cues are combined by the weighted mean of their margins over the cues that an image has
+// (discriminative accumulation). Dividing by the weights that are present keeps the result in the
+// units that it is calibrated in.
+
+/// Held-out margins of the cues, and their familiarity, combined; valid where any cue of positive
+/// weight is.
+HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& weights);
+
+/// The weights, in steps of a tenth (coarser for many cues) and with the sum 1, for the mean rate
+/// of the rooms on held-out samples: of those within one standard error of the best, the ones
+/// closest to equal weights, because a few hundred frames cannot tell them apart and equal weights
+/// need no learning. On real rooms (ie_rooms, config/colour_cues.yaml) this rule names 82.4
+/// and 88.3 % right, the weights of the best held-out rate 82.4 and 84.8 %.
+std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
+                                     const std::vector<SampleOrigin>& samples, std::size_t places);
+
+}  // namespace place_recognition

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "learning/machines.h"
+#include "place_recognition/feature.h"
+#include "place_recognition/training_options.h"
+#include "recognition/training/held_out.h"
+
+namespace place_recognition {
+
+/// What is learned for one cue, for each of the reductions in question.
+struct TrainedCue {
+  double gamma;                    ///< of the kernel; as given, or as found by cross-validation
+  std::vector<Feature> vectors;    ///< the support vectors before reduction
+  std::vector<int> vector_places;  ///< where each of them was recorded
+  std::vector<Machines> machines;  ///< over `vectors`, trained on all samples
+  std::vector<HeldOut> held_out;   ///< margins of each sample by cross-validation
+};
+
+/// Learns one cue from the features of all samples of `task`, some of which may be missing (at
+/// least one is there). Deterministic, whatever the number of threads.
+TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
+                    const std::vector<ReductionOptions>& reductions, const TrainingTask& task);
+
+}  // namespace place_recognition

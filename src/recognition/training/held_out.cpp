@@ -1,0 +1,139 @@
+#include "recognition/training/held_out.h"
+
+#include <numeric>
+
+#include "learning/reduction.h"
+#include "recognition/model/scores.h"
+
+namespace place_recognition {
+namespace {
+
+Eigen::MatrixXd columns(const Eigen::MatrixXd& matrix, const std::vector<int>& indices) {
+  Eigen::MatrixXd part(matrix.rows(), static_cast<Eigen::Index>(indices.size()));
+  for (std::size_t j = 0; j < indices.size(); ++j) part.col(j) = matrix.col(indices[j]);
+  return part;
+}
+
+Eigen::MatrixXd rows(const Eigen::MatrixXd& matrix, const std::vector<int>& indices) {
+  Eigen::MatrixXd part(static_cast<Eigen::Index>(indices.size()), matrix.cols());
+  for (std::size_t i = 0; i < indices.size(); ++i) part.row(i) = matrix.row(indices[i]);
+  return part;
+}
+
+/// The numbers at some places of a list.
+std::vector<int> pick(const std::vector<int>& list, const std::vector<int>& places) {
+  std::vector<int> picked;
+  for (const int place : places) picked.push_back(list[static_cast<std::size_t>(place)]);
+  return picked;
+}
+
+/// Those of `samples` that have the cue.
+std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>& cue_rows) {
+  std::vector<int> kept;
+  for (const int sample : samples) {
+    if (cue_rows[sample] >= 0) kept.push_back(sample);
+  }
+  return kept;
+}
+
+/// True places of the valid samples, and those of their largest margins.
+struct Answers {
+  std::vector<int> truth, places;
+};
+
+Answers answersOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samples) {
+  Answers answers;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!held_out.valid[i]) continue;
+    answers.truth.push_back(samples[i].place);
+    answers.places.push_back(largest(held_out.margins.row(static_cast<Eigen::Index>(i))));
+  }
+  return answers;
+}
+
+/// Of each row, over some of the columns; 0 where there are none.
+Eigen::VectorXd largestValues(const Eigen::MatrixXd& kernel_values,
+                              const std::vector<int>& vectors) {
+  if (vectors.empty()) return Eigen::VectorXd::Zero(kernel_values.rows());
+  return columns(kernel_values, vectors).rowwise().maxCoeff();
+}
+
+/// Room for the margins of every sample.
+HeldOut noneHeldOut(const TrainingTask& task) {
+  return {Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(task.samples.size()),
+                                static_cast<Eigen::Index>(task.places)),
+          std::vector<bool>(task.samples.size(), false),
+          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.samples.size()))};
+}
+
+/// trainReduced() on some rows of a Gram matrix; the vectors are numbered among these.
+ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const PackedGram& gram,
+                               const std::vector<int>& labels, const TrainingTask& task,
+                               const std::vector<ReductionOptions>& reductions) {
+  const Machines machines =
+      trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
+  const std::vector<int> vectors = supportVectors(machines);
+  Machines supported = machines;
+  supported.weights = rows(machines.weights, vectors);
+  return {vectors, reduceEach(supported, gram.values(train_rows, pick(train_rows, vectors)),
+                              reductions, task.threads)};
+}
+
+}  // namespace
+
+ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& labels,
+                             const TrainingTask& task,
+                             const std::vector<ReductionOptions>& reductions) {
+  std::vector<int> all(labels.size());
+  std::iota(all.begin(), all.end(), 0);
+  return trainReducedOn(all, gram, labels, task, reductions);
+}
+
+std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<int>& cue_rows,
+                                    const TrainingTask& task,
+                                    const std::vector<ReductionOptions>& reductions) {
+  std::vector<HeldOut> held_out(reductions.size(), noneHeldOut(task));
+  for (const Fold& fold : task.folds) {
+    const std::vector<int> train = withCue(fold.train, cue_rows);
+    const std::vector<int> test = withCue(fold.test, cue_rows);
+    if (train.empty() || test.empty()) continue;
+    std::vector<int> labels;
+    std::vector<bool> trained(task.places, false);
+    for (const int sample : train) {
+      labels.push_back(task.samples[sample].place);
+      trained[labels.back()] = true;
+    }
+
+    const std::vector<int> train_rows = pick(cue_rows, train);
+    const ReducedMachines reduced = trainReducedOn(train_rows, gram, labels, task, reductions);
+    const Eigen::MatrixXd kernel_values =
+        gram.values(pick(cue_rows, test), pick(train_rows, reduced.vectors));
+    for (std::size_t r = 0; r < reductions.size(); ++r) {
+      const Machines& machines = reduced.machines[r];
+      const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));
+      const Eigen::VectorXd familiarity = largestValues(kernel_values, supportVectors(machines));
+      for (std::size_t i = 0; i < test.size(); ++i) {
+        if (!trained[task.samples[test[i]].place]) continue;
+        const auto row = static_cast<Eigen::Index>(i);
+        held_out[r].margins.row(test[i]) = margins.row(row);
+        held_out[r].familiarity[test[i]] = familiarity[row];
+        held_out[r].valid[test[i]] = true;
+      }
+    }
+  }
+  return held_out;
+}
+
+double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                   std::size_t places) {
+  const Answers answers = answersOf(held_out, samples);
+  return averageRate(answers.truth, answers.places, places);
+}
+
+double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                        std::size_t places) {
+  const Answers answers = answersOf(held_out, samples);
+  return averageRateError(answers.truth, answers.places, places);
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,202 @@
+#include "recognition/training/model_reduction.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/parallel.h"
+#include "learning/support_set.h"
+#include "place_recognition/error.h"
+#include "recognition/model/scores.h"
+#include "recognition/training/combination.h"
+
+namespace place_recognition {
+namespace {
+
+/// Kernel values of features (rows) and support vectors (columns).
+Eigen::MatrixXd kernelValues(const std::vector<const Feature*>& features,
+                             const SupportSet& support_set, const Progress& progress) {
+  Eigen::MatrixXd transposed(support_set.size(), features.size());
+  constexpr std::size_t kBlock = 64;  // between two reports
+  for (std::size_t begin = 0; begin < features.size(); begin += kBlock) {
+    report(progress, "Comparing vectors", static_cast<double>(begin) / features.size());
+    const std::size_t count = std::min(kBlock, features.size() - begin);
+    parallelFor(count, 0, [&](std::size_t i, unsigned) {
+      support_set.kernelValues(*features[begin + i],
+                               transposed.col(static_cast<Eigen::Index>(begin + i)));
+    });
+  }
+  return transposed.transpose();
+}
+
+std::vector<const Feature*> pointers(const std::vector<Feature>& features) {
+  std::vector<const Feature*> pointers;
+  for (const Feature& feature : features) {
+    if (!isMissing(feature)) pointers.push_back(&feature);
+  }
+  return pointers;
+}
+
+std::vector<int> rowsWithFeature(const std::vector<Feature>& features) {
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (!isMissing(features[i])) rows.push_back(static_cast<int>(i));
+  }
+  return rows;
+}
+
+/// Mean over all support vectors of the largest kernel value against another one of `kept`.
+double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<int>& kept) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < kernel_values.rows(); ++i) {
+    double largest = 0;
+    for (const int j : kept) {
+      if (j != i) largest = std::max(largest, kernel_values(i, j));
+    }
+    sum += largest;
+  }
+  return kernel_values.rows() > 0 ? sum / static_cast<double>(kernel_values.rows()) : 0;
+}
+
+/// How much less familiar frames look to the vectors that `machines` use than to all.
+double familiarityLost(const Classifier& classifier, const Machines& machines) {
+  const SupportSet& support_set = classifier.supportSet();
+  const Eigen::MatrixXd values =
+      kernelValues(pointers(support_set.vectors()), support_set, Progress());
+  return meanFamiliarity(values, supportVectors(classifier.machines())) -
+         meanFamiliarity(values, supportVectors(machines));
+}
+
+}  // namespace
+
+ModelReduction::ModelReduction(const Model& model, const Samples* training,
+                               const Progress& progress)
+    : model_(model) {
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    const SupportSet& support_set = model.classifiers[c].supportSet();
+    const std::vector<Feature> own = training ? std::vector<Feature>() : support_set.vectors();
+    const std::vector<Feature>& rows = training ? training->features[c] : own;
+    kernel_values_.push_back(kernelValues(pointers(rows), support_set, progress));
+  }
+}
+
+std::vector<Machines> ModelReduction::reduce(const ReductionOptions& options,
+                                             const Progress& progress) const {
+  std::vector<Machines> reduced;
+  for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
+    reduced.push_back(place_recognition::reduce(model_.classifiers[c].machines(), kernel_values_[c],
+                                                options, progress));
+  }
+  return reduced;
+}
+
+std::vector<std::unique_ptr<const Reduction>> ModelReduction::factorise(
+    const ReductionOptions& options, const Progress& progress) const {
+  std::vector<std::unique_ptr<const Reduction>> reductions;
+  for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
+    reductions.push_back(place_recognition::factorise(model_.classifiers[c].machines(),
+                                                      kernel_values_[c], options, progress));
+  }
+  return reductions;
+}
+
+MarginChange ModelReduction::change(const std::vector<Machines>& machines) const {
+  MarginChange result;
+  double sum = 0;
+  double count = 0;
+  for (std::size_t c = 0; c < machines.size(); ++c) {
+    const Eigen::MatrixXd& values = kernel_values_[c];
+    const Eigen::MatrixXd before = model_.classifiers[c].machines().margins(values);
+    const Eigen::ArrayXXd change = (machines[c].margins(values) - before).array().abs();
+    if (change.size() > 0) result.largest = std::max(result.largest, change.maxCoeff());
+    sum += change.sum();
+    count += static_cast<double>(change.size());
+  }
+  result.mean = count > 0 ? sum / count : 0;
+  return result;
+}
+
+RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const Progress& progress)
+    : model_(model) {
+  std::vector<int> index_in_model;
+  for (const std::string& place : samples.places) {
+    const auto found = std::lower_bound(model.places.begin(), model.places.end(), place);
+    if (found == model.places.end() || *found != place) {
+      throw Error("The model does not know the place '" + place +
+                  "' that the runs for --validate show; give runs of the places it knows.");
+    }
+    index_in_model.push_back(static_cast<int>(found - model.places.begin()));
+  }
+  for (const SampleOrigin& origin : samples.origins) truth_.push_back(index_in_model[origin.place]);
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    rows_.push_back(rowsWithFeature(samples.features[c]));
+    kernel_values_.push_back(
+        kernelValues(pointers(samples.features[c]), model.classifiers[c].supportSet(), progress));
+  }
+}
+
+double RateOnSamples::operator()(const std::vector<Machines>& machines) const {
+  const Eigen::Index frames = static_cast<Eigen::Index>(truth_.size());
+  const Eigen::Index places = static_cast<Eigen::Index>(model_.places.size());
+  std::vector<HeldOut> cues;
+  for (std::size_t c = 0; c < machines.size(); ++c) {
+    const Eigen::MatrixXd margins =
+        placeMargins(machines[c], machines[c].margins(kernel_values_[c]));
+    HeldOut cue{Eigen::MatrixXd::Zero(frames, places), std::vector<bool>(truth_.size(), false)};
+    for (std::size_t i = 0; i < rows_[c].size(); ++i) {
+      cue.margins.row(rows_[c][i]) = margins.row(static_cast<Eigen::Index>(i));
+      cue.valid[static_cast<std::size_t>(rows_[c][i])] = true;
+    }
+    cues.push_back(std::move(cue));
+  }
+  const HeldOut combined = combine(cues, model_.cue_weights);
+  std::vector<int> answers(truth_.size(), -1);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (!combined.valid[i]) continue;
+    answers[i] = largest(model_.calibration.probabilities(combined.margins.row(row)));
+  }
+  return averageRate(truth_, answers, model_.places.size());
+}
+
+std::vector<Machines> machinesOf(const Model& model) {
+  std::vector<Machines> machines;
+  for (const Classifier& classifier : model.classifiers) machines.push_back(classifier.machines());
+  return machines;
+}
+
+Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options) {
+  model.options.reduction = options;
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    model.calibration.weights.offset += model.calibration.weights.familiarity *
+                                        model.cue_weights[c] *
+                                        familiarityLost(model.classifiers[c], machines[c]);
+    std::vector<Feature> vectors = model.classifiers[c].supportSet().vectors();
+    const std::vector<int> vector_places = model.classifiers[c].vectorPlaces();
+    model.classifiers[c] = Classifier(model.options.cues[c].kernel, std::move(machines[c]),
+                                      std::move(vectors), vector_places);
+  }
+  return model;
+}
+
+double comparisonMilliseconds(const Model& model,
+                              const std::vector<std::vector<Feature>>& features) {
+  constexpr std::size_t kPictures = 200;
+  using Clock = std::chrono::steady_clock;
+  Eigen::VectorXd kernel_values;
+  Eigen::RowVectorXd margins;
+  std::vector<double> milliseconds;
+  for (std::size_t i = 0; i < std::min(kPictures, features[0].size()); ++i) {
+    const Clock::time_point start = Clock::now();
+    for (std::size_t c = 0; c < features.size(); ++c) {
+      if (i >= features[c].size() || isMissing(features[c][i])) continue;
+      model.classifiers[c].margins(features[c][i], kernel_values, margins);
+    }
+    milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+  }
+  if (milliseconds.empty()) return 0;
+  const auto middle = milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2);
+  std::nth_element(milliseconds.begin(), middle, milliseconds.end());
+  return *middle;
+}
+
+}  // namespace place_recognition

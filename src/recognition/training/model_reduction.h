@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "learning/machines.h"
+#include "learning/reduction.h"
+#include "place_recognition/model.h"
+#include "place_recognition/progress.h"
+#include "recognition/training/samples.h"
+
+namespace place_recognition {
+
+/// How far margins are from those before, over all machines and all rows of the kernel matrices.
+struct MarginChange {
+  double largest = 0;
+  double mean = 0;
+};
+
+/// Reduces the support vectors of a trained model (thesis chapter 6), as often as one likes.
+class ModelReduction {
+ public:
+  /// The rows of the kernel matrix K (eq. 6.19) are the training vectors of `training` or, without
+  /// it, the model's support vectors, all that a saved model still has of them.
+  ModelReduction(const Model& model, const Samples* training, const Progress& progress);
+
+  /// The machines that `options` ask for, one set a cue, over the vectors they had before.
+  std::vector<Machines> reduce(const ReductionOptions& options, const Progress& progress) const;
+
+  /// The same for any number of vectors that the options allow, one a cue.
+  std::vector<std::unique_ptr<const Reduction>> factorise(const ReductionOptions& options,
+                                                          const Progress& progress) const;
+
+  MarginChange change(const std::vector<Machines>& machines) const;
+
+ private:
+  const Model& model_;
+  std::vector<Eigen::MatrixXd> kernel_values_;  // one a cue
+};
+
+/// How well machines of a model name the places of labelled samples.
+class RateOnSamples {
+ public:
+  /// Throws Error if the samples show a place that the model does not know.
+  RateOnSamples(const Model& model, const Samples& samples, const Progress& progress);
+
+  /// Mean of the places' rates, 0..1, with `machines` (one set a cue) instead of the model's own.
+  double operator()(const std::vector<Machines>& machines) const;
+
+ private:
+  const Model& model_;
+  std::vector<std::vector<int>> rows_;          // [cue]: the samples that have its feature
+  std::vector<Eigen::MatrixXd> kernel_values_;  // [cue]: a row for each of these
+  std::vector<int> truth_;
+};
+
+/// The model's own machines, one set a cue.
+std::vector<Machines> machinesOf(const Model& model);
+
+/// `model` with `machines`, one set a cue, in place of its own and `options` among its options.
+/// Calibration and threshold stay as they were fitted, but frames look less familiar to fewer
+/// vectors: the evidence is shifted by what the support vectors themselves lose on average.
+Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options);
+
+/// Milliseconds to compare the features of one picture with all support vectors of all cues: the
+/// median over some of the pictures of `features` ([cue][picture]). What remains of a frame's time,
+/// the extraction of features, does not depend on the support vectors.
+double comparisonMilliseconds(const Model& model,
+                              const std::vector<std::vector<Feature>>& features);
+
+}  // namespace place_recognition

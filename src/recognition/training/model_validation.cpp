@@ -1,0 +1,102 @@
+#include "recognition/training/model_validation.h"
+
+#include <algorithm>
+
+#include "recognition/model/scores.h"
+
+namespace place_recognition {
+namespace {
+
+Calibration fit(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                const std::vector<int>& chosen, double false_alarm_rate) {
+  const auto count = static_cast<Eigen::Index>(chosen.size());
+  Eigen::MatrixXd margins(count, held_out.margins.cols());
+  std::vector<int> labels;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int sample = chosen[static_cast<std::size_t>(i)];
+    margins.row(i) = held_out.margins.row(sample);
+    labels.push_back(samples[sample].place);
+  }
+  Calibration calibration = fitCalibration(margins, labels);
+
+  Eigen::VectorXd log_sums(count);
+  Eigen::VectorXd familiarity(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    log_sums[i] = calibration.logSum(margins.row(i));
+    familiarity[i] = held_out.familiarity[chosen[static_cast<std::size_t>(i)]];
+  }
+  calibration.weights = fitEvidence(log_sums, familiarity, false_alarm_rate);
+  return calibration;
+}
+
+/// Answers to held-out samples.
+struct Answers {
+  std::vector<int> truth, places;
+  std::vector<double> confidences, evidence;
+  std::vector<bool> correct;
+
+  void add(int place, const Calibration& calibration, const Eigen::RowVectorXd& margins,
+           double familiarity) {
+    const Eigen::RowVectorXd probabilities = calibration.probabilities(margins);
+    truth.push_back(place);
+    places.push_back(largest(probabilities));
+    confidences.push_back(probabilities[places.back()]);
+    evidence.push_back(calibration.evidence(margins, familiarity));
+    correct.push_back(places.back() == place);
+  }
+};
+
+/// The largest threshold that at most `share` of the values lie below.
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const auto below = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+  return values[std::min(below, values.size() - 1)];
+}
+
+/// The valid samples that are tested in `fold` (inside) or in another one; all if there is no such.
+std::vector<int> validSamples(const HeldOut& held_out, const std::vector<int>& fold_of, int fold,
+                              bool inside) {
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < fold_of.size(); ++i) {
+    if (held_out.valid[i] && (fold_of[i] == fold) == inside) chosen.push_back(static_cast<int>(i));
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                     const std::vector<Fold>& folds, double false_alarm_rate) {
+  const int fold_count = static_cast<int>(folds.size());
+  std::vector<int> fold_of(samples.size(), -1);
+  for (int f = 0; f < fold_count; ++f) {
+    for (const int sample : folds[f].test) fold_of[sample] = f;
+  }
+
+  Answers answers;
+  for (int f = 0; f < fold_count; ++f) {
+    const Calibration others =
+        fit(held_out, samples, validSamples(held_out, fold_of, f, false), false_alarm_rate);
+    for (const int i : validSamples(held_out, fold_of, f, true)) {
+      answers.add(samples[i].place, others, held_out.margins.row(i), held_out.familiarity[i]);
+    }
+  }
+  const std::size_t places = static_cast<std::size_t>(held_out.margins.cols());
+  Calibrated calibrated;
+  calibrated.calibration =
+      fit(held_out, samples, validSamples(held_out, fold_of, fold_count, false), false_alarm_rate);
+  calibrated.unknown_threshold = quantile(answers.evidence, false_alarm_rate);
+  constexpr double kLimit = 0.5;  // of evidence, where it was fitted
+  if (!answers.evidence.empty()) {
+    calibrated.unknown =
+        static_cast<double>(std::count_if(answers.evidence.begin(), answers.evidence.end(),
+                                          [](double evidence) { return evidence < kLimit; })) /
+        static_cast<double>(answers.evidence.size());
+  }
+  calibrated.validation.average_rate = averageRate(answers.truth, answers.places, places);
+  calibrated.validation.calibration_error = calibrationError(answers.confidences, answers.correct);
+  return calibrated;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,136 @@
+#include "place_recognition/recalibration.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/text.h"
+#include "place_recognition/error.h"
+#include "recognition/model/scores.h"
+#include "recognition/training/combination.h"
+#include "recognition/training/held_out_frames.h"
+#include "recognition/training/model_validation.h"
+#include "recognition/training/samples.h"
+
+namespace place_recognition {
+namespace {
+
+/// The frames of places that `model` knows, numbered as there.
+struct KnownFrames {
+  std::vector<SampleOrigin> origins;
+  std::vector<std::vector<Feature>> features;  // [cue]
+};
+
+KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::string>& warnings) {
+  std::vector<int> place_of;
+  for (std::size_t k = 0; k < samples.places.size(); ++k) {
+    const auto place =
+        std::lower_bound(model.places.begin(), model.places.end(), samples.places[k]);
+    const bool known = place != model.places.end() && *place == samples.places[k];
+    place_of.push_back(known ? static_cast<int>(place - model.places.begin()) : -1);
+    if (known) continue;
+    warnings.push_back("The model does not know the place '" + samples.places[k] + "', of which " +
+                       counted(samples.images[k], "picture") + " are left out.");
+  }
+  KnownFrames known;
+  known.features.resize(samples.features.size());
+  for (std::size_t i = 0; i < samples.origins.size(); ++i) {
+    SampleOrigin origin = samples.origins[i];
+    origin.place = place_of[static_cast<std::size_t>(origin.place)];
+    if (origin.place < 0) continue;
+    known.origins.push_back(origin);
+    for (std::size_t c = 0; c < samples.features.size(); ++c) {
+      known.features[c].push_back(std::move(samples.features[c][i]));
+    }
+  }
+  return known;
+}
+
+/// The margins of one cue of the model.
+HeldOut marginsOf(const Classifier& classifier, const std::vector<Feature>& features) {
+  const auto count = static_cast<Eigen::Index>(features.size());
+  HeldOut answers{Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(classifier.places())),
+                  std::vector<bool>(features.size(), false), Eigen::VectorXd::Zero(count)};
+  Eigen::VectorXd kernel_values;
+  Eigen::RowVectorXd margins;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Feature& feature = features[static_cast<std::size_t>(i)];
+    if (isMissing(feature)) continue;
+    classifier.margins(feature, kernel_values, margins);
+    answers.margins.row(i) = margins;
+    if (kernel_values.size() > 0) answers.familiarity[i] = kernel_values.maxCoeff();
+    answers.valid[static_cast<std::size_t>(i)] = true;
+  }
+  return answers;
+}
+
+AnswerFigures figuresOf(const Model& model, const HeldOut& combined,
+                        const std::vector<SampleOrigin>& origins) {
+  std::vector<int> truth, places;
+  std::vector<double> confidences;
+  std::vector<bool> correct;
+  double unknown = 0;
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    if (!combined.valid[i]) continue;
+    const Eigen::RowVectorXd margins = combined.margins.row(static_cast<Eigen::Index>(i));
+    const Eigen::RowVectorXd probabilities = model.calibration.probabilities(margins);
+    truth.push_back(origins[i].place);
+    places.push_back(largest(probabilities));
+    confidences.push_back(probabilities[places.back()]);
+    correct.push_back(places.back() == truth.back());
+    const double evidence =
+        model.calibration.evidence(margins, combined.familiarity[static_cast<Eigen::Index>(i)]);
+    unknown += evidence < model.unknown_threshold ? 1 : 0;
+  }
+  return {averageRate(truth, places, model.places.size()), calibrationError(confidences, correct),
+          unknown / static_cast<double>(truth.size())};
+}
+
+}  // namespace
+
+Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsigned threads,
+                          const Progress& progress) {
+  TrainingOptions options = model.options;
+  options.augmentation.other_light = false;
+  for (const CueOptions& cue : options.cues) {
+    if (cue.normalize != "run") continue;
+    throw Error("The cue '" + cue.name +
+                "' follows the light of a run (cues.normalize), which "
+                "calibration cannot do; train with another preset to calibrate.");
+  }
+  Recalibration result;
+  Samples samples = collectSamples(runs, options, threads, progress, 1, model.images);
+  result.warnings = samples.warnings;
+  const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);
+  if (frames.origins.empty()) {
+    throw Error("The runs show none of the places that the model knows; give one that does.");
+  }
+  report(progress, "Calibrating", 0);
+  result.images = frames.origins.size();
+  Judges judges{frames.origins, {}, std::vector<std::vector<HeldOut>>(1)};
+  std::vector<HeldOut>& cues = judges.reductions.front();
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    cues.push_back(marginsOf(model.classifiers[c], frames.features[c]));
+  }
+  result.before = figuresOf(model, combine(cues, model.cue_weights), frames.origins);
+
+  int last_run = 0;
+  for (const SampleOrigin& origin : frames.origins) last_run = std::max(last_run, origin.run);
+  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 0};
+  judges.folds =
+      timeBlockFolds(frames.origins, options.validation.folds,
+                     std::vector<TimeBlocks>(static_cast<std::size_t>(last_run) + 1, kAFifth));
+  model.cue_weights = chooseCueWeights(cues, frames.origins, model.places.size());
+  const Calibrated calibrated = calibrate(combine(cues, model.cue_weights), frames.origins,
+                                          judges.folds, options.unknown.false_alarm_rate);
+  model.calibration = calibrated.calibration;
+  model.unknown_threshold = calibrated.unknown_threshold;
+  model.validation = calibrated.validation;
+  model.held_out = keptFrames(judges, 0, model.options.seed);
+  result.after = {calibrated.validation.average_rate, calibrated.validation.calibration_error,
+                  calibrated.unknown};
+  result.model = std::move(model);
+  report(progress, "Calibrating", 1);
+  return result;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,86 @@
+#include "recognition/training/reduction_choice.h"
+
+#include "recognition/model/scores.h"
+#include "recognition/training/log_loss.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr const char* kMethods[] = {"shared-greedy", "shared-qr", "qr"};
+constexpr std::size_t kMostSamplesForAuto = 4000;
+constexpr double kShares[] = {0.70, 0.50, 0.35, 0.25, 0.15};
+
+/// Log losses of the held-out samples with one reduction, against those with another.
+class LossComparison {
+ public:
+  LossComparison(const HeldOut& reference, const std::vector<SampleOrigin>& samples,
+                 std::size_t places)
+      : samples_(samples), places_(places) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (!reference.valid[i]) continue;
+      valid_.push_back(static_cast<int>(i));
+      truth_.push_back(samples[i].place);
+    }
+    reference_ = logLosses(reference, samples, valid_);
+  }
+
+  bool empty() const { return valid_.empty(); }
+
+  /// Mean of the rooms' mean differences: what `reduced` loses.
+  RoomMean loss(const HeldOut& reduced) const {
+    std::vector<double> differences = logLosses(reduced, samples_, valid_);
+    for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= reference_[i];
+    return roomMean(truth_, differences, places_);
+  }
+
+ private:
+  const std::vector<SampleOrigin>& samples_;
+  std::size_t places_;
+  std::vector<int> valid_, truth_;
+  std::vector<double> reference_;
+};
+
+}  // namespace
+
+std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options,
+                                                   std::size_t samples) {
+  if (options.method != "auto") return {options};
+  ReductionOptions reduction = options;
+  reduction.method = "none";
+  std::vector<ReductionOptions> reductions{reduction};
+  if (samples > kMostSamplesForAuto) return reductions;
+  for (const char* method : kMethods) {
+    reduction.method = method;
+    for (const double share : kShares) {
+      reduction.share = share;
+      reductions.push_back(reduction);
+    }
+  }
+  return reductions;
+}
+
+std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
+                            const std::vector<HeldOut>& held_out,
+                            const std::vector<SampleOrigin>& samples, std::size_t places) {
+  const LossComparison comparison(held_out[0], samples, places);
+  if (comparison.empty()) return 0;
+  const double full_rate = averageRate(held_out[0], samples, places);
+  std::size_t chosen = 0;
+  double chosen_loss = 0;
+  bool holds = true;
+  for (std::size_t r = 1; r < reductions.size(); ++r) {
+    const RoomMean loss = comparison.loss(held_out[r]);
+    const bool another_method = reductions[r].method != reductions[r - 1].method;
+    const bool no_loss = loss.mean <= 0 && averageRate(held_out[r], samples, places) >= full_rate;
+    holds = (holds || another_method) && no_loss;
+    const double share = reductions[r].share;
+    const double smallest = chosen == 0 ? 1 : reductions[chosen].share;
+    if (holds && (share < smallest || (share == smallest && loss.mean < chosen_loss))) {
+      chosen = r;
+      chosen_loss = loss.mean;
+    }
+  }
+  return chosen;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,301 @@
+#include "recognition/training/samples.h"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <set>
+
+#include "base/place_name.h"
+#include "base/text.h"
+#include "place_recognition/error.h"
+#include "recognition/frames/extraction_pool.h"
+#include "recognition/frames/image_guard.h"
+#include "recognition/frames/image_profile.h"
+#include "recognition/frames/light.h"
+#include "recognition/training/sampling.h"
+
+namespace place_recognition {
+namespace {
+
+/// A labelled frame whose features are being extracted.
+struct Record {
+  std::string place;
+  int run = 0;
+  double stamp = 0;
+  std::string name;
+  ExtractedFeatures extracted;
+  ExtractedFeatures in_other_light;  // if that is asked for
+
+  bool hasFeature() const { return extracted.problem.empty(); }
+  bool hasFeatureInOtherLight() const {
+    return !in_other_light.features.empty() && in_other_light.problem.empty();
+  }
+};
+
+/// What the label of a frame says, used or not.
+struct Seen {
+  double stamp = 0;
+  std::string place;  // empty: unlabelled
+};
+
+/// Why frames of one run were left out.
+struct Skipped {
+  std::uint64_t unlabelled = 0;
+  std::uint64_t problems = 0;
+  std::string first_problem;
+
+  std::uint64_t total() const { return unlabelled + problems; }
+  void add(const std::string& name, const std::string& problem) {
+    if (problems++ == 0) first_problem = name + ": " + problem;
+  }
+};
+
+std::string warningOf(const std::string& run, const Skipped& skipped) {
+  std::string text = run + ": left out are ";
+  if (skipped.unlabelled > 0) text += counted(skipped.unlabelled, "picture") + " without label";
+  if (skipped.unlabelled > 0 && skipped.problems > 0) text += " and ";
+  if (skipped.problems > 0) {
+    text += counted(skipped.problems, "picture") + " that cannot be used (" +
+            skipped.first_problem + ")";
+  }
+  return text + ".";
+}
+
+/// Reads runs and remembers what came of each frame.
+class Collector {
+ public:
+  Collector(const TrainingOptions& options, const ImageProfile& profile, unsigned threads)
+      : image_options_(options.image),
+        expected_(profile),
+        profile_(profile),
+        sampling_(options.sampling),
+        other_light_(options.augmentation.other_light),
+        light_draw_(options.seed),
+        seed_(options.seed),
+        pool_(options, profile, threads) {}
+
+  void read(Run& run, const Progress& progress) {
+    inputs_.push_back(run.name());
+    skipped_.emplace_back();
+    seen_.emplace_back();
+    rate_ = FrameRate(sampling_.rate);
+    ImageGuard guard(expected_, image_options_);
+    const std::string stage = "Reading " + run.name();
+    report(progress, stage, 0);
+    for (Frame frame; run.next(frame);) {
+      add(std::move(frame), guard);
+      report(progress, stage, run.fraction());
+    }
+    warnings_.insert(warnings_.end(), run.warnings().begin(), run.warnings().end());
+  }
+
+  Samples finish(std::size_t cues, std::size_t least_places) {
+    pool_.finish();
+    Samples samples;
+    samples.inputs = inputs_;
+    samples.image_profile = profile_;
+    dropFeatureless();
+    requirePlaces(least_places);
+    samples.places.assign(places_.begin(), places_.end());
+    thinOut(samples);
+    fill(samples, cues);
+    learnRooms(samples);
+    samples.warnings.insert(samples.warnings.end(), warnings_.begin(), warnings_.end());
+    for (std::size_t r = 0; r < inputs_.size(); ++r) {
+      samples.skipped += skipped_[r].total();
+      if (skipped_[r].total() > 0) samples.warnings.push_back(warningOf(inputs_[r], skipped_[r]));
+    }
+    warnOfPlaces(samples);
+    return samples;
+  }
+
+ private:
+  void add(Frame frame, ImageGuard& guard) {
+    ++frames_;
+    seen_.back().push_back({frame.stamp, frame.place});
+    if (frame.place.empty()) {
+      ++skipped_.back().unlabelled;
+    } else if (!isPlaceName(frame.place)) {
+      throw Error("The label of " + frame.name +
+                  " is not 1 to 128 bytes of printable UTF-8 text; "
+                  "rename the place.");
+    } else if (frame.place == kUnknownPlace) {
+      throw Error("The label of " + frame.name +
+                  " is 'unknown', which is the answer for places that are not known; rename the "
+                  "place, or leave its pictures unlabelled.");
+    } else if (frame.image.empty()) {
+      leaveOut(skipped_.back(), frame.place, frame.name, frame.problem);
+    } else if (!rate_.admits(frame.stamp)) {
+      ++passed_over_;
+    } else {
+      for (const std::string& warning : guard.judge(frame.image, frame.stamp)) {
+        warnings_.push_back(inputs_.back() + ": " + warning);
+      }
+      include(statisticsOf(frame.image), profile_);
+      const int run = static_cast<int>(inputs_.size()) - 1;
+      records_.push_back({frame.place, run, frame.stamp, frame.name, {}, {}});
+      pool_.submit(frame.image, records_.back().extracted);
+      if (other_light_) {
+        pool_.submit(inLight(frame.image, light_draw_.next(frame.place)),
+                     records_.back().in_other_light);
+      }
+    }
+  }
+
+  void leaveOut(Skipped& skipped, const std::string& place, const std::string& name,
+                const std::string& problem) {
+    skipped.add(name, problem);
+    first_problem_of_.emplace(place, name + ": " + problem);
+  }
+
+  void dropFeatureless() {
+    const auto featureless = [this](const Record& record) {
+      if (record.hasFeature()) return false;
+      leaveOut(skipped_[record.run], record.place, record.name, record.extracted.problem);
+      return true;
+    };
+    records_.erase(std::remove_if(records_.begin(), records_.end(), featureless), records_.end());
+  }
+
+  void requirePlaces(std::size_t least_places) {
+    for (const Record& record : records_) places_.insert(record.place);
+    if (places_.size() < least_places) throw Error(whyTooFewPlaces());
+    if (places_.size() > kMaxPlaces) {
+      throw Error("The runs show " + std::to_string(places_.size()) + " places, more than " +
+                  std::to_string(kMaxPlaces) + "; train a model for each part of the building.");
+    }
+  }
+
+  /// Names the places that were labelled but have no picture that can be used.
+  void warnOfPlaces(Samples& samples) const {
+    std::map<std::string, std::uint64_t> labelled;
+    for (const std::vector<Seen>& run : seen_) {
+      for (const Seen& seen : run) ++labelled[seen.place];
+    }
+    labelled.erase("");
+    for (const auto& [place, count] : labelled) {
+      if (places_.count(place) > 0) continue;
+      const auto problem = first_problem_of_.find(place);
+      samples.warnings.push_back(
+          "'" + place + "' is not learned: its " + counted(count, "picture") + " cannot be used" +
+          (problem == first_problem_of_.end() ? "" : " (" + problem->second + ")") + ".");
+    }
+  }
+
+  std::string whyTooFewPlaces() const {
+    std::string runs;
+    for (const std::string& input : inputs_) runs += (runs.empty() ? "" : ", ") + input;
+    if (frames_ == 0) return "There are no pictures in " + runs + "; give a run that has some.";
+    if (places_.size() == 1) {
+      return "All pictures in " + runs + " show one place, '" + *places_.begin() +
+             "'; a model needs two places or more to tell apart.";
+    }
+    for (const Skipped& skipped : skipped_) {
+      if (skipped.problems == 0) continue;
+      return "None of the pictures in " + runs + " can be used (" + skipped.first_problem +
+             "); give a run that has some.";
+    }
+    return "None of the " + std::to_string(frames_) + " pictures in " + runs +
+           " has a label; say which place each of them shows.";
+  }
+
+  static int placeOf(const Record& record, const Samples& samples) {
+    const auto& places = samples.places;
+    return static_cast<int>(std::lower_bound(places.begin(), places.end(), record.place) -
+                            places.begin());
+  }
+
+  /// Leaves no more records than may be learned.
+  void thinOut(Samples& samples) {
+    const std::size_t most = static_cast<std::size_t>(sampling_.most) / (other_light_ ? 2 : 1);
+    const std::size_t count = records_.size();
+    std::vector<int> rooms;
+    for (const Record& record : records_) rooms.push_back(placeOf(record, samples));
+    const std::vector<bool> kept = stratifiedSample(rooms, most, seed_);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!kept[i]) continue;
+      if (next != i) records_[next] = std::move(records_[i]);
+      ++next;
+    }
+    records_.resize(next);
+    samples.passed_over = passed_over_ + (count - next);
+    if (next == count) return;
+    samples.warnings.push_back(
+        "Of " + std::to_string(count) + " pictures " + std::to_string(next) +
+        " are learned, the same share of each room (sampling.most); of a fast "
+        "camera sampling.rate=5 passes over more as it is read.");
+  }
+
+  void fill(Samples& samples, std::size_t cues) {
+    samples.images.assign(samples.places.size(), 0);
+    samples.colors.assign(samples.places.size(), {});
+    samples.features.resize(cues);
+    for (Record& record : records_) {
+      const SampleOrigin origin{placeOf(record, samples), record.run, record.stamp};
+      ++samples.images[static_cast<std::size_t>(origin.place)];
+      samples.colors[static_cast<std::size_t>(origin.place)].add(record.extracted.color);
+      append(origin, static_cast<int>(samples.origins.size()), record.extracted, samples);
+    }
+    samples.recorded = samples.origins.size();
+    for (std::size_t i = 0; i < samples.recorded; ++i) {
+      if (!records_[i].hasFeatureInOtherLight()) continue;
+      append(samples.origins[i], static_cast<int>(i), records_[i].in_other_light, samples);
+    }
+  }
+
+  static void append(SampleOrigin origin, int source, ExtractedFeatures& extracted,
+                     Samples& samples) {
+    samples.origins.push_back(origin);
+    samples.source.push_back(source);
+    for (std::size_t c = 0; c < samples.features.size(); ++c) {
+      samples.features[c].push_back(std::move(extracted.features[c]));
+    }
+  }
+
+  void learnRooms(Samples& samples) const {
+    samples.adjacency = Adjacency(samples.places.size());
+    for (const std::vector<Seen>& run : seen_) {
+      std::vector<PlaceAt> places;
+      for (const Seen& seen : run) {
+        const auto place =
+            std::lower_bound(samples.places.begin(), samples.places.end(), seen.place);
+        const bool known = place != samples.places.end() && *place == seen.place;
+        places.push_back(
+            {seen.stamp, known ? static_cast<int>(place - samples.places.begin()) : -1});
+      }
+      learnAdjacency(places, samples.adjacency);
+    }
+  }
+
+  std::vector<std::string> inputs_;
+  std::vector<std::vector<Seen>> seen_;                  // one a run
+  std::vector<Skipped> skipped_;                         // one a run
+  std::vector<std::string> warnings_;                    // of the runs
+  std::map<std::string, std::string> first_problem_of_;  // place
+  std::deque<Record> records_;  // stay where they are while threads fill them
+  std::set<std::string> places_;
+  std::uint64_t frames_ = 0;
+  const ImageOptions image_options_;
+  const ImageProfile expected_;  // to which images are brought, and are held against
+  ImageProfile profile_;         // with those that came
+  SamplingOptions sampling_;
+  FrameRate rate_{0};  // of the current run
+  std::uint64_t passed_over_ = 0;
+  bool other_light_;
+  LightDraw light_draw_;
+  std::uint64_t seed_;
+  ExtractionPool pool_;  // the last member: its threads end first
+};
+
+}  // namespace
+
+Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
+                       unsigned threads, const Progress& progress, std::size_t least_places,
+                       const std::optional<ImageProfile>& profile) {
+  Collector collector(options, profile ? *profile : commonSize(runs, progress), threads);
+  for (const RunOpener& open : runs) collector.read(*open(), progress);
+  return collector.finish(options.cues.size(), least_places);
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "learning/folds.h"
+#include "place_recognition/adjacency.h"
+#include "place_recognition/feature.h"
+#include "place_recognition/model.h"
+#include "place_recognition/training.h"
+#include "recognition/frames/color_statistics.h"
+
+namespace place_recognition {
+
+/// What training keeps of the labelled frames of its runs: first those in the light of the
+/// recording, in the order of the runs, then the same frames in other light, if that is asked for.
+struct Samples {
+  std::vector<std::string> places;             ///< names, ascending
+  std::vector<SampleOrigin> origins;           ///< one a sample; place: index into `places`
+  std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
+  std::vector<int> source;                     ///< of each sample: the recorded one that it shows
+  std::size_t recorded = 0;                    ///< how many show the light of the recording
+  std::size_t remembered = 0;         ///< the first of these, from a model, not from these runs
+  std::vector<std::uint64_t> images;  ///< of each place, that it was learnt from in all
+  std::vector<ColorMoments> colors;   ///< of each place, of the recorded images
+  std::vector<std::string> inputs;    ///< names of the runs
+  ImageProfile image_profile;         ///< of `profile`'s images and those learnt from
+  Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
+  std::uint64_t skipped = 0;          ///< frames without label, picture or any feature
+  std::uint64_t passed_over = 0;      ///< usable ones, see SamplingOptions
+  HeldOutFrames judged_before;        ///< of the model that the remembered ones are from
+  std::vector<int> place_before;      ///< for each place of that model, its index in `places`
+  std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
+
+  std::vector<SampleOrigin> recordedOrigins() const {
+    return {origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(recorded)};
+  }
+};
+
+/// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
+/// one a core); a few frames at most wait in between. Throws Error if there is no picture, no
+/// label, a label that cannot name a place, or if fewer than `least_places` have samples; Cancelled
+/// if `progress` asks for it. Images are brought to the size of `profile`, that of a model that
+/// learns on for example; without one to commonSize(runs).
+Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
+                       unsigned threads, const Progress& progress, std::size_t least_places = 2,
+                       const std::optional<ImageProfile>& profile = {});
+
+}  // namespace place_recognition

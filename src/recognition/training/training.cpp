@@ -1,0 +1,211 @@
+#include "place_recognition/training.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include "base/place_name.h"
+#include "base/text.h"
+#include "recognition/frames/color_normalization.h"
+#include "recognition/model/embeddings.h"
+#include "recognition/training/block_choice.h"
+#include "recognition/training/combination.h"
+#include "recognition/training/cue_training.h"
+#include "recognition/training/held_out_frames.h"
+#include "recognition/training/model_validation.h"
+#include "recognition/training/reduction_choice.h"
+#include "recognition/training/remembered_samples.h"
+#include "recognition/training/samples.h"
+
+namespace place_recognition {
+namespace {
+
+Provenance provenanceOf(const Samples& samples) {
+  return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION};
+}
+
+/// Whether the light of a run is to be held against that of the training.
+bool followsLight(const TrainingOptions& options) {
+  return std::any_of(options.cues.begin(), options.cues.end(), [](const CueOptions& cue) {
+    return colorNormalization(cue.normalize) == ColorNormalization::kRun;
+  });
+}
+
+/// Held-out margins of the samples, and of the frames that judged the model that they join.
+Judges judgesOf(const Samples& samples, const std::vector<Fold>& folds,
+                std::vector<TrainedCue>& cues, std::size_t reductions) {
+  Judges judges{samples.origins, {}, {}};
+  for (const Fold& fold : folds) judges.folds.push_back({{}, fold.test});
+  for (std::size_t r = 0; r < reductions; ++r) {
+    std::vector<HeldOut>& held_out = judges.reductions.emplace_back();
+    for (TrainedCue& cue : cues) held_out.push_back(std::move(cue.held_out[r]));
+  }
+  judges.add(samples.judged_before, samples.place_before, samples.remembered);
+  // Support vectors are the hard cases of a run: they do not judge.
+  for (std::vector<HeldOut>& held_out : judges.reductions) {
+    for (HeldOut& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
+  }
+  return judges;
+}
+
+/// Warnings about places that cross-validation cannot judge.
+void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>& warnings) {
+  for (std::size_t k = 0; k < samples.images.size(); ++k) {
+    if (samples.images[k] >= 2 * static_cast<std::uint64_t>(folds)) continue;
+    warnings.push_back("The place '" + samples.places[k] + "' has only " +
+                       counted(samples.images[k], "picture") +
+                       "; its answers and their confidence will be poor.");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> Model::validatedPlaces() const {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const bool judged =
+        std::count(held_out.places.begin(), held_out.places.end(), static_cast<int>(k)) > 0;
+    if (judged) names.push_back(places[k]);
+  }
+  return names;
+}
+
+namespace {
+
+/// The blocks of time that stand for those of all runs: the one of median length.
+TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
+  const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);
+  std::nth_element(blocks.begin(), middle, blocks.end(),
+                   [](const auto& a, const auto& b) { return a.length < b.length; });
+  return *middle;
+}
+
+/// Blocks of time, which are trained on and tested in every light that there is of them. Sets
+/// their length and gap in `options` if they were not asked for.
+std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, TrainingOptions& options) {
+  const std::vector<SampleOrigin> origins = samples.recordedOrigins();
+  std::vector<TimeBlocks> blocks(1);
+  if (!wholeRuns(origins, options.validation.folds)) {
+    blocks = chooseBlocks(origins, samples.features, options.cues, options.validation, threads);
+    const TimeBlocks typical = typicalBlocks(blocks);
+    options.validation.block = typical.length;
+    options.validation.gap = typical.gap;
+  }
+  return withCopies(timeBlockFolds(origins, options.validation.folds, blocks), samples.source,
+                    true);
+}
+
+/// The road from samples to a model, whose options are those asked for and what was found.
+Training learn(Samples samples, TrainingOptions options, unsigned threads,
+               const Progress& progress) {
+  const std::size_t places = samples.places.size();
+  report(progress, "Choosing blocks of time", 0);
+  const std::vector<Fold> folds = chooseFolds(samples, threads, options);
+  const TrainingTask task{samples.origins, places,   folds,       options.svm,
+                          threads,         progress, options.seed};
+
+  const std::vector<ReductionOptions> reductions =
+      reductionsInQuestion(options.reduction, samples.origins.size());
+  std::vector<TrainedCue> cues;
+  for (std::size_t c = 0; c < options.cues.size(); ++c) {
+    cues.push_back(trainCue(std::move(samples.features[c]), options.cues[c], reductions, task));
+  }
+
+  const Judges judges = judgesOf(samples, folds, cues, reductions.size());
+
+  Training training;
+  Model& model = training.model;
+  model.options = options;
+  model.cue_weights = chooseCueWeights(judges.reductions[0], judges.samples, places);
+  std::vector<HeldOut> held_out;
+  for (const std::vector<HeldOut>& reduced : judges.reductions) {
+    held_out.push_back(combine(reduced, model.cue_weights));
+  }
+  const std::size_t chosen = chooseReduction(reductions, held_out, judges.samples, places);
+  model.options.reduction = reductions[chosen];
+  for (std::size_t c = 0; c < cues.size(); ++c) {
+    KernelOptions& kernel = model.options.cues[c].kernel;
+    kernel.gamma = cues[c].gamma;
+    training.unreduced_vectors.push_back(cues[c].vectors.size());
+    model.classifiers.emplace_back(kernel, std::move(cues[c].machines[chosen]),
+                                   std::move(cues[c].vectors), cues[c].vector_places);
+  }
+
+  report(progress, "Calibrating", 0);
+  const Calibrated calibrated =
+      calibrate(held_out[chosen], judges.samples, judges.folds, options.unknown.false_alarm_rate);
+  model.held_out = keptFrames(judges, chosen, options.seed);
+  model.calibration = calibrated.calibration;
+  model.unknown_threshold = calibrated.unknown_threshold;
+  model.validation = calibrated.validation;
+  model.places = samples.places;
+  model.images = samples.image_profile;
+  if (followsLight(options)) model.colors = colorStatistics(samples.colors);
+  model.adjacency = samples.adjacency;
+  model.provenance = provenanceOf(samples);
+
+  training.images = samples.recorded - samples.remembered;
+  training.passed_over = samples.passed_over;
+  training.warnings = samples.warnings;
+  warnOfFewImages(samples, options.validation.folds, training.warnings);
+  for (std::string& warning : warnOfCase(model.places)) {
+    training.warnings.push_back(std::move(warning));
+  }
+  report(progress, "Calibrating", 1);
+  return training;
+}
+
+/// `work()`, with the time that it took.
+template <typename Work>
+Training timed(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  Training training = work();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  training.seconds = elapsed.count();
+  return training;
+}
+
+/// A share would be taken of what is left of earlier runs again and again, and the few new frames
+/// cannot choose one.
+ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
+  if (vector_limit > 0) {
+    asked.method = "shared-greedy";
+    asked.support_vectors = vector_limit;
+    asked.share = 0;
+  } else if (asked.method == "auto" || asked.share > 0) {
+    asked.method = "none";
+    asked.share = 0;
+  }
+  return asked;
+}
+
+}  // namespace
+
+Training train(const std::vector<RunOpener>& runs, const TrainingOptions& options, unsigned threads,
+               const Progress& progress) {
+  options.check();
+  return timed([&] {
+    const TrainingOptions ready = withNetworks(options);
+    Training training =
+        learn(collectSamples(runs, ready, threads, progress), ready, threads, progress);
+    training.model.asked = options;
+    return training;
+  });
+}
+
+Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vector_limit,
+                 unsigned threads, const Progress& progress) {
+  TrainingOptions options = model.asked;
+  options.cues = model.options.cues;
+  options.reduction = learningOnReduction(options.reduction, vector_limit);
+  options.check();
+  return timed([&] {
+    Samples fresh = collectSamples(runs, options, threads, progress, 1, model.images);
+    Training training =
+        learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads, progress);
+    training.model.asked = model.asked;
+    return training;
+  });
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,121 @@
+#include "place_recognition/training_options.h"
+
+#include <set>
+
+#include "base/data_folder.h"
+#include "learning/folds.h"
+#include "learning/kernel_type.h"
+#include "place_recognition/error.h"
+#include "recognition/frames/color_normalization.h"
+
+namespace place_recognition {
+namespace {
+
+/// Runs the checks of a cue's parts, adding the cue's name to what they say.
+void checkCue(const CueOptions& cue) {
+  if (!isPlainName(cue.name)) {
+    throw Error("Option 'cues.name' is '" + cue.name +
+                "'; give 1 to 64 letters, digits, '_' or '-'.");
+  }
+  try {
+    colorNormalization(cue.normalize);
+    std::visit([](const auto& feature) { feature.check(); }, cue.feature);
+    cue.kernel.check();
+    const KernelType& kernel = kernelType(cue.kernel.type);
+    requireMeaning(kernel, std::holds_alternative<LocalFeatureOptions>(cue.feature));
+    if (std::holds_alternative<EmbeddingOptions>(cue.feature)) requireSignedMeaning(kernel);
+  } catch (const Error& e) {
+    throw Error("Cue '" + cue.name + "': " + e.what());
+  }
+}
+
+constexpr double kMostSeconds = 1e6;
+
+std::string notSeconds(const char* key, double value) {
+  return std::string("Option 'validation.") + key + "' is " + std::to_string(value) +
+         "; give 0 to 1000000 seconds.";
+}
+
+/// A cue of a composed receptive field histogram and the chi-squared kernel.
+CueOptions histogramCue(const std::string& name, const std::string& normalize,
+                        const std::vector<std::string>& descriptors,
+                        const std::vector<double>& scales, int bins, const std::string& levels) {
+  CrfhOptions crfh;
+  crfh.descriptors = descriptors;
+  crfh.scales = scales;
+  crfh.bins = {bins};
+  crfh.levels = levels;
+  CueOptions cue;
+  cue.name = name;
+  cue.normalize = normalize;
+  cue.feature = crfh;
+  return cue;
+}
+
+}  // namespace
+
+std::vector<CueOptions> defaultCues() {
+  return {
+      histogramCue("colours", "run", {"L", "C1", "C2"}, {4}, 16, "linear"),
+      histogramCue("tints", "grey-world", {"R", "G", "B"}, {1}, 16, "linear"),
+      histogramCue("edges", "none", {"Rx", "Ry", "Gx", "Gy", "Bx", "By"}, {4}, 14, "logarithmic"),
+      histogramCue("shapes", "none", {"Lxx", "Lxy", "Lyy"}, {1, 4}, 28, "logarithmic")};
+}
+
+void ImageOptions::check() const {
+  if (max_width < 0 || (max_width > 0 && max_width < 16)) {
+    throw Error("Option 'image.max_width' is " + std::to_string(max_width) +
+                "; give at least 16 pixels, or 0 to leave images as they are.");
+  }
+}
+
+void SamplingOptions::check() const {
+  if (!(rate >= 0 && rate <= 1000)) {
+    throw Error("Option 'sampling.rate' is " + std::to_string(rate) +
+                "; give 0 to 1000 pictures a second.");
+  }
+  if (most < 10) {
+    throw Error("Option 'sampling.most' is " + std::to_string(most) +
+                "; give 10 pictures or more.");
+  }
+}
+
+void ValidationOptions::check() const {
+  if (folds < 2 || folds > 20) {
+    throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to 20.");
+  }
+  if (!(block >= 0 && block <= kMostSeconds)) throw Error(notSeconds("block", block));
+  if (!(gap >= 0 && gap <= kMostSeconds)) throw Error(notSeconds("gap", gap));
+  if (block > 0 && gap > largestGap(block, folds) * (1 + 1e-9)) {
+    throw Error("Option 'validation.gap' is " + std::to_string(gap) +
+                " s, which leaves too little to train on beside blocks of " +
+                std::to_string(block) + " s in " + std::to_string(folds) +
+                " folds; give longer blocks (validation.block) or a shorter gap.");
+  }
+}
+
+void UnknownOptions::check() const {
+  if (!(false_alarm_rate >= 0 && false_alarm_rate <= 1)) {
+    throw Error("Option 'unknown.false_alarm_rate' is " + std::to_string(false_alarm_rate) +
+                "; give a share, 0 to 1.");
+  }
+}
+
+void TrainingOptions::check() const {
+  image.check();
+  sampling.check();
+  if (cues.empty()) throw Error("Option 'cues' is empty; give at least one cue.");
+  std::set<std::string> names;
+  for (const CueOptions& cue : cues) {
+    checkCue(cue);
+    if (!names.insert(cue.name).second) {
+      throw Error("Two cues are named '" + cue.name + "' in option 'cues'; rename one.");
+    }
+  }
+  svm.check();
+  reduction.check();
+  validation.check();
+  unknown.check();
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/svg.h"
+
+namespace place_recognition {
+
+namespace plot_colors {
+constexpr const char* kBlue = "#3b6ea5";
+constexpr const char* kRed = "#c0504d";
+constexpr const char* kGreen = "#6a994e";
+constexpr const char* kGrid = "#ddd";
+constexpr const char* kDark = "#888";
+}  // namespace plot_colors
+
+/// A square plot of one share (0..1) against another, with its axes in %.
+class SharePlot {
+ public:
+  SharePlot(const std::string& x_label, const std::string& y_label);
+
+  /// Pixels of a share.
+  double x(double share) const { return 44 + 300 * share; }
+  double y(double share) const { return 250 - 225 * share; }
+
+  Svg& svg() { return svg_; }
+
+ private:
+  Svg svg_;
+};
+
+/// Points (share, share), 0..1, joined in their order.
+struct Curve {
+  std::string name;
+  std::vector<std::pair<double, double>> points;
+};
+
+/// Any such curves in one square, with their names.
+std::string sharesPlot(const std::string& x_label, const std::string& y_label,
+                       const std::vector<Curve>& curves);
+
+}  // namespace place_recognition

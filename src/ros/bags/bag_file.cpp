@@ -1,0 +1,109 @@
+#include "ros/bags/bag_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "base/file_kind.h"
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStart = "#ROSBAG V2.0";
+constexpr const char* kRos2Remedy = "convert it to a ROS 1 bag, for instance with rosbags-convert";
+
+bool endsWith(const std::string& path, const std::string& ending) {
+  return path.size() > ending.size() &&
+         std::equal(
+             ending.begin(), ending.end(), path.end() - static_cast<long>(ending.size()),
+             [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/// The first bytes of a file; fewer if it is shorter, none if it cannot be read.
+std::string startOf(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return "";
+  std::string start(512, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return start;
+}
+
+bool startsAsBag(const std::string& path) { return startOf(path).rfind(kStart, 0) == 0; }
+
+}  // namespace
+
+bool isActiveBag(const std::string& path) { return endsWith(path, ".bag.active"); }
+
+std::string whyActive(const std::string& path) {
+  const std::string name = path.substr(0, path.size() - std::string(".active").size());
+  return "it is being recorded, or was left by a recorder that was killed; in the latter case run: "
+         "rosbag reindex " +
+         path + ", and rename it to " + name;
+}
+
+bool isBag(const std::string& path) {
+  std::error_code ignored;
+  if (isRos2Bag(path)) return false;
+  return endsWith(path, ".bag") || isActiveBag(path) || startsAsBag(path);
+}
+
+bool isRos2Bag(const std::string& folder) {
+  std::error_code failure;
+  bool metadata = false, data = false;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const std::string name = entry->path().filename().string();
+    metadata |= name == "metadata.yaml";
+    data |= name.find(".db3") != std::string::npos || name.find(".mcap") != std::string::npos;
+  }
+  return metadata && data;
+}
+
+std::string whyNoRecording(const std::string& path) {
+  std::error_code ignored;
+  if (isRos2Bag(path)) return std::string("a bag of ROS 2; ") + kRos2Remedy;
+  if (fs::is_directory(path, ignored)) return "";
+  const std::string start = startOf(path);
+  if (start.empty() && fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) == 0) {
+    return "empty; copy or record it again";
+  }
+  const FileKind* kind = foreignFile(start);
+  if (!kind) return "";
+  return std::string(kind->name) + "; " + std::string(kind->remedy);
+}
+
+void requireBag(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) {
+    if (fs::is_symlink(path, ignored)) {
+      throw Error(path + " is a link that leads nowhere; check " +
+                  fs::read_symlink(path, ignored).string() + ".");
+    }
+    throw Error("There is no bag " + path + "; check the path.");
+  }
+  const std::string why_not = whyNoRecording(path);
+  if (!why_not.empty()) throw Error(path + " is " + why_not + ".");
+  if (!fs::is_regular_file(path, ignored)) {
+    throw Error(path + " is a folder or a device, not a bag; give the file of a bag.");
+  }
+  errno = 0;
+  if (!std::ifstream(path, std::ios::binary)) {
+    throw Error("Cannot read " + path + ": " + std::strerror(errno) +
+                "; make it readable, as with chmod.");
+  }
+  if (startsAsBag(path)) return;
+  throw Error("Cannot read " + path +
+              ": it is damaged or no ROS 1 bag, for it does not start with '" + kStart +
+              "'; copy or record it again.");
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,215 @@
+#include "ros/bags/bag_run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "base/child_process.h"
+#include "base/place_name.h"
+#include "labels/labels.h"
+#include "place_recognition/error.h"
+#include "ros/bags/bag_file.h"
+#include "ros/messages/bag_records.h"
+#include "ros/messages/conversions.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file of labels for the bag at `path`; empty: none.
+std::string findLabelsFile(const std::string& path, const BagRunOptions& options) {
+  if (!options.labels_file.empty()) return options.labels_file;
+  const fs::path yaml = fs::path(path).replace_extension(".labels.yaml");
+  const fs::path lines = fs::path(path).replace_filename("labels.dat");
+  for (const fs::path& file : {yaml, lines}) {
+    if (fs::exists(file)) return file.string();
+  }
+  return "";
+}
+
+/// The records that bag_reader writes about one bag, checked one by one.
+class BagRecords {
+ public:
+  BagRecords(const std::string& path, const std::string& mode, const std::string& image_topic,
+             const std::string& label_topic)
+      : path_(path),
+        reader_({findExecutable("bag_reader"), mode, path, image_topic, label_topic},
+                ChildProcess::Stderr::kDiscard) {}
+
+  /// The next record. Throws Error if the bag turns out to be damaged or the reader has died.
+  BagRecord next() {
+    std::optional<BagRecord> record = readRecord(reader_.output());
+    if (!record || record->kind == BagRecordKind::kCrash) throwCrash(record);
+    if (record->kind == BagRecordKind::kError) {
+      throw Error("Cannot read " + path_ + ": " + record->detail + position(record->number) + ".");
+    }
+    if (record->kind == BagRecordKind::kImage || record->kind == BagRecordKind::kProblem) {
+      ++images_;
+    }
+    return *std::move(record);
+  }
+
+  /// The pixels that follow `record`.
+  cv::Mat pixels(const BagRecord& record) {
+    const bool sound = record.rows > 0 && record.rows <= kMaxImageSide && record.cols > 0 &&
+                       record.cols <= kMaxImageSide &&
+                       (record.type == CV_8UC1 || record.type == CV_8UC3);
+    if (!sound) throwCrash(std::nullopt);
+    cv::Mat image(static_cast<int>(record.rows), static_cast<int>(record.cols), record.type);
+    if (!readBytes(reader_.output(), image.data, image.total() * image.elemSize())) {
+      throwCrash(std::nullopt);
+    }
+    return image;
+  }
+
+  const std::string& path() const { return path_; }
+
+ private:
+  /// How far the reader got; nothing while it has not read any image.
+  std::string position(std::uint64_t offset) const {
+    if (images_ == 0 && offset == 0) return "";
+    return " (after " + std::to_string(images_) + " images, near byte " + std::to_string(offset) +
+           ")";
+  }
+
+  [[noreturn]] void throwCrash(const std::optional<BagRecord>& crash) {
+    if (!crash) reader_.kill();  // it may still run; else it is about to end with its own signal
+    const std::string how = describeExit(reader_.wait());
+    throw Error("Cannot read " + path_ +
+                ": it is damaged, the library that reads bags ended with " + how +
+                position(crash ? crash->number : 0) + "; try: rosbag reindex " + path_ +
+                ", or record it again.");
+  }
+
+  std::string path_;
+  ChildProcess reader_;
+  std::uint64_t images_ = 0;
+};
+
+Labels readLabels(BagRecords& records, const BagInfo& info, const BagRunOptions& options,
+                  const std::string& labels_file, BagRecord& record) {
+  if (!options.label.empty()) return Labels::wholeBag(options.label);
+  if (!labels_file.empty()) {
+    return Labels::fromFile(labels_file, info.start, info.start + info.duration);
+  }
+  Labels labels;
+  if (!options.initial_label.empty()) {
+    labels.add(-std::numeric_limits<double>::infinity(), options.initial_label);
+  }
+  for (; record.kind == BagRecordKind::kLabel; record = records.next()) {
+    if (!placeName(record.text).empty()) {
+      std::ostringstream where;
+      where << records.path() << ", " << options.label_topic << " at " << record.time - info.start
+            << " s";
+      checkLabel(record.text, where.str());
+    }
+    labels.add(record.time, record.text);
+  }
+  return labels;
+}
+
+/// Starts a reader and reads up to the images.
+struct OpenBag {
+  OpenBag(const std::string& path, const std::string& mode, const BagRunOptions& options)
+      : labels_file(findLabelsFile(path, options)),
+        records(path, mode, options.image_topic,
+                options.label.empty() && labels_file.empty() ? options.label_topic : "") {
+    BagRecord record = records.next();
+    info.start = record.time;
+    info.duration = record.stamp - record.time;
+    for (record = records.next(); record.kind == BagRecordKind::kTopic; record = records.next()) {
+      info.topics.push_back({record.text, record.detail, record.number,
+                             static_cast<int>(record.cols), static_cast<int>(record.rows)});
+    }
+    labels = readLabels(records, info, options, labels_file, record);
+    for (; record.kind == BagRecordKind::kNote; record = records.next()) note = record.text;
+    following = std::move(record);
+  }
+
+  std::string labels_file;
+  BagRecords records;
+  BagInfo info;
+  Labels labels;
+  std::string note;     ///< how the images are read; empty if as usual
+  BagRecord following;  ///< the first record after the labels
+};
+
+class BagRun : public Run {
+ public:
+  BagRun(const std::string& path, const BagRunOptions& options)
+      : Run(path), bag_(path, "images", options) {
+    if (isActiveBag(path)) {
+      warnings_.push_back(path +
+                          " is whole, though named as one that is being recorded; rename it.");
+    }
+    if (!bag_.labels.note().empty()) warnings_.push_back(bag_.labels.note());
+    if (!bag_.note.empty()) warnings_.push_back(path + ": " + bag_.note);
+  }
+
+  bool next(Frame& frame) override {
+    const BagRecord record = std::move(bag_.following);
+    if (record.kind == BagRecordKind::kEnd) {
+      time_ = bag_.info.start + bag_.info.duration;
+      warnOfUnseenPlaces();
+      return false;
+    }
+    time_ = record.time;
+    frame.place = bag_.labels.at(record.time);
+    seen_.insert(frame.place);
+    frame.stamp = record.stamp;
+    frame.name = record.text;
+    frame.problem = record.detail;
+    frame.image = record.kind == BagRecordKind::kImage ? bag_.records.pixels(record) : cv::Mat();
+    bag_.following = bag_.records.next();
+    return true;
+  }
+
+  double fraction() const override {
+    if (bag_.info.duration <= 0) return bag_.following.kind == BagRecordKind::kEnd ? 1 : 0;
+    return std::clamp((time_ - bag_.info.start) / bag_.info.duration, 0.0, 1.0);
+  }
+
+ private:
+  void warnOfUnseenPlaces() {
+    bag_.labels.forEach(bag_.info.start, std::numeric_limits<double>::infinity(),
+                        [this](double, double, const std::string& place) {
+                          if (!seen_.insert(place).second) return;
+                          warnings_.push_back(name() + ": the label '" + place +
+                                              "' is of no use, for no image came while it held.");
+                        });
+  }
+
+  OpenBag bag_;
+  double time_ = 0;             // bag time of the last frame, s
+  std::set<std::string> seen_;  // places of frames
+};
+
+bool hasImages(const BagTopic& topic) { return topic.type.find("Image") != std::string::npos; }
+
+}  // namespace
+
+std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options) {
+  requireBag(path);
+  return std::make_unique<BagRun>(path, options);
+}
+
+BagInfo bagInfo(const std::string& path, const BagRunOptions& options) {
+  requireBag(path);
+  OpenBag bag(path, "info", options);
+  std::stable_partition(bag.info.topics.begin(), bag.info.topics.end(), hasImages);
+  bag.labels.forEach(
+      bag.info.start, bag.info.start + bag.info.duration,
+      [&bag](double from, double to, const std::string& place) {
+        bag.info.labels.push_back({from - bag.info.start, to - bag.info.start, place});
+      });
+  bag.info.last_label = bag.labels.at(bag.info.start + bag.info.duration);
+  bag.info.labels_file = bag.labels_file;
+  return bag.info;
+}
+
+}  // namespace place_recognition

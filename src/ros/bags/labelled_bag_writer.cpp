@@ -1,0 +1,88 @@
+#include "ros/bags/labelled_bag_writer.h"
+
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
+#include <std_msgs/String.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+
+#include "labels/labels.h"
+#include "ros/bags/staged_bag.h"
+#include "ros/messages/conversions.h"
+
+namespace place_recognition {
+namespace {
+
+rosbag::CompressionType rosbagCompression(LabelledBagOptions::Compression compression) {
+  switch (compression) {
+    case LabelledBagOptions::Compression::kLz4:
+      return rosbag::compression::LZ4;
+    case LabelledBagOptions::Compression::kBz2:
+      return rosbag::compression::BZ2;
+    default:
+      return rosbag::compression::Uncompressed;
+  }
+}
+
+sensor_msgs::CompressedImage toJpegMessage(const cv::Mat& image, const std_msgs::Header& header,
+                                           int quality) {
+  sensor_msgs::CompressedImage message;
+  message.header = header;
+  message.format =
+      image.channels() == 3 ? "bgr8; jpeg compressed bgr8" : "mono8; jpeg compressed mono8";
+  cv::imencode(".jpg", image, message.data, {cv::IMWRITE_JPEG_QUALITY, quality});
+  return message;
+}
+
+}  // namespace
+
+struct LabelledBagWriter::Bag {
+  Bag(const std::string& path, const LabelledBagOptions& bag_options)
+      : file(path, ".tmp-" + std::to_string(getpid())), options(bag_options) {
+    file.setCompression(rosbagCompression(options.compression));
+  }
+
+  StagedBag file;
+  LabelledBagOptions options;
+  std::optional<std::string> place;  // the label last written
+  std::uint32_t images = 0;
+  bool complete = false;
+};
+
+LabelledBagWriter::LabelledBagWriter(const std::string& path, const LabelledBagOptions& options)
+    : bag_(std::make_unique<Bag>(path, options)) {}
+
+LabelledBagWriter::~LabelledBagWriter() {
+  if (!bag_->complete) bag_->file.discard();
+}
+
+void LabelledBagWriter::write(const cv::Mat& image, const std::string& place, double stamp) {
+  assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
+  if (!place.empty()) checkLabel(place, bag_->file.path());
+  std_msgs::Header header;
+  header.seq = bag_->images++;
+  header.stamp = ros::Time(bag_->options.base_time + stamp);
+  header.frame_id = bag_->options.frame_id;
+  if (bag_->place != place) {
+    std_msgs::String label;
+    label.data = place;
+    bag_->file.write(bag_->options.label_topic, header.stamp, label);
+    bag_->place = place;
+  }
+  if (bag_->options.jpeg) {
+    bag_->file.write(bag_->options.image_topic + "/compressed", header.stamp,
+                     toJpegMessage(image, header, bag_->options.jpeg_quality));
+  } else {
+    bag_->file.write(bag_->options.image_topic, header.stamp, toImageMessage(image, header));
+  }
+}
+
+void LabelledBagWriter::close() {
+  bag_->file.complete();
+  bag_->complete = true;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,120 @@
+#include "ros/labelers/auto_labeler.h"
+
+#include <cmath>
+
+#include "base/user_path.h"
+#include "place_recognition/error.h"
+#include "ros/nodes/node_names.h"
+
+namespace place_recognition {
+namespace {
+
+/// How often poses are looked up for the images that wait, s.
+constexpr double kPosePoll = 0.02;
+
+RoomPolygons roomsOf(Parameters& parameters) {
+  const std::string path = userPath(parameters.text("rooms"));
+  if (path.empty()) throw Error("The parameter ~rooms is not set; name a file of room polygons.");
+  return readRoomPolygons(path);
+}
+
+/// Standard deviation of the position in its worst direction: of the covariance of x and y
+/// (elements 0, 1 and 7 of the 6 x 6), the root of the larger eigenvalue, m.
+double deviation(const geometry_msgs::PoseWithCovariance& pose) {
+  const double xx = pose.covariance[0];
+  const double xy = pose.covariance[1];
+  const double yy = pose.covariance[7];
+  return std::sqrt((xx + yy) / 2 + std::hypot((xx - yy) / 2, xy));
+}
+
+}  // namespace
+
+AutoLabeler::AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : AutoLabeler(node, private_node, Parameters(private_node)) {}
+
+AutoLabeler::AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                         Parameters parameters)
+    : rooms_(roomsOf(parameters)),
+      map_frame_(parameters.text("map_frame", "map")),
+      robot_frame_(parameters.text("robot_frame", "base_link")),
+      margin_(parameters.real("margin", 0.3, 0)),
+      max_deviation_(parameters.real("max_deviation", 0.5, 0)),
+      patience_(parameters.real("pose_timeout", 0.2, 0)),
+      recording_(node, parameters),
+      input_(
+          node, private_node, parameters, [this](const ImageMessage& image) { onImage(image); },
+          names::kRecordingQueue) {
+  parameters.warnOfDoubts();
+  pose_subscriber_ = ros::NodeHandle(node).subscribe(names::kPose, 1, &AutoLabeler::onPose, this);
+  timer_ = ros::NodeHandle(node).createWallTimer(
+      ros::WallDuration(kPosePoll), [this](const ros::WallTimerEvent&) { labelWaiting(); });
+  input_.subscribe();
+  recording_.expectImages();
+  ROS_INFO("%zu rooms; labelling by the pose of %s in %s.", rooms_.size(), robot_frame_.c_str(),
+           map_frame_.c_str());
+}
+
+void AutoLabeler::finish() {
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    label(waiting_.front(), positionAt(waiting_.front().stamp));
+  }
+  if (labelled_ == 0 && unlabelled_ > 0) {
+    ROS_WARN("None of %lu images has a label. %s", static_cast<unsigned long>(unlabelled_),
+             problem_.c_str());
+  } else {
+    ROS_INFO("%lu images have a label, %lu have none.", static_cast<unsigned long>(labelled_),
+             static_cast<unsigned long>(unlabelled_));
+  }
+  recording_.finish();
+}
+
+void AutoLabeler::onImage(const ImageMessage& image) {
+  const ros::Time now = ros::Time::now();
+  recording_.add(image, now);
+  if (now < ros::TIME_MIN) return;  // not recorded: there is no clock yet
+  waiting_.push_back({image.header().stamp, now});
+  labelWaiting();
+}
+
+void AutoLabeler::onPose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose) {
+  deviation_ = deviation(pose->pose);
+}
+
+void AutoLabeler::labelWaiting() {
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    const std::optional<Eigen::Vector2d> position = positionAt(waiting_.front().stamp);
+    if (!position && mayStillCome(waiting_.front())) return;
+    label(waiting_.front(), position);
+  }
+}
+
+bool AutoLabeler::mayStillCome(const Waiting& image) const {
+  const ros::Duration age = ros::Time::now() - image.arrival;
+  // Time may have jumped back, as in a looped bag.
+  return !image.stamp.isZero() && age >= ros::Duration(0) && age < patience_;
+}
+
+void AutoLabeler::label(const Waiting& image, const std::optional<Eigen::Vector2d>& position) {
+  if (!position) ROS_WARN_THROTTLE(10, "%s", problem_.c_str());
+  const bool sure = position && deviation_ <= max_deviation_;  // false if it is NaN
+  const std::string room = sure ? rooms_.at(*position, margin_) : "";
+  ++(room.empty() ? unlabelled_ : labelled_);
+  recording_.say(room, image.arrival);
+}
+
+std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
+  if (stamp.isZero()) {  // tf would take it for "the latest"
+    problem_ = "The images have no stamp; they cannot be labelled by the pose.";
+    return std::nullopt;
+  }
+  try {
+    const geometry_msgs::Vector3 position =
+        transforms_.lookupTransform(map_frame_, robot_frame_, stamp).transform.translation;
+    return Eigen::Vector2d(position.x, position.y);
+  } catch (const tf2::TransformException& e) {
+    problem_ = std::string("No label for want of a pose: ") + e.what();
+    return std::nullopt;
+  }
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,160 @@
+#include "ros/labelers/labelled_recording.h"
+
+#include <std_msgs/String.h>
+
+#include <filesystem>
+
+#include "base/user_path.h"
+#include "labels/labels.h"
+#include "place_recognition/error.h"
+#include "ros/nodes/image_topics.h"
+#include "ros/nodes/node_main.h"
+#include "ros/nodes/node_names.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr const char* kActive = ".active";  // as rosbag record calls it
+constexpr double kReportPeriod = 5;         // s
+
+std::unique_ptr<StagedBag> openBag(std::string path) {
+  if (path.empty()) return nullptr;
+  if (std::filesystem::is_directory(path)) {
+    throw Error(path + " is a folder; name a file in it by ~bag, as in monday.bag.");
+  }
+  if (std::filesystem::path(path).extension() != ".bag") path += ".bag";  // as rosbag record does
+  if (std::filesystem::exists(path)) {
+    throw Error("There is a file " + path + " already; give ~bag another name.");
+  }
+  if (std::filesystem::exists(path + kActive)) {
+    throw Error(path + kActive +
+                " is being recorded, or was left by a recorder that was killed; remove it, or "
+                "rescue it with: rosbag reindex " +
+                path + kActive);
+  }
+  return std::make_unique<StagedBag>(path, kActive);
+}
+
+std_msgs::String labelMessage(const std::string& place) {
+  std_msgs::String label;
+  label.data = place;
+  return label;
+}
+
+std::string noClock(std::uint64_t images) {
+  return std::to_string(images) +
+         " images have come, but they cannot be recorded: /use_sim_time is true and there is no "
+         "/clock.";
+}
+
+const char* topicSuffix(const sensor_msgs::Image&) { return ""; }
+const char* topicSuffix(const sensor_msgs::CompressedImage&) { return names::kCompressedSuffix; }
+
+}  // namespace
+
+LabelledRecording::LabelledRecording(const ros::NodeHandle& node, Parameters& parameters)
+    : image_topic_(node.resolveName(names::kImage)),
+      image_transport_(parameters.text("image_transport", "raw")),
+      label_topic_(node.resolveName(names::kPlaceLabel)),
+      bag_(openBag(userPath(parameters.text("bag")))),
+      node_(node) {
+  publisher_ = node_.advertise<std_msgs::String>(names::kPlaceLabel, names::kAnswerQueue, true);
+  publisher_.publish(labelMessage(place_));
+  if (!bag_) return;
+  ROS_INFO("Recording %s and %s to %s.", image_topic_.c_str(), label_topic_.c_str(),
+           bag_->path().c_str());
+}
+
+void LabelledRecording::expectImages() {
+  timer_ = node_.createWallTimer(ros::WallDuration(kReportPeriod),
+                                 [this](const ros::WallTimerEvent&) { reportProgress(); });
+}
+
+LabelledRecording::~LabelledRecording() {
+  try {
+    finish();
+  } catch (const Error& e) {
+    ROS_ERROR("%s", e.what());
+  }
+}
+
+void LabelledRecording::finish() {
+  timer_.stop();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::unique_ptr<StagedBag> bag = std::move(bag_);
+  if (!bag) return;
+  if (images_ == 0) {
+    bag->discard();
+    throw Error(
+        (timeless_ > 0 ? noClock(timeless_) : "No image has come on " + image_topic_ + ".") +
+        " Nothing was recorded.");
+  }
+  bag->complete();
+  const std::string count = bag->path() + ": " + std::to_string(images_) + " images.";
+  if (failed_) throw Error("The recording is not whole: " + count);
+  ROS_INFO("%s", count.c_str());
+}
+
+void LabelledRecording::say(const std::string& place, const ros::Time& time) {
+  if (!place.empty()) checkNewLabel(place, "The place");
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (place == place_) return;
+  place_ = place;
+  publisher_.publish(labelMessage(place));
+  recordLabel(time);
+}
+
+void LabelledRecording::add(const ImageMessage& image, const ros::Time& time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (time < ros::TIME_MIN) {  // a simulated clock that has not come yet
+    ++timeless_;
+    return;
+  }
+  recordLabel(time);
+  image.visit([&](const auto& message) {
+    record(image_topic_ + topicSuffix(message), time, message);
+    ++images_;
+  });
+}
+
+void LabelledRecording::recordLabel(const ros::Time& time) {
+  if (place_ == recorded_place_ || time < ros::TIME_MIN) return;
+  record(label_topic_, time, labelMessage(place_));
+  recorded_place_ = place_;
+}
+
+/// A disk that refuses ends the node: somebody drives the robot for this recording.
+template <typename Message>
+void LabelledRecording::record(const std::string& topic, const ros::Time& time,
+                               const Message& message) {
+  if (!bag_ || failed_) return;
+  try {
+    bag_->write(topic, time, message);
+  } catch (const Error& e) {
+    failed_ = true;
+    ROS_FATAL("The recording ends: %s", e.what());
+    requestEnd();
+  }
+}
+
+void LabelledRecording::reportProgress() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (images_ > reported_images_) {
+    ROS_INFO("%lu images; now %s.", static_cast<unsigned long>(images_),
+             place_.empty() ? "without a label" : ("'" + place_ + "'").c_str());
+    reported_images_ = images_;
+    const ros::Time now = ros::Time::now();
+    if (now == reported_time_) {
+      ROS_WARN("/clock stands still: all these images are recorded as of one time.");
+    }
+    reported_time_ = now;
+  } else if (images_ == 0 && timeless_ > 0) {
+    ROS_WARN("%s", noClock(timeless_).c_str());
+  } else {
+    lock.unlock();  // the master takes its time
+    ROS_WARN("No image has come on %s for %.0f s. %s", image_topic_.c_str(), kReportPeriod,
+             explainSilence(image_topic_, image_transport_).c_str());
+  }
+}
+
+}  // namespace place_recognition

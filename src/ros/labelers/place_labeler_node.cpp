@@ -1,0 +1,13 @@
+// place_labeler: a person says which room it is; records a labelled run. See launch/record.launch.
+
+#include "ros/labelers/place_labeler.h"
+
+#include "ros/nodes/node_main.h"
+
+int main(int argc, char** argv) {
+  return place_recognition::runNode(argc, argv, "place_labeler", [] {
+    place_recognition::PlaceLabeler labeler(ros::NodeHandle(), ros::NodeHandle("~"));
+    place_recognition::spinUntilEnd(1);
+    labeler.finish();
+  });
+}

@@ -1,0 +1,92 @@
+#include "ros/nodes/image_topics.h"
+
+#include <ros/this_node.h>
+
+#include <map>
+
+namespace place_recognition {
+namespace {
+
+constexpr const char* kImage = "sensor_msgs/Image";
+constexpr const char* kCompressedImage = "sensor_msgs/CompressedImage";
+const std::string kCompressed = "/compressed";
+
+/// Their types by their names.
+using Topics = std::map<std::string, std::string>;
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool isImages(const std::string& topic, const std::string& type) {
+  return (type == kImage || type == kCompressedImage) && !endsWith(topic, "/compressedDepth");
+}
+
+/// Whether a topic of this type is what the transport listens to; those of plugins have their own.
+bool fits(const std::string& transport, const std::string& type) {
+  if (transport == "raw") return type == kImage;
+  return transport != "compressed" || type == kCompressedImage;
+}
+
+/// How to take the images that `topic` holds.
+std::string otherForm(const std::string& topic, const std::string& type) {
+  const std::string is = topic + " is published, as " + type + "; ";
+  if (type == kImage) return is + "set ~image_transport to raw and remap image to " + topic + ".";
+  if (!endsWith(topic, kCompressed)) {
+    return is + "such a topic must end in /compressed: relay it to " + topic + kCompressed + ".";
+  }
+  return is + "set ~image_transport to compressed and remap image to " +
+         topic.substr(0, topic.size() - kCompressed.size()) + ".";
+}
+
+std::string listOfImageTopics(const Topics& topics) {
+  std::string list;
+  for (const auto& [name, type] : topics) {
+    if (isImages(name, type)) list += (list.empty() ? "" : ", ") + name;
+  }
+  return list.empty() ? "Nobody publishes images at all."
+                      : "Images are published on: " + list + ".";
+}
+
+}  // namespace
+
+std::string explainSilence(const std::string& topic, const std::string& transport,
+                           const ros::master::V_TopicInfo& published, const std::string& node) {
+  Topics topics;
+  for (const ros::master::TopicInfo& info : published) {
+    if (info.name.compare(0, node.size() + 1, node + "/") != 0) topics[info.name] = info.datatype;
+  }
+  const std::string heard = transport == "raw" ? topic : topic + "/" + transport;
+  const auto found = topics.find(heard);
+  if (found != topics.end()) {
+    const std::string& type = found->second;
+    if (fits(transport, type)) {
+      return heard +
+             " is published, but nothing comes; see whether the camera sends: rostopic hz " +
+             heard + ".";
+    }
+    return isImages(heard, type) ? otherForm(heard, type)
+                                 : heard + " is published as " + type + ", which is no image.";
+  }
+  for (const std::string& name : {topic, topic + kCompressed}) {
+    const auto form = topics.find(name);
+    if (form != topics.end() && isImages(name, form->second)) return otherForm(name, form->second);
+  }
+  return "Nobody publishes " + heard + ". " + listOfImageTopics(topics);
+}
+
+std::string explainSilence(const std::string& topic, const std::string& transport) {
+  XmlRpc::XmlRpcValue request, response, payload;
+  request[0] = ros::this_node::getName();
+  request[1] = "";
+  ros::master::V_TopicInfo published;
+  if (!ros::master::execute("getPublishedTopics", request, response, payload, false)) {
+    return "The master does not answer.";
+  }
+  for (int i = 0; i < payload.size(); ++i) {
+    published.emplace_back(payload[i][0], payload[i][1]);
+  }
+  return explainSilence(topic, transport, published, ros::this_node::getName());
+}
+
+}  // namespace place_recognition

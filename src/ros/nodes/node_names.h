@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+/// Names, queue sizes and a default of what the nodes publish, subscribe to and serve. Those of the
+/// nodes' own things are private: `~recognition` is /place_recognizer/recognition.
+namespace place_recognition::names {
+
+// place_recognizer
+constexpr const char* kImage = "image";
+constexpr const char* kCompressedSuffix = "/compressed";
+constexpr const char* kRecognition = "recognition";
+constexpr const char* kPlace = "place";
+constexpr const char* kSmoothed = "smoothed";
+constexpr const char* kModelInfo = "model_info";
+constexpr const char* kDebugImage = "debug_image";
+constexpr const char* kMarker = "marker";
+constexpr const char* kOdometry = "odom";
+constexpr const char* kLoadModel = "load_model";
+constexpr const char* kReloadModel = "reload_model";
+constexpr const char* kSetEnabled = "set_enabled";
+constexpr const char* kReset = "reset";
+constexpr const char* kRecognize = "recognize";
+
+// trainer
+constexpr const char* kTrain = "train";
+constexpr const char* kRetrain = "retrain";
+
+// place_labeler and auto_labeler
+constexpr const char* kPlaceLabel = "place_label";
+constexpr const char* kSay = "say";
+constexpr const char* kJoy = "joy";
+constexpr const char* kPose = "pose";
+
+/// Default of `~image_timeout`, s.
+constexpr double kImageTimeout = 5;
+
+/// The newest image counts; older ones are of no use.
+constexpr std::uint32_t kImageQueue = 1;
+/// As much odometry as comes while a node is busy for a moment.
+constexpr std::uint32_t kOdometryQueue = 100;
+/// A recording loses no image while the disk is busy for a moment.
+constexpr std::uint32_t kRecordingQueue = 100;
+/// A subscriber that is slow for a moment loses no answer.
+constexpr std::uint32_t kAnswerQueue = 10;
+
+}  // namespace place_recognition::names

@@ -1,0 +1,164 @@
+#include "ros/nodes/parameters.h"
+
+#include <ros/console.h>
+#include <ros/names.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/nearest_name.h"
+#include "base/options.h"
+#include "place_recognition/error.h"
+#include "ros/nodes/parameter_value.h"
+
+namespace place_recognition {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+/// What diagnostic_updater, image_transport, nodelet, tf2 and actionlib read below a node's name.
+const std::vector<std::string> kOfLibraries = {"diagnostic_period",
+                                               "diagnostic_updater_use_fqn",
+                                               "image_transport",
+                                               "num_worker_threads",
+                                               "tf_prefix",
+                                               "actionlib_status_frequency",
+                                               "actionlib_server_pub_queue_size",
+                                               "actionlib_server_sub_queue_size"};
+
+std::string where(const std::string& name) { return "The parameter ~" + name; }
+
+std::string whereElement(const std::string& name, std::size_t i) {
+  return where(name) + "[" + std::to_string(i) + "]";
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "~" : ", ~") + name;
+  return text;
+}
+
+template <typename Number>
+void requireWithin(Number value, Number least, Number most, const std::string& name) {
+  if (value >= least && value <= most) return;
+  const auto format = [](Number number) {
+    return options_detail::formatDouble(static_cast<double>(number));
+  };
+  const bool bounded = most < std::numeric_limits<Number>::max();
+  throw Error(
+      where(name) + " is " + format(value) + "; give a number " +
+      (bounded ? "from " + format(least) + " to " + format(most) : "of at least " + format(least)) +
+      ".");
+}
+
+XmlRpcValue valuesBelow(const ros::NodeHandle& private_node) {
+  XmlRpcValue values;
+  private_node.getParam("", values);
+  return values;
+}
+
+}  // namespace
+
+Parameters::Parameters(const ros::NodeHandle& private_node)
+    : Parameters(private_node.getNamespace(), valuesBelow(private_node)) {}
+
+Parameters::Parameters(std::string node, XmlRpcValue values)
+    : node_(std::move(node)), values_(std::move(values)) {}
+
+const XmlRpcValue* Parameters::find(const std::string& name) {
+  if (!contains(known_, name)) known_.push_back(name);
+  const bool is_set = values_.getType() == XmlRpcValue::TypeStruct && values_.hasMember(name);
+  return is_set ? &values_[name] : nullptr;
+}
+
+bool Parameters::flag(const std::string& name, bool otherwise) {
+  const XmlRpcValue* value = find(name);
+  return value == nullptr ? otherwise : toFlag(*value, where(name));
+}
+
+int Parameters::integer(const std::string& name, int otherwise, int least, int most) {
+  const XmlRpcValue* value = find(name);
+  if (value == nullptr) return otherwise;
+  const int number = toInteger(*value, where(name));
+  requireWithin(number, least, most, name);
+  return number;
+}
+
+double Parameters::real(const std::string& name, double otherwise, double least, double most) {
+  const XmlRpcValue* value = find(name);
+  if (value == nullptr) return otherwise;
+  const double number = toReal(*value, where(name));
+  requireWithin(number, least, most, name);
+  return number;
+}
+
+std::string Parameters::text(const std::string& name, const std::string& otherwise) {
+  const XmlRpcValue* value = find(name);
+  return value == nullptr ? otherwise : toText(*value, where(name));
+}
+
+std::vector<std::string> Parameters::texts(const std::string& name) {
+  std::vector<std::string> texts;
+  const XmlRpcValue* value = find(name);
+  if (value == nullptr) return texts;
+  for (const XmlRpcValue& element : toList(*value, where(name))) {
+    texts.push_back(toText(element, whereElement(name, texts.size())));
+  }
+  const bool is_single = value->getType() == XmlRpcValue::TypeString && texts.size() == 1 &&
+                         texts[0] == static_cast<const std::string&>(*value);
+  if (is_single && texts[0].find(',') != std::string::npos) {
+    notes_.push_back(where(name) + " is the single name '" + texts[0] +
+                     "'; for a list, write it in brackets: [" + texts[0] + "].");
+  }
+  return texts;
+}
+
+std::vector<int> Parameters::integers(const std::string& name) {
+  std::vector<int> integers;
+  const XmlRpcValue* value = find(name);
+  if (value == nullptr) return integers;
+  for (const XmlRpcValue& element : toList(*value, where(name))) {
+    integers.push_back(toInteger(element, whereElement(name, integers.size())));
+  }
+  return integers;
+}
+
+std::string Parameters::meantBy(const std::string& name, const XmlRpcValue& value) const {
+  if (value.getType() != XmlRpcValue::TypeStruct) return nearestName(name, known_);
+  // A mapping is the namespace of another node or of a library, or else was indented too far.
+  for (const std::string& known : known_) {
+    if (value.hasMember(known)) return known;
+  }
+  return "";
+}
+
+std::vector<std::string> Parameters::doubts() const {
+  std::vector<std::string> sentences = notes_;
+  if (values_.getType() == XmlRpcValue::TypeStruct) {
+    XmlRpcValue values = values_;  // iterates only if it is not const
+    for (const auto& [name, value] : values) {
+      if (contains(known_, name) || contains(kOfLibraries, name)) continue;
+      const std::string meant = meantBy(name, value);
+      if (meant.empty() && value.getType() == XmlRpcValue::TypeStruct) continue;
+      sentences.push_back(
+          where(name) + " of " + node_ + " is not known and changes nothing; " +
+          (meant.empty() ? "known are " + listed(known_) + "." : "is ~" + meant + " meant?"));
+    }
+  }
+  for (const auto& [from, to] : ros::names::getUnresolvedRemappings()) {
+    if (!contains(known_, from)) continue;
+    sentences.push_back("The argument " + from + ":=" + to + " sets no parameter; write _" + from +
+                        ":=" + to + ".");
+  }
+  return sentences;
+}
+
+void Parameters::warnOfDoubts() const {
+  for (const std::string& sentence : doubts()) ROS_WARN("%s", sentence.c_str());
+}
+
+}  // namespace place_recognition

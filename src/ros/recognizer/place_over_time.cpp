@@ -1,0 +1,95 @@
+#include "ros/recognizer/place_over_time.h"
+
+#include <cmath>
+
+#include "base/place_name.h"
+#include "base/user_path.h"
+#include "place_recognition/error.h"
+#include "ros/nodes/node_names.h"
+
+namespace place_recognition {
+namespace {
+
+/// s; images are of no use to anybody who has to wait longer.
+constexpr double kLongestLag = 10;
+
+OdometryPose toPose(const nav_msgs::Odometry& odometry) {
+  const geometry_msgs::Point& position = odometry.pose.pose.position;
+  const geometry_msgs::Quaternion& q = odometry.pose.pose.orientation;
+  const double yaw = std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
+  return {odometry.header.stamp.toSec(), position.x, position.y, yaw};
+}
+
+}  // namespace
+
+PlaceOverTime::PlaceOverTime(const ros::NodeHandle& node, Parameters& parameters)
+    : adjacency_path_(userPath(parameters.text("adjacency"))),
+      smoothed_(parameters.real("smoothing_lag", 1, 0, kLongestLag)) {
+  if (parameters.flag("use_odometry", false)) {
+    odometry_subscriber_ = ros::NodeHandle(node).subscribe(names::kOdometry, names::kOdometryQueue,
+                                                           &PlaceOverTime::onOdometry, this);
+  }
+}
+
+void PlaceOverTime::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
+  way_.add(toPose(*odometry));
+}
+
+void PlaceOverTime::setModel(std::shared_ptr<const Model> model, double smoothing) {
+  model_ = std::move(model);
+  adjacency_ = adjacencyOf(*model_);
+  smoothing_ = smoothing;
+  makeFilter();
+}
+
+Adjacency PlaceOverTime::adjacencyOf(const Model& model) const {
+  if (adjacency_path_.empty()) return model.adjacency;
+  try {
+    return readAdjacency(adjacency_path_, model.places);
+  } catch (const Error& e) {
+    ROS_ERROR("Any room may adjoin any other, for the map of ~adjacency cannot be used: %s",
+              e.what());
+    return Adjacency(model.places.size());
+  }
+}
+
+void PlaceOverTime::setSmoothing(double smoothing) {
+  if (smoothing == smoothing_) return;
+  smoothing_ = smoothing;
+  makeFilter();
+}
+
+void PlaceOverTime::makeFilter() {
+  filter_.reset();
+  smoothed_.finish();
+  if (smoothing_ <= 0) return;
+  TemporalFilterOptions options;
+  options.decorrelation_time = smoothing_;
+  filter_ = std::make_unique<TemporalFilter>(*model_, adjacency_, options);
+  smoothed_.follow(adjacency_, options);
+}
+
+void PlaceOverTime::setUnknownThreshold(double threshold) {
+  if (filter_) filter_->setUnknownThreshold(threshold);
+}
+
+const std::string& PlaceOverTime::update(double stamp, const Recognition& recognition) {
+  static const std::string unknown = kUnknownPlace;
+  const std::optional<Motion> motion = way_.take(stamp);
+  const int frame_place = recognition.known ? recognition.place : -1;
+  const int place = filter_ ? filter_->update(stamp, recognition, motion).place : frame_place;
+  return place < 0 ? unknown : model_->places[static_cast<std::size_t>(place)];
+}
+
+std::vector<PlaceRecognition> PlaceOverTime::smooth(const PlaceRecognition& message) {
+  if (filter_) smoothed_.add(*filter_, message);
+  return smoothed_.take();
+}
+
+std::vector<PlaceRecognition> PlaceOverTime::reset() {
+  if (filter_) filter_->reset();
+  smoothed_.finish();
+  return smoothed_.take();
+}
+
+}  // namespace place_recognition

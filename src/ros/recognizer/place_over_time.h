@@ -1,0 +1,60 @@
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <string>
+
+#include "base/place_name.h"
+#include "place_recognition/temporal_filter.h"
+#include "recognition/over_time/driven_way.h"
+#include "ros/nodes/parameters.h"
+#include "ros/recognizer/smoothed_answers.h"
+
+namespace place_recognition {
+
+/// What the answers to single frames amount to over time: a TemporalFilter with what the node knows
+/// beside them, which rooms adjoin (the file that the parameter `~adjacency` names, else what the
+/// model has learnt) and how far the robot has driven (the topic `odom`, if `~use_odometry`); and
+/// what they amount to when one waits a little (SmoothedAnswers). Not thread-safe, but for
+/// odometry, which may come at any time.
+class PlaceOverTime {
+ public:
+  PlaceOverTime(const ros::NodeHandle& node, Parameters& parameters);
+
+  /// From now on frames are answered by `model`. A map that does not fit it is reported and left
+  /// out. `smoothing`, s: see the parameter; 0: the answer is that to the single frame.
+  void setModel(std::shared_ptr<const Model> model, double smoothing);
+  void setSmoothing(double smoothing);
+  void setUnknownThreshold(double threshold);
+
+  /// The place after the frame of `stamp`, s, or kUnknownPlace; valid until the next call.
+  const std::string& update(double stamp, const Recognition& recognition);
+
+  /// `message` answers the frame of the last update(). The messages of frames before it, whose time
+  /// to wait (`~smoothing_lag`) is over, with the places that they have in the light of what came
+  /// since; none where the smoothing is 0.
+  std::vector<PlaceRecognition> smooth(const PlaceRecognition& message);
+  /// Nobody is interested: messages that wait are forgotten.
+  void dropSmoothed() { smoothed_.clear(); }
+
+  /// Forgets what was seen. The messages that wait for what does not come now, as smooth().
+  std::vector<PlaceRecognition> reset();
+
+ private:
+  void onOdometry(const nav_msgs::OdometryConstPtr& odometry);
+  Adjacency adjacencyOf(const Model& model) const;
+  void makeFilter();
+
+  const std::string adjacency_path_;  // empty: none
+  std::shared_ptr<const Model> model_;
+  Adjacency adjacency_{0};
+  double smoothing_ = 0;
+  std::unique_ptr<TemporalFilter> filter_;  // none: not smoothed
+  SmoothedAnswers smoothed_;
+  DrivenWay way_;
+  ros::Subscriber odometry_subscriber_;
+};
+
+}  // namespace place_recognition

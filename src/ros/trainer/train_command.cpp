@@ -1,0 +1,102 @@
+#include "ros/trainer/train_command.h"
+
+#include <ros/names.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/child_process.h"
+#include "base/confined_path.h"
+#include "base/data_folder.h"
+#include "labels/labels.h"
+#include "place_recognition/error.h"
+#include "ros/nodes/message_fields.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr std::size_t kMaxBags = 1000;
+constexpr std::size_t kMaxRecognizers = 100;
+constexpr std::size_t kMaxYamlBytes = 64 * 1024;
+constexpr std::size_t kMaxTopicBytes = 256;
+constexpr std::uint32_t kMaxVectorLimit = 1000000;
+constexpr std::uint32_t kMaxThreads = 1024;
+constexpr std::array<const char*, 5> kReductions = {"auto", "none", "qr", "shared-qr",
+                                                    "shared-greedy"};
+
+void require(bool sound, const std::string& what) {
+  if (!sound) throw Error("The goal's " + what + ".");
+}
+
+bool isGraphName(const std::string& name) {
+  std::string problem;
+  return name.size() <= kMaxTopicBytes && ros::names::validate(name, problem);
+}
+
+void check(const TrainGoal& goal) {
+  require(!goal.bags.empty(), "bags are missing");
+  require(goal.bags.size() <= kMaxBags, "bags are more than " + std::to_string(kMaxBags));
+  require(isPlainName(goal.model), "model must be 1 to 64 letters, digits, '_' or '-'");
+  require(goal.preset.empty() || isPlainName(goal.preset),
+          "preset is no name of a file in config/, as in 'crfh'");
+  require(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
+  require(goal.yaml.size() <= kMaxYamlBytes,
+          "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
+  require(goal.reduction.empty() ||
+              std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
+          "reduction must be auto, none, qr, shared-qr or shared-greedy");
+  require(goal.add_to.empty() || isPlainName(goal.add_to),
+          "add_to must be 1 to 64 letters, digits, '_' or '-'");
+  require(
+      goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
+      "add_to excludes preset, yaml and reduction, which the model has");
+  require(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
+  require(goal.vector_limit <= kMaxVectorLimit,
+          "vector_limit is above " + std::to_string(kMaxVectorLimit));
+  require(goal.threads <= kMaxThreads, "threads are more than " + std::to_string(kMaxThreads));
+  require(isGraphName(goal.image_topic), "image_topic is no topic's name");
+  require(isGraphName(goal.label_topic), "label_topic is no topic's name");
+  if (!goal.label.empty()) checkLabel(goal.label, "The goal");
+  require(goal.recognizers.size() <= kMaxRecognizers,
+          "recognizers are more than " + std::to_string(kMaxRecognizers));
+  require(std::all_of(goal.recognizers.begin(), goal.recognizers.end(), isGraphName),
+          "recognizers are no names of nodes");
+}
+
+/// Fields that are not the option of place_tool by the same name.
+const std::vector<std::string> kOtherFields = {"bags",      "preset",       "yaml",
+                                               "reduction", "vector_limit", "recognizers"};
+
+/// `--image-topic` of image_topic.
+std::string optionOf(std::string field) {
+  std::replace(field.begin(), field.end(), '_', '-');
+  return "--" + field;
+}
+
+}  // namespace
+
+std::vector<std::string> trainCommand(const TrainGoal& goal,
+                                      const std::vector<std::string>& bag_roots,
+                                      const std::string& yaml_path) {
+  check(goal);
+  std::vector<std::string> command = {findExecutable("place_tool"), "train"};
+  for (const std::string& bag : goal.bags) command.push_back(confinedBagPath(bag, bag_roots));
+  // A value joined to its option cannot be taken for another option.
+  const auto add = [&command](const std::string& option, const std::string& value) {
+    if (!value.empty()) command.push_back(option + "=" + value);
+  };
+  for (const MessageField& field : fieldsOf(goal)) {
+    if (std::count(kOtherFields.begin(), kOtherFields.end(), field.name) > 0) continue;
+    for (const std::string& value : field.values) {
+      const bool is_unset = field.type != "string" && value == "0";
+      if (!is_unset) add(optionOf(field.name), value);
+    }
+  }
+  add("--config", goal.yaml.empty() ? goal.preset : yaml_path);
+  add("--set", goal.reduction.empty() ? "" : "reduction.method=" + goal.reduction);
+  add("--limit", goal.vector_limit == 0 ? "" : std::to_string(goal.vector_limit));
+  command.insert(command.end(), {"--progress=json", "--json=-"});
+  return command;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,150 @@
+#include "ros/trainer/train_job.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/atomic_file.h"
+#include "base/child_process.h"
+#include "place_recognition/error.h"
+#include "ros/trainer/train_command.h"
+
+namespace place_recognition {
+namespace {
+
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+/// How often run() looks whether it is to stop.
+constexpr std::chrono::milliseconds kPoll(100);
+/// What place_tool has to tidy up after an interrupt before it is killed.
+constexpr std::chrono::seconds kPatience(8);
+
+/// A file for the configuration that a goal brings along, removed in the end.
+class TemporaryYaml {
+ public:
+  explicit TemporaryYaml(const std::string& text) {
+    if (text.empty()) return;
+    path_ = (std::filesystem::temp_directory_path() / "place_recognition_XXXXXX.yaml").string();
+    const int fd = mkstemps(path_.data(), 5);
+    if (fd < 0) throw Error("Cannot write a temporary file; make room in /tmp.");
+    close(fd);
+    writeFileAtomically(path_, text);
+  }
+  ~TemporaryYaml() {
+    if (!path_.empty()) unlink(path_.c_str());
+  }
+  TemporaryYaml(const TemporaryYaml&) = delete;
+  TemporaryYaml& operator=(const TemporaryYaml&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+TrainFeedback toFeedback(const Json& line) {
+  TrainFeedback feedback;
+  feedback.stage = line.at("stage").get<std::string>();
+  feedback.fraction = line.at("fraction").get<double>();
+  feedback.message = feedback.stage + ", " + percent(feedback.fraction);
+  return feedback;
+}
+
+TrainResult toResult(const Json& figures, const std::string& model) {
+  TrainResult result;
+  result.success = true;
+  result.images = figures.at("images").get<std::uint64_t>();
+  for (const auto& [place, details] : figures.at("rooms").items()) result.places.push_back(place);
+  result.support_vectors = figures.at("support_vectors").get<std::uint64_t>();
+  result.validation_rate = figures.at("validation").at("average_rate").get<double>();
+  result.seconds = figures.at("seconds").get<double>();
+  result.message = "Learned " + std::to_string(result.places.size()) + " places from " +
+                   std::to_string(result.images) + " images as " + model + ": " +
+                   percent(result.validation_rate) + " right on held-out stretches.";
+  return result;
+}
+
+TrainResult failure(const std::string& message) {
+  TrainResult result;
+  result.success = false;
+  result.message = message;
+  return result;
+}
+
+/// What the lines of place_tool tell.
+class ToolOutput {
+ public:
+  ToolOutput(const std::string& model, const TrainJob::FeedbackCallback& on_feedback)
+      : model_(model), on_feedback_(on_feedback) {}
+
+  void onOutput(const std::string& line) {
+    try {
+      const Json object = Json::parse(line);
+      if (object.contains("stage")) {
+        on_feedback_(toFeedback(object));
+      } else {
+        result_ = toResult(object, model_);
+      }
+    } catch (const Json::exception& e) {
+      last_error_ = "place_tool wrote what cannot be understood: " + std::string(e.what());
+    }
+  }
+
+  void onError(const std::string& line) {
+    if (!line.empty()) last_error_ = line;
+  }
+
+  TrainResult result(int exit_status) const {
+    if (exit_status == 0 && result_) return *result_;
+    return failure(last_error_.empty() ? "Training ended with " + describeExit(exit_status) + "."
+                                       : last_error_);
+  }
+
+ private:
+  std::string model_;
+  const TrainJob::FeedbackCallback& on_feedback_;
+  std::optional<TrainResult> result_;
+  std::string last_error_;
+};
+
+}  // namespace
+
+TrainJob::TrainJob(const TrainGoal& goal, const std::vector<std::string>& bag_roots)
+    : goal_(goal), bag_roots_(bag_roots) {}
+
+TrainResult TrainJob::run(const FeedbackCallback& on_feedback) {
+  try {
+    return train(on_feedback);
+  } catch (const std::exception& e) {
+    return failure(e.what());
+  }
+}
+
+TrainResult TrainJob::train(const FeedbackCallback& on_feedback) {
+  const TemporaryYaml yaml(goal_.yaml);
+  ChildProcess tool(trainCommand(goal_, bag_roots_, yaml.path()), ChildProcess::Stderr::kPipe);
+  ToolOutput output(goal_.model, on_feedback);
+  const auto on_output = [&output](const std::string& line) { output.onOutput(line); };
+  const auto on_error = [&output](const std::string& line) { output.onError(line); };
+  std::optional<Clock::time_point> deadline;
+  while (tool.readLines(kPoll, on_output, on_error)) {
+    if (cancelled_ && !deadline) {
+      tool.interrupt();
+      deadline = Clock::now() + kPatience;
+    }
+    if (deadline && Clock::now() > *deadline) tool.kill();
+  }
+  const int exit_status = tool.wait();
+  if (cancelled_ && exit_status != 0) return failure("Cancelled; no model was written.");
+  return output.result(exit_status);
+}
+
+}  // namespace place_recognition

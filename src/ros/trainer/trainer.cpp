@@ -1,0 +1,161 @@
+#include "ros/trainer/trainer.h"
+
+#include <place_recognition/LoadModel.h>
+
+#include <filesystem>
+
+#include "base/confined_path.h"
+#include "base/user_path.h"
+#include "ros/nodes/message_fields.h"
+#include "ros/nodes/node_names.h"
+#include "ros/nodes/parameters.h"
+
+namespace place_recognition {
+namespace {
+
+/// How long a recognizer may take to appear, s.
+constexpr double kServiceTimeout = 2;
+
+constexpr const char* kBusy = "Another training is running; wait for it or cancel it.";
+
+std::vector<std::string> bagRoots(const ros::NodeHandle& private_node) {
+  Parameters parameters(private_node);
+  std::vector<std::string> roots = parameters.texts("bag_roots");
+  parameters.warnOfDoubts();
+  for (std::string& root : roots) {
+    root = userPath(root);
+    if (!std::filesystem::is_directory(root)) {
+      ROS_WARN("There is no folder %s, which ~bag_roots lists.", root.c_str());
+    }
+  }
+  return roots.empty() ? defaultBagRoots() : roots;
+}
+
+/// Whether there is such a service now or soon, by wall time: simulated time may stand still.
+bool appears(const std::string& service) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kServiceTimeout);
+  while (!ros::service::exists(service, false)) {
+    if (ros::WallTime::now() > end) return false;
+    ros::WallDuration(0.05).sleep();
+  }
+  return true;
+}
+
+void log(const TrainResult& result) {
+  if (result.success) {
+    ROS_INFO("%s", result.message.c_str());
+  } else {
+    ROS_ERROR("Training failed: %s", result.message.c_str());
+  }
+}
+
+void logFeedback(const TrainFeedback& feedback) {
+  ROS_INFO_THROTTLE(5, "%s", feedback.message.c_str());
+}
+
+}  // namespace
+
+Trainer::Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : node_(node),
+      bag_roots_(bagRoots(private_node)),
+      action_server_(
+          private_node, names::kTrain, [this](GoalHandle handle) { onGoal(handle); },
+          [this](GoalHandle handle) { onCancel(handle); }, false) {
+  retrain_server_ =
+      ros::NodeHandle(private_node).advertiseService(names::kRetrain, &Trainer::onRetrain, this);
+  action_server_.start();
+}
+
+Trainer::~Trainer() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (job_) job_->cancel();
+  }
+  if (worker_.joinable()) worker_.join();
+}
+
+std::shared_ptr<TrainJob> Trainer::begin(const TrainGoal& goal) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (job_) return nullptr;
+  if (worker_.joinable()) worker_.join();  // has nothing left to do
+  job_ = std::make_shared<TrainJob>(goal, bag_roots_);
+  return job_;
+}
+
+void Trainer::end() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  job_.reset();
+  goal_ = GoalHandle();
+}
+
+void Trainer::onGoal(GoalHandle handle) {
+  const std::shared_ptr<TrainJob> job = begin(*handle.getGoal());
+  if (!job) {
+    TrainResult result;
+    result.message = kBusy;
+    handle.setRejected(result, kBusy);
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  goal_ = handle;
+  handle.setAccepted();
+  worker_ = std::thread([this, handle, job] { work(handle, job); });
+}
+
+void Trainer::onCancel(GoalHandle handle) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (job_ && goal_ == handle) job_->cancel();
+}
+
+void Trainer::work(GoalHandle handle, const std::shared_ptr<TrainJob>& job) {
+  TrainResult result = job->run([&handle](const TrainFeedback& feedback) {
+    logFeedback(feedback);
+    handle.publishFeedback(feedback);
+  });
+  if (result.success) reloadRecognizers(*handle.getGoal(), result);
+  log(result);
+  end();
+  if (result.success) {
+    handle.setSucceeded(result, result.message);
+  } else if (job->cancelled()) {
+    handle.setCanceled(result, result.message);
+  } else {
+    handle.setAborted(result, result.message);
+  }
+}
+
+bool Trainer::onRetrain(Retrain::Request& request, Retrain::Response& response) {
+  const auto goal = sameFields<TrainGoal>(request);  // Retrain.srv is made of Train.action
+  const std::shared_ptr<TrainJob> job = begin(goal);
+  if (!job) {
+    response.message = kBusy;
+    return true;
+  }
+  TrainResult result = job->run(logFeedback);
+  if (result.success) reloadRecognizers(goal, result);
+  log(result);
+  end();
+  response = sameFields<Retrain::Response>(result);
+  return true;
+}
+
+void Trainer::reloadRecognizers(const TrainGoal& goal, TrainResult& result) {
+  for (const std::string& recognizer : goal.recognizers) {
+    const std::string problem = reload(recognizer, goal.model);
+    result.message +=
+        " " + recognizer + (problem.empty() ? " has loaded it." : " has not loaded it: " + problem);
+  }
+}
+
+std::string Trainer::reload(const std::string& recognizer, const std::string& model) {
+  ros::ServiceClient client = node_.serviceClient<LoadModel>(recognizer + "/" + names::kLoadModel);
+  LoadModel call;
+  call.request.name = model;
+  if (!appears(client.getService())) {
+    return "there is no service " + client.getService() + ".";
+  }
+  if (!client.call(call)) return client.getService() + " does not answer.";
+  return call.response.success ? "" : call.response.message;
+}
+
+}  // namespace place_recognition

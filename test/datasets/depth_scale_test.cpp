@@ -1,0 +1,99 @@
+// Images of 16 bits in 8: every level that the camera tells is kept as far as 8 bits go.
+
+#include "datasets/depth_scale.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <string>
+
+#include "datasets/picture_sequence.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+namespace {
+
+/// Values from `low` to `high` in equal parts.
+cv::Mat ramp(int low, int high, int channels = 1) {
+  cv::Mat image(64, 64, CV_16UC(channels));
+  const int count = image.rows * image.cols * channels;
+  for (int i = 0; i < count; ++i) {
+    image.ptr<std::uint16_t>()[i] =
+        static_cast<std::uint16_t>(low + static_cast<std::int64_t>(high - low) * i / (count - 1));
+  }
+  return image;
+}
+
+std::size_t levelsOf(const cv::Mat& image) {
+  return std::set<int>(image.begin<std::uint8_t>(), image.end<std::uint8_t>()).size();
+}
+
+TEST(DepthScale, KeepsTheLevelsOfEveryCamera) {
+  for (const int bits : {8, 10, 12, 14, 16}) {
+    DepthScale scale;
+    const cv::Mat image = ramp(0, (1 << bits) - 1);
+    const cv::Mat scaled = scale.toEightBits(image);
+    ASSERT_EQ(scaled.type(), CV_8UC1);
+    EXPECT_EQ(levelsOf(scaled), 256u) << bits;
+    // Value v of n bits is level v * 2^(8 - n).
+    for (int i = 0; i < 4096; i += 97) {
+      EXPECT_EQ(scaled.data[i], image.ptr<std::uint16_t>()[i] >> (bits - 8)) << bits;
+    }
+  }
+}
+
+TEST(DepthScale, IsTheSameForADarkSceneOfTheSameCamera) {
+  DepthScale bright, dark;
+  bright.see(ramp(10, 1000));
+  dark.see(ramp(0, 600));
+  EXPECT_EQ(bright.text(), dark.text());
+  EXPECT_EQ(bright.text(), "0 .. 1023 of 16 bits");
+}
+
+TEST(DepthScale, ShowsAThermalCameraThatIsFarFromZero) {
+  DepthScale scale;
+  const cv::Mat scaled = scale.toEightBits(ramp(7000, 9000));
+  EXPECT_GT(levelsOf(scaled), 64u);
+  // What is somewhat colder or warmer is still told apart.
+  EXPECT_GT(scale.toEightBits(cv::Mat(4, 4, CV_16UC1, cv::Scalar(6800))).at<std::uint8_t>(0, 0), 0);
+}
+
+TEST(DepthScale, WidensWithWhatComesAndIgnoresAFewBrightPixels) {
+  DepthScale scale;
+  cv::Mat image = ramp(0, 900);
+  image.at<std::uint16_t>(3, 3) = 65535;
+  scale.see(image);
+  EXPECT_EQ(scale.text(), "0 .. 1023 of 16 bits");
+  scale.see(ramp(0, 4000));
+  EXPECT_EQ(scale.text(), "0 .. 4095 of 16 bits");
+  scale.see(ramp(0, 100));
+  EXPECT_EQ(scale.text(), "0 .. 4095 of 16 bits");
+}
+
+TEST(DepthScale, LeavesEightBitsAloneAndTakesColour) {
+  DepthScale scale;
+  const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(1, 2, 3));
+  EXPECT_EQ(scale.toEightBits(image).data, image.data);
+  EXPECT_FALSE(scale.hasSeen());
+  EXPECT_EQ(scale.toEightBits(ramp(0, 4095, 3)).type(), CV_8UC3);
+  EXPECT_EQ(scale.toEightBits(cv::Mat(1, 1, CV_16UC1, cv::Scalar(7))).type(), CV_8UC1);
+}
+
+TEST(PictureSequence, ShowsAllPicturesAlike) {
+  const ScratchFolder scratch;
+  std::vector<std::string> paths;
+  for (const int high : {100, 300, 1000}) {
+    paths.push_back(scratch / (std::to_string(high) + ".png"));
+    ASSERT_TRUE(cv::imwrite(paths.back(), ramp(0, high)));
+  }
+  PictureSequence pictures(paths);
+  double largest = 0;
+  cv::minMaxLoc(pictures.read(0).image, nullptr, &largest);
+  EXPECT_EQ(largest, 100 / 4);
+  EXPECT_NE(pictures.note().find("0 .. 1023"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace place_recognition

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+
+#include "datasets/image_file.h"
+#include "place_recognition/error.h"
+#include "place_recognition/run.h"
+#include "recognition/drawn_run.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+void writePicture(const std::string& path) {
+  fs::create_directories(fs::path(path).parent_path());
+  cv::imwrite(path, drawRoom(0, 0));
+}
+
+std::vector<Frame> framesOf(const std::string& folder) {
+  std::vector<Frame> frames;
+  const std::unique_ptr<Run> run = openFolderRun(folder);
+  for (Frame frame; run->next(frame);) frames.push_back(frame);
+  EXPECT_EQ(run->fraction(), 1);
+  return frames;
+}
+
+std::string complaint(const std::string& folder) {
+  try {
+    openFolderRun(folder);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(FolderRun, ReadsRoomsInNaturalOrder) {
+  const ScratchFolder folder;
+  for (const char* name : {"kitchen/a10.png", "kitchen/a9.JPG", "kitchen/a09b.jpeg",
+                           "Elin's office/1.png", "kitchen/.hidden.png", "kitchen/notes.txt"}) {
+    writePicture(folder / "picture.png");
+    fs::create_directories(fs::path(folder / name).parent_path());
+    fs::copy_file(folder / "picture.png", folder / name);
+  }
+  fs::remove(folder / "picture.png");
+  const std::vector<Frame> frames = framesOf(folder / "");
+  ASSERT_EQ(frames.size(), 4u);
+  EXPECT_EQ(frames[0].place, "Elin's office");
+  EXPECT_EQ(fs::path(frames[1].name).filename(), "a9.JPG");
+  EXPECT_EQ(fs::path(frames[2].name).filename(), "a09b.jpeg");
+  EXPECT_EQ(fs::path(frames[3].name).filename(), "a10.png");
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].stamp, static_cast<double>(i));
+    EXPECT_EQ(frames[i].image.size(), cv::Size(96, 72));
+    EXPECT_EQ(frames[i].problem, "");
+  }
+}
+
+TEST(FolderRun, LeavesPicturesOutsideRoomsUnlabelled) {
+  const ScratchFolder folder;
+  writePicture(folder / "1.png");
+  const std::vector<Frame> frames = framesOf(folder / "");
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_EQ(frames[0].place, "");
+}
+
+TEST(FolderRun, GoesOnBehindADamagedPicture) {
+  const ScratchFolder folder;
+  writePicture(folder / "kitchen/2.png");
+  folder.write("kitchen/1.png", "no picture");
+  const std::vector<Frame> frames = framesOf(folder / "");
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_TRUE(frames[0].image.empty());
+  EXPECT_EQ(frames[0].problem, "it is no picture of a format that can be read");
+  EXPECT_FALSE(frames[1].image.empty());
+  EXPECT_EQ(frames[1].problem, "");
+}
+
+TEST(FolderRun, SaysWhatIsMissing) {
+  const ScratchFolder folder;
+  EXPECT_NE(complaint(folder / "nowhere").find("Cannot read"), std::string::npos);
+  EXPECT_NE(complaint(folder / "").find("holds no pictures"), std::string::npos);
+  writePicture(folder / "kitchen/monday/1.png");  // a room may have sub-folders
+  EXPECT_EQ(complaint(folder / ""), "");
+}
+
+std::vector<std::uint8_t> encoded(const char* extension) {
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(extension, drawRoom(1, 1), bytes);
+  return bytes;
+}
+
+std::string problemOf(const std::vector<std::uint8_t>& bytes) {
+  const DecodedImage decoded = decodeImage(bytes.data(), bytes.size());
+  EXPECT_EQ(decoded.image.empty(), !decoded.problem.empty());
+  return decoded.problem;
+}
+
+TEST(DecodeImage, TakesWhatCamerasSendOnly) {
+  EXPECT_EQ(problemOf(encoded(".png")), "");
+  EXPECT_EQ(problemOf(encoded(".jpg")), "");
+  EXPECT_EQ(problemOf(encoded(".webp")), "");
+  EXPECT_EQ(problemOf(encoded(".bmp")), "it is no PNG, JPEG or WebP picture");
+  EXPECT_EQ(problemOf({}), "it is empty");
+}
+
+TEST(DecodeImage, RefusesBombsUndecoded) {
+  std::vector<std::uint8_t> png = encoded(".png");
+  for (std::size_t i = 16; i < 24; ++i) png[i] = 0x7f;  // width and height in IHDR
+  EXPECT_NE(problemOf(png).find("64 million"), std::string::npos);
+
+  std::vector<std::uint8_t> jpeg = encoded(".jpg");
+  for (std::size_t i = 0; i + 9 < jpeg.size(); ++i) {
+    const bool start_of_frame = jpeg[i] == 0xff && jpeg[i + 1] == 0xc0;
+    if (!start_of_frame) continue;
+    for (std::size_t k = 5; k < 9; ++k) jpeg[i + k] = 0xff;
+    break;
+  }
+  EXPECT_NE(problemOf(jpeg).find("65535 x 65535"), std::string::npos);
+}
+
+TEST(DecodeImage, SurvivesEveryCut) {
+  for (const char* extension : {".png", ".jpg"}) {
+    const std::vector<std::uint8_t> whole = encoded(extension);
+    for (std::size_t length = 0; length < whole.size(); length += 7) {
+      decodeImage(whole.data(), length);
+    }
+    EXPECT_NE(problemOf({whole.begin(), whole.begin() + 30}), "");
+  }
+}
+
+}  // namespace
+}  // namespace place_recognition

@@ -1,0 +1,60 @@
+// Keys and buttons that say places.
+
+#include "labels/label_keys.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "place_recognition/error.h"
+
+namespace place_recognition {
+namespace {
+
+const std::vector<std::string> kPlaces = {"kitchen", "corridor"};
+
+TEST(LabelKeys, DigitsSayPlacesInTheirOrder) {
+  const LabelKeys keys(kPlaces, {}, -1);
+  EXPECT_EQ(keys.placeOfKey('1'), "kitchen");
+  EXPECT_EQ(keys.placeOfKey('2'), "corridor");
+  EXPECT_EQ(keys.placeOfKey('0'), "");
+  EXPECT_EQ(keys.placeOfKey('3'), std::nullopt);
+  EXPECT_EQ(keys.placeOfKey('q'), std::nullopt);
+  EXPECT_EQ(keys.placeOfKey('\n'), std::nullopt);
+  EXPECT_EQ(keys.help(), "1 kitchen, 2 corridor, 0 no place");
+}
+
+TEST(LabelKeys, LettersFollowTheDigits) {
+  std::vector<std::string> many;
+  for (int i = 0; i < 34; ++i) many.push_back("room" + std::to_string(i));
+  const LabelKeys keys(many, {}, -1);
+  EXPECT_EQ(keys.placeOfKey('9'), "room8");
+  EXPECT_EQ(keys.placeOfKey('a'), "room9");
+  EXPECT_EQ(keys.placeOfKey('z'), "room33");
+  many.push_back("one more");
+  EXPECT_THROW(LabelKeys(many, {}, -1), Error);
+}
+
+TEST(LabelKeys, AButtonSpeaksOnceWhenItIsPressed) {
+  LabelKeys keys(kPlaces, {}, 4);
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 0}), std::nullopt);
+  EXPECT_EQ(keys.placeOfButtons({0, 1, 0, 0, 0}), "corridor");
+  EXPECT_EQ(keys.placeOfButtons({0, 1, 0, 0, 0}), std::nullopt);  // still down
+  EXPECT_EQ(keys.placeOfButtons({1, 1, 0, 0, 0}), "kitchen");
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 1}), "");
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 1, 0}), std::nullopt);  // of no place
+  EXPECT_EQ(keys.placeOfButtons({}), std::nullopt);
+}
+
+TEST(LabelKeys, ButtonsCanBeChosen) {
+  LabelKeys keys(kPlaces, {5, 3}, -1);
+  EXPECT_EQ(keys.placeOfButtons({1, 0, 0, 0, 0, 0}), std::nullopt);
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 0, 1}), "kitchen");
+  EXPECT_THROW(LabelKeys(kPlaces, {1}, -1), Error);
+  EXPECT_THROW(LabelKeys({"unknown"}, {}, -1), Error);
+}
+
+}  // namespace
+}  // namespace place_recognition

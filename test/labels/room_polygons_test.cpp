@@ -1,0 +1,95 @@
+// Rooms on a map: which room a point is in, and what is refused in a file of them.
+
+#include "labels/room_polygons.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "place_recognition/error.h"
+#include "scratch_folder.h"
+
+namespace place_recognition {
+namespace {
+
+std::string errorOf(const std::string& yaml) {
+  const ScratchFolder scratch;
+  try {
+    readRoomPolygons(scratch.write("rooms.yaml", yaml));
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+RoomPolygons roomsOf(const std::string& yaml) {
+  const ScratchFolder scratch;
+  return readRoomPolygons(scratch.write("rooms.yaml", yaml));
+}
+
+/// Two rooms side by side, a wall (or doorway) at x = 4.
+const char* const kTwoRooms =
+    "places:\n"
+    "  - name: kitchen\n"
+    "    position: [[0, 0], [4, 0], [4, 3], [0, 3]]\n"
+    "  - name: corridor\n"
+    "    position: [[4, 3], [4, 0], [8, 0], [8, 3]]\n";
+
+TEST(RoomPolygons, NameTheRoomAroundAPoint) {
+  const RoomPolygons rooms = roomsOf(kTwoRooms);
+  EXPECT_EQ(rooms.at({2, 1.5}, 0.3), "kitchen");
+  EXPECT_EQ(rooms.at({6, 1.5}, 0.3), "corridor");
+  EXPECT_EQ(rooms.at({9, 1.5}, 0.3), "");
+  EXPECT_EQ(rooms.at({2, -1}, 0), "");
+}
+
+TEST(RoomPolygons, SayNothingNearABorder) {
+  const RoomPolygons rooms = roomsOf(kTwoRooms);
+  EXPECT_EQ(rooms.at({3.71, 1.5}, 0.3), "");
+  EXPECT_EQ(rooms.at({3.69, 1.5}, 0.3), "kitchen");
+  EXPECT_EQ(rooms.at({4.29, 1.5}, 0.3), "");
+  EXPECT_EQ(rooms.at({4.31, 1.5}, 0.3), "corridor");
+  EXPECT_EQ(rooms.at({3.99, 1.5}, 0), "kitchen");
+}
+
+TEST(RoomPolygons, MayBeOfAnyShape) {
+  // An L: the notch at the upper right is outside.
+  const RoomPolygons rooms({{"hall", {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}}});
+  EXPECT_EQ(rooms.at({5, 1}, 0.5), "hall");
+  EXPECT_EQ(rooms.at({1, 5}, 0.5), "hall");
+  EXPECT_EQ(rooms.at({4, 4}, 0), "");
+  // Of the inner corner, the distance is that to the corner itself.
+  EXPECT_EQ(rooms.at({1.6, 1.6}, 0.4 * std::sqrt(2.0) - 1e-9), "hall");
+  EXPECT_EQ(rooms.at({1.6, 1.6}, 0.4 * std::sqrt(2.0) + 1e-9), "");
+}
+
+TEST(RoomPolygons, ThatOverlapSayNothingUnlessTheyAreOneRoom) {
+  const std::vector<Eigen::Vector2d> left = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const std::vector<Eigen::Vector2d> right = {{2, 0}, {6, 0}, {6, 4}, {2, 4}};
+  EXPECT_EQ(RoomPolygons({{"a", left}, {"b", right}}).at({3, 2}, 0), "");
+  EXPECT_EQ(RoomPolygons({{"a", left}, {"b", right}}).at({1, 2}, 0), "a");
+  EXPECT_EQ(RoomPolygons({{"a", left}, {"a", right}}).at({3, 2}, 0), "a");
+}
+
+TEST(RoomPolygons, SayNothingOfAPointThatIsNone) {
+  EXPECT_EQ(roomsOf(kTwoRooms).at({std::nan(""), 1}, 0.3), "");
+  EXPECT_EQ(roomsOf(kTwoRooms).at({1, std::nan("")}, 0.3), "");
+}
+
+TEST(RoomPolygons, OfABadFileSayWhatIsWrong) {
+  const auto expectError = [](const std::string& yaml, const std::string& reason) {
+    EXPECT_NE(errorOf(yaml).find(reason), std::string::npos) << errorOf(yaml);
+  };
+  expectError("places: []", "names no room");
+  expectError("rooms: []", "places");
+  expectError("places: [{name: a, position: [[0, 0], [1, 0]]}]", "places[0]: a room has three");
+  expectError("places: [{name: a, position: [[0, 0], [1, 0], [1]]}]", "[x, y]");
+  expectError("places: [{name: a, position: [[0, 0], [1, 0], [1, .nan]]}]", "finite");
+  expectError("places: [{name: '', position: [[0, 0], [1, 0], [1, 1]]}]", "no place name");
+  expectError("places: [{name: unknown, position: [[0, 0], [1, 0], [1, 1]]}]", "unknown");
+  EXPECT_THROW(readRoomPolygons("/no/such/rooms.yaml"), Error);
+}
+
+}  // namespace
+}  // namespace place_recognition
