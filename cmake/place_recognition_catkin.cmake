@@ -10,8 +10,8 @@ endforeach()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 
 find_package(catkin REQUIRED COMPONENTS
-  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure geometry_msgs
-  image_transport message_generation nav_msgs nodelet pluginlib rosbag_storage roscpp sensor_msgs
+  actionlib actionlib_msgs cv_bridge diagnostic_msgs diagnostic_updater dynamic_reconfigure
+  geometry_msgs image_transport message_generation nav_msgs nodelet pluginlib rosbag_storage roscpp sensor_msgs
   std_msgs std_srvs tf2_ros visualization_msgs)
 
 include(place_recognition_rosrun)
@@ -23,17 +23,17 @@ add_action_files(FILES Train.action)
 generate_messages(DEPENDENCIES actionlib_msgs sensor_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/PlaceRecognizer.cfg)
 
-# Include paths are set target by target, not by include_directories().
+# Include paths are set target by target, not by include_directories(). Other packages depend on the
+# library and on the messages, not on what the nodes use.
 #catkin_lint: ignore unused_include_path
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES place_recognition_base place_recognition_labels place_recognition_report
     place_recognition_datasets place_recognition_features place_recognition_learning
-    place_recognition_recognition
-  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater dynamic_reconfigure
-    geometry_msgs image_transport message_runtime nav_msgs nodelet pluginlib rosbag_storage roscpp
-    sensor_msgs std_msgs std_srvs tf2_ros visualization_msgs
-  DEPENDS EIGEN3 OpenCV)
+    place_recognition_recognition place_recognition_tuning
+  CATKIN_DEPENDS actionlib_msgs message_runtime sensor_msgs std_msgs
+  DEPENDS EIGEN3 OpenCV
+  CFG_EXTRAS place_recognition-extras.cmake)
 
 # What the targets of src/ros share; the library below it neither includes nor links ROS.
 add_library(place_recognition_catkin INTERFACE)

@@ -8,10 +8,6 @@ import unittest
 
 import cv2
 import numpy as np
-import rosbag
-import rospy
-from sensor_msgs.msg import CompressedImage
-from std_msgs.msg import String
 
 PLACE_TOOL = os.environ["PLACE_TOOL"]
 SOURCE = pathlib.Path(os.environ["PLACE_RECOGNITION_SOURCE_DIR"])
@@ -117,6 +113,10 @@ class ToolCase(unittest.TestCase):
 
     def write_bag(self, name, frames):
         """A bag of JPEG images; `frames`: (room or None, label or None) one a second."""
+        import rosbag
+        import rospy
+        from sensor_msgs.msg import CompressedImage
+        from std_msgs.msg import String
         path = self.folder / name
         with rosbag.Bag(str(path), "w") as bag:
             for i, (room, label) in enumerate(frames):

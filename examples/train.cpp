@@ -1,0 +1,37 @@
+// Learns the rooms of a folder of room/picture files:
+//   train FOLDER MODEL.places [--tune]
+// --tune first finds the features that suit these rooms, which takes minutes.
+
+#include <place_recognition/error.h>
+#include <place_recognition/model_file.h>
+#include <place_recognition/training.h>
+#include <place_recognition/tuning.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace pr = place_recognition;
+
+int main(int argc, char** argv) try {
+  if (argc < 3) {
+    std::cerr << "usage: train FOLDER MODEL.places [--tune]\n";
+    return 2;
+  }
+  const std::string folder = argv[1];
+  const std::vector<pr::RunOpener> runs = {[&] { return pr::openFolderRun(folder); }};
+
+  pr::TrainingOptions options;
+  if (argc > 3 && argv[3] == std::string("--tune")) {
+    pr::SearchSpace space;
+    options = pr::tune(runs, {}, options, space).options;
+  }
+  const pr::Training training = pr::train(runs, options);
+  pr::saveModel(training.model, argv[2]);
+  std::cout << training.model.places.size() << " rooms from " << training.images << " pictures, "
+            << 100 * training.model.validation.average_rate << " % right on held-out ones\n";
+  return 0;
+} catch (const pr::Error& e) {
+  std::cerr << "train: " << e.what() << "\n";
+  return 1;
+}

@@ -1,0 +1,30 @@
+// What stands for bag_run.cpp and labelled_bag_writer.cpp in a build without ROS.
+#include "place_recognition/error.h"
+#include "ros/bags/bag_run.h"
+#include "ros/bags/labelled_bag_writer.h"
+
+namespace place_recognition {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path) {
+  throw Error(path +
+              " is a bag, and this program was built without ROS; build it with "
+              "-DPLACE_RECOGNITION_ROS=ON, or take folders of room/picture files.");
+}
+
+}  // namespace
+
+std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions&) { refuse(path); }
+
+BagInfo bagInfo(const std::string& path, const BagRunOptions&) { refuse(path); }
+
+struct LabelledBagWriter::Bag {};
+
+LabelledBagWriter::LabelledBagWriter(const std::string& path, const LabelledBagOptions&) {
+  refuse(path);
+}
+LabelledBagWriter::~LabelledBagWriter() = default;
+void LabelledBagWriter::write(const cv::Mat&, const std::string&, double) {}
+void LabelledBagWriter::close() {}
+
+}  // namespace place_recognition
