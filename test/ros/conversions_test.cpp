@@ -2,6 +2,7 @@
 
 #include "ros/messages/conversions.h"
 
+#include <cv_bridge/cv_bridge.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -181,6 +182,26 @@ TEST(Conversions, OnePixelIsAnImage) {
   EXPECT_EQ(toImage(bayer).size(), cv::Size(1, 1));
 }
 
+/// Why there is code beside cv_bridge's. If one is skipped, that code can go.
+TEST(CvBridge, DoesNotReadBigEndianPixels) {
+  sensor_msgs::Image message = imageMessage("mono16", 1, 1, {40, 200});
+  message.is_bigendian = true;
+  ASSERT_EQ(toImage(message).type(), CV_16UC1);
+  const cv::Mat theirs = cv_bridge::toCvCopy(message)->image;
+  if (theirs.type() == CV_16UC1) GTEST_SKIP() << "this release of cv_bridge does";
+  EXPECT_EQ(theirs.channels(), 2);
+}
+
+TEST(CvBridge, DoesNotKnowYuy2) {
+  const sensor_msgs::Image message = imageMessage("yuv422_yuy2", 2, 1, {90, 110, 150, 140});
+  ASSERT_EQ(toImage(message).type(), CV_8UC3);
+  try {
+    cv_bridge::toCvCopy(message, "bgr8");
+    GTEST_SKIP() << "this release of cv_bridge does";
+  } catch (const std::runtime_error&) {
+  }
+}
+
 TEST(Conversions, SizesThatWrapIn32BitsAreRefused) {
   sensor_msgs::Image message = imageMessage("mono8", 65536, 1, std::vector<std::uint8_t>(65536));
   message.height = 65537;  // 65536 * 65537 = 2^32 + 65536
@@ -189,7 +210,7 @@ TEST(Conversions, SizesThatWrapIn32BitsAreRefused) {
   message.width = 8192;
   message.height = 8192;
   message.step = 1u << 19;  // times 8192 is 2^32
-  EXPECT_NE(errorOf(message).find("need 4294451200"), std::string::npos) << errorOf(message);
+  EXPECT_NE(errorOf(message).find("need 4294967296"), std::string::npos) << errorOf(message);
 
   message = imageMessage("bgr8", 1, 1, {1, 2, 3});
   message.width = 0x55555556;  // times 3 is 2^32 + 2
@@ -246,7 +267,8 @@ TEST(Conversions, NoMessageCrashes) {
     message.height = sizes[random() % sizes.size()];
     message.step = random() % 2 ? sizes[random() % sizes.size()] : 8 * message.width;
     message.is_bigendian = static_cast<std::uint8_t>(random());
-    message.data.resize(random() % 100);
+    const std::uint64_t whole = std::uint64_t{message.step} * message.height;
+    message.data.resize(whole < 1000 && random() % 2 ? whole : random() % 100);
     try {
       const cv::Mat image = toImage(message);
       ++images;

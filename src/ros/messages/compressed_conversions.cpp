@@ -1,4 +1,7 @@
-#include <opencv2/imgproc.hpp>
+#include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
+#include <boost/make_shared.hpp>
+
 #include <string>
 
 #include "datasets/image_file.h"
@@ -8,27 +11,34 @@
 namespace place_recognition {
 namespace {
 
+namespace encodings = sensor_msgs::image_encodings;
+
 bool startsWith(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
-/// What makes BGR of a picture as it was decoded, of cv::cvtColor, or -1 for none; the rules of
-/// compressed_image_transport's subscriber.
-int conversionOf(const std::string& format, int channels) {
+/// The encoding of the pixels as they were decoded, if that is neither BGR nor grey; else empty.
+/// The rules are those of compressed_image_transport's subscriber.
+std::string encodingOf(const std::string& format, const cv::Mat& image) {
   const std::size_t end = format.find(';');
-  if (end == std::string::npos) return -1;
-  const std::string encoding = format.substr(0, end);
-  if (channels == 1) {
-    // OpenCV names a Bayer pattern by its second row, ROS by its first.
-    if (startsWith(encoding, "bayer_rggb")) return cv::COLOR_BayerBG2BGR;
-    if (startsWith(encoding, "bayer_bggr")) return cv::COLOR_BayerRG2BGR;
-    if (startsWith(encoding, "bayer_gbrg")) return cv::COLOR_BayerGR2BGR;
-    if (startsWith(encoding, "bayer_grbg")) return cv::COLOR_BayerGB2BGR;
-    return -1;
+  if (end == std::string::npos) return "";
+  const std::string bits = image.depth() == CV_16U ? "16" : "8";
+  if (image.channels() == 1) {
+    for (const char* pattern : {"bayer_rggb", "bayer_bggr", "bayer_gbrg", "bayer_grbg"}) {
+      if (startsWith(format, pattern)) return pattern + bits;
+    }
+    return "";
   }
-  const bool has_colour = startsWith(encoding, "rgb") || startsWith(encoding, "bgr");
+  const bool has_colour = startsWith(format, "rgb") || startsWith(format, "bgr");
   const bool stored_as_bgr = format.find("compressed bgr", end) != std::string::npos;
-  return has_colour && !stored_as_bgr ? cv::COLOR_RGB2BGR : -1;
+  return has_colour && !stored_as_bgr ? "rgb" + bits : "";
+}
+
+cv::Mat toBgr(const cv::Mat& image, const std::string& encoding) {
+  const auto source =
+      boost::make_shared<const cv_bridge::CvImage>(std_msgs::Header(), encoding, image);
+  const bool is_deep = image.depth() == CV_16U;
+  return cv_bridge::cvtColor(source, is_deep ? encodings::BGR16 : encodings::BGR8)->image;
 }
 
 }  // namespace
@@ -38,11 +48,8 @@ cv::Mat toImage(const sensor_msgs::CompressedImage& message) {
   if (decoded.image.empty()) throw Error("The compressed image: " + decoded.problem + ".");
   checkImageSize(static_cast<std::uint64_t>(decoded.image.cols),
                  static_cast<std::uint64_t>(decoded.image.rows));
-  const int conversion = conversionOf(message.format, decoded.image.channels());
-  if (conversion < 0) return decoded.image;
-  cv::Mat converted;
-  cv::cvtColor(decoded.image, converted, conversion);
-  return converted;
+  const std::string encoding = encodingOf(message.format, decoded.image);
+  return encoding.empty() ? decoded.image : toBgr(decoded.image, encoding);
 }
 
 }  // namespace place_recognition

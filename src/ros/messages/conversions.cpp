@@ -1,110 +1,100 @@
 #include "ros/messages/conversions.h"
 
-#include <algorithm>
-#include <array>
+#include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
+
 #include <opencv2/imgproc.hpp>
 #include <string>
-#include <string_view>
+#include <utility>
 
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
 
-constexpr int kAsIs = -1;
+namespace encodings = sensor_msgs::image_encodings;
 
-/// How the pixels of an encoding lie in memory, and what makes BGR or grey of them.
-struct Encoding {
-  std::string_view name;
-  int channels;
-  int bytes;       ///< a channel
-  int conversion;  ///< of cv::cvtColor, or kAsIs
+/// YUYV, which UVC cameras send. cv_bridge and sensor_msgs know it in some releases only.
+const char* const kYuy2 = "yuv422_yuy2";
+
+bool isGrey(const std::string& encoding) {
+  return encodings::isMono(encoding) || encoding == encodings::TYPE_8UC1 ||
+         encoding == encodings::TYPE_16UC1;
+}
+
+bool isColor(const std::string& encoding) {
+  return encodings::isColor(encoding) || encodings::isBayer(encoding) ||
+         encoding == encodings::TYPE_8UC3 || encoding == encodings::YUV422;
+}
+
+/// How the pixels of an encoding lie in memory.
+struct PixelLayout {
+  std::uint64_t channels;
+  std::uint64_t bytes;  ///< per channel
 };
 
-// OpenCV names a Bayer pattern by its second row, ROS by its first.
-constexpr std::array<Encoding, 23> kEncodings{{
-    {"bgr8", 3, 1, kAsIs},
-    {"8UC3", 3, 1, kAsIs},
-    {"mono8", 1, 1, kAsIs},
-    {"8UC1", 1, 1, kAsIs},
-    {"rgb8", 3, 1, cv::COLOR_RGB2BGR},
-    {"bgra8", 4, 1, cv::COLOR_BGRA2BGR},
-    {"rgba8", 4, 1, cv::COLOR_RGBA2BGR},
-    {"mono16", 1, 2, kAsIs},
-    {"16UC1", 1, 2, kAsIs},
-    {"bgr16", 3, 2, kAsIs},
-    {"rgb16", 3, 2, cv::COLOR_RGB2BGR},
-    {"bgra16", 4, 2, cv::COLOR_BGRA2BGR},
-    {"rgba16", 4, 2, cv::COLOR_RGBA2BGR},
-    {"bayer_rggb8", 1, 1, cv::COLOR_BayerBG2BGR},
-    {"bayer_bggr8", 1, 1, cv::COLOR_BayerRG2BGR},
-    {"bayer_gbrg8", 1, 1, cv::COLOR_BayerGR2BGR},
-    {"bayer_grbg8", 1, 1, cv::COLOR_BayerGB2BGR},
-    {"bayer_rggb16", 1, 2, cv::COLOR_BayerBG2BGR},
-    {"bayer_bggr16", 1, 2, cv::COLOR_BayerRG2BGR},
-    {"bayer_gbrg16", 1, 2, cv::COLOR_BayerGR2BGR},
-    {"bayer_grbg16", 1, 2, cv::COLOR_BayerGB2BGR},
-    {"yuv422", 2, 1, cv::COLOR_YUV2BGR_UYVY},
-    {"yuv422_yuy2", 2, 1, cv::COLOR_YUV2BGR_YUY2},
-}};
-
-const Encoding& findEncoding(const std::string& name) {
-  const auto found = std::find_if(kEncodings.begin(), kEncodings.end(),
-                                  [&name](const Encoding& e) { return e.name == name; });
-  if (found != kEncodings.end()) return *found;
-  std::string known;
-  for (const Encoding& encoding : kEncodings)
-    known += (known.empty() ? "" : ", ") + std::string(encoding.name);
-  throw Error("Images of encoding '" + name.substr(0, 40) + "' cannot be used; known are " + known +
-              ".");
+PixelLayout layoutOf(const std::string& encoding) {
+  if (encoding == kYuy2) return {2, 1};
+  if (!isGrey(encoding) && !isColor(encoding)) {
+    throw Error("Images of encoding '" + encoding.substr(0, 40) +
+                "' cannot be used; known are rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, "
+                "yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1.");
+  }
+  return {static_cast<std::uint64_t>(encodings::numChannels(encoding)),
+          static_cast<std::uint64_t>(encodings::bitDepth(encoding)) / 8};
 }
 
 std::string sizeText(std::uint64_t width, std::uint64_t height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-/// Throws unless the message holds what it claims; in 64 bits, for step * height wraps in 32.
-void checkData(const sensor_msgs::Image& message, const Encoding& encoding) {
-  const std::uint64_t row_bytes = std::uint64_t{message.width} * encoding.channels * encoding.bytes;
+/// Throws unless the message holds what it claims; in 64 bits, for step * height wraps in 32, which
+/// cv_bridge does not notice.
+void checkData(const sensor_msgs::Image& message, const PixelLayout& layout) {
+  const std::uint64_t row_bytes = message.width * layout.channels * layout.bytes;
   if (message.step < row_bytes) {
     throw Error("The image's rows of " + std::to_string(message.step) +
                 " bytes are too short for " + std::to_string(message.width) + " pixels of " +
                 message.encoding + ".");
   }
-  if (encoding.channels == 2 && message.width % 2 != 0) {
+  if (layout.channels == 2 && message.width % 2 != 0) {
     throw Error("The image of " + message.encoding + " has an odd width, though two pixels share " +
                 "their colour.");
   }
-  const std::uint64_t needed = std::uint64_t{message.step} * (message.height - 1) + row_bytes;
-  if (message.data.size() < needed) {
+  const std::uint64_t needed = std::uint64_t{message.step} * message.height;
+  if (message.data.size() != needed) {
     throw Error("The image has " + std::to_string(message.data.size()) + " bytes where " +
                 sizeText(message.width, message.height) + " pixels of " + message.encoding +
                 " need " + std::to_string(needed) + ".");
   }
 }
 
-cv::Mat withSwappedBytes(const cv::Mat& image) {
-  cv::Mat swapped(image.size(), image.type());
-  for (int row = 0; row < image.rows; ++row) {
-    const auto* from = image.ptr<std::uint16_t>(row);
-    auto* to = swapped.ptr<std::uint16_t>(row);
-    for (int i = 0; i < image.cols * image.channels(); ++i) {
-      to[i] = static_cast<std::uint16_t>(from[i] << 8 | from[i] >> 8);
-    }
+/// cv_bridge 1.16.2 makes two channels of 8 bits of each big-endian one of 16.
+sensor_msgs::Image littleEndian(sensor_msgs::Image message) {
+  for (std::size_t i = 0; i + 1 < message.data.size(); i += 2) {
+    std::swap(message.data[i], message.data[i + 1]);
   }
-  return swapped;
+  message.is_bigendian = false;
+  return message;
 }
 
-cv::Mat convert(const sensor_msgs::Image& message, const Encoding& encoding) {
+cv::Mat fromYuy2(const sensor_msgs::Image& message) {
   // The const_cast is safe: the picture is only read.
-  cv::Mat image(static_cast<int>(message.height), static_cast<int>(message.width),
-                CV_MAKETYPE(encoding.bytes == 2 ? CV_16U : CV_8U, encoding.channels),
-                const_cast<std::uint8_t*>(message.data.data()), message.step);
-  if (encoding.bytes == 2 && message.is_bigendian) image = withSwappedBytes(image);
-  if (encoding.conversion == kAsIs) return image;
+  const cv::Mat image(static_cast<int>(message.height), static_cast<int>(message.width), CV_8UC2,
+                      const_cast<std::uint8_t*>(message.data.data()), message.step);
   cv::Mat converted;
-  cv::cvtColor(image, converted, encoding.conversion);
+  cv::cvtColor(image, converted, cv::COLOR_YUV2BGR_YUY2);
   return converted;
+}
+
+cv::Mat convert(const sensor_msgs::Image& message, const PixelLayout& layout) {
+  if (message.encoding == kYuy2) return fromYuy2(message);
+  const bool as_is = isGrey(message.encoding) || message.encoding == encodings::TYPE_8UC3;
+  const std::string wanted = as_is ? "" : layout.bytes == 2 ? encodings::BGR16 : encodings::BGR8;
+  if (layout.bytes == 2 && message.is_bigendian) {
+    return cv_bridge::toCvCopy(littleEndian(message), wanted)->image;
+  }
+  return cv_bridge::toCvShare(message, nullptr, wanted)->image;
 }
 
 std::string featureText(const CueOptions& cue) {
@@ -126,12 +116,12 @@ void checkImageSize(std::uint64_t width, std::uint64_t height) {
 }
 
 cv::Mat toImage(const sensor_msgs::Image& message) {
-  const Encoding& encoding = findEncoding(message.encoding);
+  const PixelLayout layout = layoutOf(message.encoding);
   checkImageSize(message.width, message.height);
-  checkData(message, encoding);
+  checkData(message, layout);
   cv::Mat image;
   try {
-    image = convert(message, encoding);
+    image = convert(message, layout);
   } catch (const std::exception& e) {
     throw Error("The image of " + sizeText(message.width, message.height) + " pixels of " +
                 message.encoding + " cannot be converted: " + e.what());
@@ -176,14 +166,9 @@ ModelInfo toModelInfo(const Model& model) {
 }
 
 sensor_msgs::Image toImageMessage(const cv::Mat& image, const std_msgs::Header& header) {
-  const cv::Mat pixels = image.isContinuous() ? image : image.clone();
   sensor_msgs::Image message;
-  message.header = header;
-  message.height = static_cast<std::uint32_t>(pixels.rows);
-  message.width = static_cast<std::uint32_t>(pixels.cols);
-  message.encoding = pixels.channels() == 3 ? "bgr8" : "mono8";
-  message.step = static_cast<std::uint32_t>(pixels.cols * pixels.elemSize());
-  message.data.assign(pixels.datastart, pixels.dataend);
+  cv_bridge::CvImage(header, image.channels() == 3 ? encodings::BGR8 : encodings::MONO8, image)
+      .toImageMsg(message);
   return message;
 }
 
