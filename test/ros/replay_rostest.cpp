@@ -59,7 +59,8 @@ bool isRight(const PlaceRecognition& answer) {
   return answer.place == model->places[static_cast<std::size_t>(expected.place)];
 }
 
-/// `rosbag play`, until the end of its scope.
+/// `rosbag play`, until the end of its scope or of this program. It is this program's own child,
+/// for the script `rosbag` starts one that may outlive it, and goes with it, however it ends.
 class Player {
  public:
   explicit Player(std::vector<std::string> options)
@@ -71,8 +72,9 @@ class Player {
 
  private:
   static std::vector<std::string> arguments(std::vector<std::string> options) {
-    std::vector<std::string> all = {"/usr/bin/env", "rosbag",  "play",
-                                    "--quiet",      "--clock", "--wait-for-subscribers"};
+    std::vector<std::string> all = {"/usr/bin/setpriv", "--pdeathsig", "KILL",
+                                    "rosrun",           "rosbag",      "play",
+                                    "--quiet",          "--clock",     "--wait-for-subscribers"};
     all.insert(all.end(), options.begin(), options.end());
     all.insert(all.end(), {bag(), "--topics", "/camera/image_raw"});
     return all;
