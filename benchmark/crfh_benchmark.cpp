@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "crfh_limit.h"
+#include "features/feature_extractor.h"
 #include "features/gaussian.h"
-#include "place_recognition/feature_extractor.h"
 
 namespace place_recognition {
 namespace {

@@ -7,9 +7,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "features/feature_extractor.h"
 #include "learning/machines.h"
 #include "learning/support_set.h"
-#include "place_recognition/feature_extractor.h"
 #include "views.h"
 
 namespace place_recognition {

@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 
 extern "C" {
 #include <vl/covdet.h>

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 
 namespace place_recognition {
 namespace {

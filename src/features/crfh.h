@@ -5,8 +5,8 @@
 
 #include "features/bin_counter.h"
 #include "features/crfh_responses.h"
+#include "features/feature_extractor.h"
 #include "features/row_kernels.h"
-#include "place_recognition/feature_extractor.h"
 
 namespace place_recognition {
 

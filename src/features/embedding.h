@@ -4,8 +4,8 @@
 #include <memory>
 #include <opencv2/core.hpp>
 
+#include "features/feature_extractor.h"
 #include "place_recognition/embedding_options.h"
-#include "place_recognition/feature_extractor.h"
 
 namespace place_recognition {
 

@@ -1,4 +1,4 @@
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 
 #include "features/crfh.h"
 #include "features/embedding.h"

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 #include "place_recognition/texture_options.h"
 
 namespace place_recognition {

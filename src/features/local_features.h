@@ -2,9 +2,9 @@
 
 #include <opencv2/core.hpp>
 
+#include "features/feature_extractor.h"
 #include "features/harris_laplace.h"
 #include "features/sift_descriptor.h"
-#include "place_recognition/feature_extractor.h"
 #include "place_recognition/local_feature_options.h"
 
 namespace place_recognition {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "features/bin_counter.h"
+#include "features/feature_extractor.h"
 #include "features/mr8_filter_bank.h"
-#include "place_recognition/feature_extractor.h"
 #include "place_recognition/texture_options.h"
 
 namespace place_recognition {

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "experiments/table_8_4.h"
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 
 namespace place_recognition {
 namespace {

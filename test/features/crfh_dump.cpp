@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "base/options.h"
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 
 int main(int argc, char** argv) {
   using namespace place_recognition;

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <variant>
 
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 
 namespace place_recognition {
 

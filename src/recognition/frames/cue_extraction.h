@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/feature_extractor.h"
+#include "features/feature_extractor.h"
 #include "place_recognition/model.h"
 #include "place_recognition/training_options.h"
 #include "recognition/frames/color_normalization.h"

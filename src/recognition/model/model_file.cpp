@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "base/atomic_file.h"
+#include "features/feature_extractor.h"
 #include "place_recognition/error.h"
-#include "place_recognition/feature_extractor.h"
 #include "recognition/model/classifier_numbers.h"
 #include "recognition/model/embeddings.h"
 #include "recognition/model/model_backups.h"
