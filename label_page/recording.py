@@ -171,11 +171,19 @@ def decode_compressed(message, height):
             break
     else:
         flag = cv2.IMREAD_COLOR
-    image = cv2.imdecode(data, flag)
+    image = in_eight_bits(cv2.imdecode(data, flag | cv2.IMREAD_ANYDEPTH))
     # As image_transport has it: a JPEG "compressed rgb8" holds red and blue the other way round.
     if image is not None and message.format.strip().endswith("compressed rgb8"):
         image = cv2.cvtColor(image, cv2.COLOR_RGB2BGR)
     return image
+
+
+def in_eight_bits(image):
+    """An image of 16 bits by as many of them as its camera uses, as the tool shows it."""
+    if image is None or image.dtype != np.uint16:
+        return image
+    bits = max(8, int(np.percentile(image, 99.5)).bit_length())
+    return np.minimum(image >> (bits - 8), 255).astype(np.uint8)
 
 
 def jpeg_rows(data):
@@ -201,4 +209,9 @@ def decode_raw(message):
         data = np.frombuffer(message.data, np.uint8)
         data = np.lib.stride_tricks.as_strided(data, (message.height, row), (message.step, 1))
         message.data, message.step = data.tobytes(), row
+    if dtype == "uint16":
+        image = in_eight_bits(bridge.imgmsg_to_cv2(message))
+        message = bridge.cv2_to_imgmsg(image, message.encoding.replace("16UC", "8UC").replace("16", "8"))
+    if message.encoding == "8UC1":
+        message.encoding = "mono8"
     return bridge.imgmsg_to_cv2(message, "bgr8")

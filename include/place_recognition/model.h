@@ -10,6 +10,7 @@
 #include "place_recognition/calibration.h"
 #include "place_recognition/classifier.h"
 #include "place_recognition/color_statistics.h"
+#include "place_recognition/depth_extent.h"
 #include "place_recognition/training_options.h"
 
 namespace place_recognition {
@@ -35,6 +36,7 @@ struct ImageProfile {
   bool colour = false;   ///< some of them show colours
   double darkest = 255;  ///< mean brightness of the darkest one, 0..255
   double brightest = 0;  ///< of the brightest one
+  DepthExtent depth;     ///< of those of 16 bits
 
   bool known() const { return width > 0; }
 };

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "place_recognition/depth_extent.h"
+
 namespace place_recognition {
 
 /// One picture of a run.
@@ -28,6 +30,14 @@ class Run {
 
   /// How much has been read, 0..1.
   virtual double fraction() const = 0;
+
+  /// How images of 16 bits are brought to the 8 of a Frame, to be called before next(): by `extent`
+  /// if it is known, else by that of a few images from all of the recording.
+  virtual void setDepthExtent(const DepthExtent& /*extent*/) {}
+
+  /// The extent of a few images from all of the recording, once next() has been called; not known
+  /// if they are not of 16 bits.
+  virtual DepthExtent depthExtent() const { return {}; }
 
   /// As the user named it.
   const std::string& name() const { return name_; }

@@ -9,8 +9,17 @@ namespace {
 
 constexpr std::uint32_t kLevels = 1 << 16;
 
-/// The lowest and the highest value but for the extreme half percent of each side.
-std::pair<std::uint32_t, std::uint32_t> extent(const cv::Mat& image) {
+/// The smallest power of two, 256 at least, that is above `value`.
+std::uint32_t powerAbove(std::uint32_t value) {
+  std::uint32_t power = 256;
+  while (power <= value) power *= 2;
+  return power;
+}
+
+}  // namespace
+
+DepthExtent depthExtentOf(const cv::Mat& image) {
+  assert(image.depth() == CV_16U && !image.empty());
   const cv::Mat channels = image.reshape(1);
   std::vector<std::size_t> counts(kLevels);
   for (int row = 0; row < channels.rows; ++row) {
@@ -24,35 +33,38 @@ std::pair<std::uint32_t, std::uint32_t> extent(const cv::Mat& image) {
   return {low, high};
 }
 
-/// The smallest power of two, 256 at least, that is above `value`.
-std::uint32_t powerAbove(std::uint32_t value) {
-  std::uint32_t power = 256;
-  while (power <= value) power *= 2;
-  return power;
+DepthExtent united(const DepthExtent& a, const DepthExtent& b) {
+  if (!a.known() || !b.known()) return a.known() ? a : b;
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
-}  // namespace
+DepthScale::DepthScale(const DepthExtent& extent) : extent_(extent), given_(extent.known()) {
+  if (given_) setRange();
+}
 
-void DepthScale::see(const cv::Mat& image) {
-  assert(image.depth() == CV_16U && !image.empty());
-  const auto [low, high] = extent(image);
-  low_ = hasSeen() ? std::min(low_, low) : low;
-  high_ = std::max(high_, high);
-  if (low_ < high_ / 2) {
+void DepthScale::see(const DepthExtent& extent) {
+  if (given_) return;
+  extent_ = united(extent_, extent);
+  setRange();
+}
+
+void DepthScale::setRange() {
+  const auto [low, high] = extent_;
+  if (low < high / 2 || high == 0) {
     start_ = 0;
-    width_ = powerAbove(high_);
+    width_ = powerAbove(high);
     return;
   }
   // A thermal camera: far from zero. Half of the range is left for what comes.
-  width_ = powerAbove(2 * (high_ - low_));
+  width_ = powerAbove(2 * (high - low));
   const std::uint32_t step = width_ / 4;
-  start_ = low_ / step * step;
+  start_ = low / step * step;
   if (start_ >= step) start_ -= step;
 }
 
 cv::Mat DepthScale::toEightBits(const cv::Mat& image) {
   if (image.depth() != CV_16U) return image;
-  see(image);
+  if (!given_) see(depthExtentOf(image));
   cv::Mat scaled(image.size(), CV_8UC(image.channels()));
   const cv::Mat from = image.reshape(1);
   cv::Mat to = scaled.reshape(1);
@@ -69,7 +81,7 @@ cv::Mat DepthScale::toEightBits(const cv::Mat& image) {
 
 std::string DepthScale::text() const {
   return std::to_string(start_) + " .. " + std::to_string(std::min(start_ + width_, kLevels) - 1) +
-         " of 16 bits";
+         " of 16 bits" + (given_ ? ", as in training" : "");
 }
 
 }  // namespace place_recognition

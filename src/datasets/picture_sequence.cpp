@@ -7,12 +7,13 @@ namespace place_recognition {
 DecodedImage PictureSequence::read(std::size_t i) {
   DecodedImage decoded = readDeepImageFile(paths_[i]);
   if (decoded.image.depth() != CV_16U) return decoded;
+  is_deep_ = true;
   if (!scale_.hasSeen()) {
     constexpr std::size_t kSamples = 16;
     for (std::size_t k = 0; k < std::min(kSamples, paths_.size()); ++k) {
       const cv::Mat sample =
           readDeepImageFile(paths_[k * paths_.size() / std::min(kSamples, paths_.size())]).image;
-      if (!sample.empty() && sample.depth() == CV_16U) scale_.see(sample);
+      if (!sample.empty() && sample.depth() == CV_16U) scale_.see(depthExtentOf(sample));
     }
   }
   decoded.image = scale_.toEightBits(decoded.image);
@@ -20,7 +21,7 @@ DecodedImage PictureSequence::read(std::size_t i) {
 }
 
 std::string PictureSequence::note() const {
-  return scale_.hasSeen() ? "pictures of 16 bits are shown in 8, " + scale_.text() + "." : "";
+  return is_deep_ ? "pictures of 16 bits are shown in 8, " + scale_.text() + "." : "";
 }
 
 }  // namespace place_recognition

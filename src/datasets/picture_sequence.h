@@ -15,6 +15,10 @@ class PictureSequence {
   PictureSequence() = default;
   explicit PictureSequence(std::vector<std::string> paths) : paths_(std::move(paths)) {}
 
+  /// To be called before read(), see Run::setDepthExtent().
+  void setDepthExtent(const DepthExtent& extent) { scale_ = DepthScale(extent); }
+  const DepthExtent& depthExtent() const { return scale_.extent(); }
+
   std::size_t size() const { return paths_.size(); }
   const std::string& path(std::size_t i) const { return paths_[i]; }
 
@@ -27,6 +31,7 @@ class PictureSequence {
  private:
   std::vector<std::string> paths_;
   DepthScale scale_;
+  bool is_deep_ = false;  // a picture of 16 bits was read
 };
 
 }  // namespace place_recognition

@@ -32,6 +32,9 @@ class PictureSetRun : public Run {
     return true;
   }
 
+  void setDepthExtent(const DepthExtent& extent) override { pictures_.setDepthExtent(extent); }
+  DepthExtent depthExtent() const override { return pictures_.depthExtent(); }
+
   double fraction() const override {
     return static_cast<double>(position_) / static_cast<double>(set_.pictures.size());
   }

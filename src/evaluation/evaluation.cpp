@@ -53,6 +53,7 @@ class Evaluator {
     evaluation_.runs.push_back(run.name());
     filter_.reset();
     recognizer_.forgetLight();
+    run.setDepthExtent(recognizer_.model().images.depth);
     ImageGuard guard(recognizer_.model());
     const std::string stage = "Recognizing " + run.name();
     report(progress, stage, 0);

@@ -38,6 +38,10 @@ void printModel(const Model& model, const std::string& path, std::uint64_t bytes
     std::cout << "\nimages           " << model.images.width << " x " << model.images.height << ", "
               << (model.images.colour ? "colour" : "grey") << ", mean brightness "
               << std::lround(model.images.darkest) << " to " << std::lround(model.images.brightest);
+    if (model.images.depth.known()) {
+      std::cout << ", of 16 bits (" << model.images.depth.low << " to " << model.images.depth.high
+                << ")";
+    }
   }
   std::cout << "\nskipped images   " << origin.skipped_images << "\n"
             << "support vectors  " << model.supportVectorCount() << "\n"
@@ -93,6 +97,7 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
             {"calibration_error", model.validation.calibration_error},
             {"rooms", model.validatedPlaces()}}},
           {"image_size", {model.images.width, model.images.height}},
+          {"image_depth", {model.images.depth.low, model.images.depth.high}},
           {"options", writeOptions(model.options)},
           {"asked", writeOptions(model.asked)}};
 }

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <system_error>
 
-#include "datasets/image_file.h"
 #include "datasets/picture_folder.h"
+#include "datasets/picture_sequence.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "tool/carried_labels.h"
@@ -151,10 +151,12 @@ std::vector<std::string> findRuns(const std::vector<std::string>& inputs) {
   return runs;
 }
 
-Frame pictureFrame(const std::string& path) {
+Frame pictureFrame(const std::string& path, const DepthExtent& depth) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw Error("There is no picture " + path + "; check the path.");
-  DecodedImage decoded = readImageFile(path);
+  PictureSequence sequence({path});
+  sequence.setDepthExtent(depth);
+  DecodedImage decoded = sequence.read(0);
   Frame frame;
   frame.name = path;
   frame.image = std::move(decoded.image);
@@ -163,7 +165,7 @@ Frame pictureFrame(const std::string& path) {
 }
 
 cv::Mat readPicture(const std::string& path) {
-  const Frame frame = pictureFrame(path);
+  const Frame frame = pictureFrame(path, {});
   if (!frame.image.empty()) return frame.image;
   throw Error("The picture " + path + " is of no use: " + frame.problem +
               "; remove it or put a good one in its place.");

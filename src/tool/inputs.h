@@ -33,9 +33,9 @@ struct InputOptions {
 /// nothing are named on stderr. Throws Error for anything else.
 std::vector<std::string> findRuns(const std::vector<std::string>& inputs);
 
-/// A picture as a frame without a label; it has no image if it is damaged. Throws Error if there is
-/// none at `path`.
-Frame pictureFrame(const std::string& path);
+/// A picture as a frame without a label, `depth` as of Run::setDepthExtent(); it has no image if it
+/// is damaged. Throws Error if there is none at `path`.
+Frame pictureFrame(const std::string& path, const DepthExtent& depth);
 
 /// A picture, CV_8UC3 BGR or CV_8UC1. Throws Error if there is none at `path`, or it is damaged.
 cv::Mat readPicture(const std::string& path);

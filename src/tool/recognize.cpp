@@ -74,13 +74,16 @@ class Recognitions {
     }
   }
 
+  const DepthExtent& depth() const { return recognizer_.model().images.depth; }
+
   /// A picture by itself.
   void addPicture(const Frame& frame) {
     if (isUsable(frame)) add(frame, recognizer_.recognize(frame.image));
   }
 
-  /// Frames of another run or camera follow. `in_time`: by their stamps they follow one another.
-  void startRun(bool in_time) {
+  /// Frames of `run` follow. `in_time`: by their stamps they follow one another.
+  void startRun(Run& run, bool in_time) {
+    run.setDepthExtent(recognizer_.model().images.depth);
     recognizer_.forgetLight();
     guard_ = ImageGuard(recognizer_.model());
     smooths_ = in_time;
@@ -215,7 +218,7 @@ void recognize(const RecognizeOptions& options) {
     const std::string& input = options.inputs[i];
     if (isPictureName(input) && !std::filesystem::is_directory(input)) {
       report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
-      frame = pictureFrame(input);
+      frame = pictureFrame(input, recognitions.depth());
       frame.stamp = static_cast<double>(i);
       recognitions.addPicture(frame);
       continue;
@@ -223,7 +226,7 @@ void recognize(const RecognizeOptions& options) {
     for (const std::string& run_path : findRuns({input})) {
       const std::unique_ptr<Run> run = options.input.open(run_path);
       const bool is_bag = isBag(run_path);
-      recognitions.startRun(is_bag);
+      recognitions.startRun(*run, is_bag);
       while (run->next(frame)) {
         report(progress, "Recognizing " + run_path, run->fraction());
         if (is_bag) frame.name = run_path + " " + frame.name;

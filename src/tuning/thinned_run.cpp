@@ -21,6 +21,8 @@ class ThinnedRun : public Run {
     return false;
   }
 
+  void setDepthExtent(const DepthExtent& extent) override { run_->setDepthExtent(extent); }
+  DepthExtent depthExtent() const override { return run_->depthExtent(); }
   double fraction() const override { return run_->fraction(); }
 
  private:

@@ -46,8 +46,8 @@ TEST(DepthScale, KeepsTheLevelsOfEveryCamera) {
 
 TEST(DepthScale, IsTheSameForADarkSceneOfTheSameCamera) {
   DepthScale bright, dark;
-  bright.see(ramp(10, 1000));
-  dark.see(ramp(0, 600));
+  bright.see(depthExtentOf(ramp(10, 1000)));
+  dark.see(depthExtentOf(ramp(0, 600)));
   EXPECT_EQ(bright.text(), dark.text());
   EXPECT_EQ(bright.text(), "0 .. 1023 of 16 bits");
 }
@@ -64,12 +64,27 @@ TEST(DepthScale, WidensWithWhatComesAndIgnoresAFewBrightPixels) {
   DepthScale scale;
   cv::Mat image = ramp(0, 900);
   image.at<std::uint16_t>(3, 3) = 65535;
-  scale.see(image);
+  scale.see(depthExtentOf(image));
   EXPECT_EQ(scale.text(), "0 .. 1023 of 16 bits");
-  scale.see(ramp(0, 4000));
+  scale.see(depthExtentOf(ramp(0, 4000)));
   EXPECT_EQ(scale.text(), "0 .. 4095 of 16 bits");
-  scale.see(ramp(0, 100));
+  scale.see(depthExtentOf(ramp(0, 100)));
   EXPECT_EQ(scale.text(), "0 .. 4095 of 16 bits");
+}
+
+TEST(DepthScale, KeepsARangeThatWasGiven) {
+  DepthScale scale(DepthExtent{10, 900});
+  EXPECT_TRUE(scale.hasSeen());
+  EXPECT_EQ(scale.toEightBits(ramp(0, 200)).at<std::uint8_t>(63, 63), 200 / 4);
+  EXPECT_EQ(scale.toEightBits(ramp(0, 60000)).at<std::uint8_t>(63, 63), 255);
+  EXPECT_EQ(scale.text(), "0 .. 1023 of 16 bits, as in training");
+}
+
+TEST(DepthExtent, IsThatOfAllUnited) {
+  const DepthExtent whole = united(united({}, {20, 300}), united({10, 200}, {}));
+  EXPECT_EQ(whole.low, 10u);
+  EXPECT_EQ(whole.high, 300u);
+  EXPECT_FALSE(united({}, {}).known());
 }
 
 TEST(DepthScale, LeavesEightBitsAloneAndTakesColour) {

@@ -72,6 +72,12 @@ TEST(ModelFile, KeepsWhatTheImagesWereLike) {
   EXPECT_EQ(read.colour, images.colour);
   EXPECT_EQ(read.darkest, images.darkest);
   EXPECT_EQ(read.brightest, images.brightest);
+  EXPECT_FALSE(read.depth.known());
+  Model infrared = smallModel();
+  infrared.images.depth = {10, 900};
+  const DepthExtent depth = parseModel(serializeModel(infrared), "test").images.depth;
+  EXPECT_EQ(depth.low, 10u);
+  EXPECT_EQ(depth.high, 900u);
 
   const auto changed = [](const std::function<void(proto::Model&)>& change) {
     return parseModel(
@@ -83,6 +89,10 @@ TEST(ModelFile, KeepsWhatTheImagesWereLike) {
   EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_height(1 << 20); }),
                Error);
   EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_darkest(NAN); }),
+               Error);
+  EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_depth_low(70); }),
+               Error);
+  EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_depth_high(65536); }),
                Error);
   EXPECT_THROW(changed([](proto::Model& model) { model.mutable_images()->set_brightest(256); }),
                Error);

@@ -216,8 +216,20 @@ TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
     cv::minMaxLoc(frame.image, nullptr, &largest);
     EXPECT_EQ(largest, (255 >> (2 - i)));  // all alike
   }
+  EXPECT_FALSE(run->next(frame));
   ASSERT_EQ(run->warnings().size(), 1u);
   EXPECT_NE(run->warnings()[0].find("0 .. 1023"), std::string::npos);
+  EXPECT_GT(run->depthExtent().high, 1000u);
+
+  const std::unique_ptr<place_recognition::Run> again = openBagRun(path_);
+  again->setDepthExtent({0, 4000});  // as of a model
+  for (double largest = 0; again->next(frame);) {
+    double of_this = 0;
+    cv::minMaxLoc(frame.image, nullptr, &of_this);
+    largest = std::max(largest, of_this);
+    EXPECT_LE(largest, 1023 / 16);
+  }
+  EXPECT_NE(again->warnings()[0].find("0 .. 4095 of 16 bits, as in training"), std::string::npos);
 }
 
 TEST_F(Bags, ALabelMayHaveBeenSaidBefore) {

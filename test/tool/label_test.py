@@ -261,6 +261,11 @@ class RecordingTest(LabelCase):
         colour = np.zeros((32, 48, 3), np.uint8)
         colour[:] = (200, 100, 50)  # BGR
         grey = np.full((32, 48), 90, np.uint8)
+
+        def full_range(image, highest=65535):
+            image[:4] = highest
+            return image
+
         bayer = np.zeros((32, 48), np.uint8)
         bayer[0::2, 0::2], bayer[1::2, 1::2] = 50, 200  # rggb
         bayer[0::2, 1::2] = bayer[1::2, 0::2] = 100
@@ -270,7 +275,9 @@ class RecordingTest(LabelCase):
                     "/rgb8": (raw(colour[..., ::-1].copy(), "rgb8"), (200, 100, 50)),
                     "/bgra8": (raw(np.dstack([colour, grey]), "bgra8"), (200, 100, 50)),
                     "/mono8": (raw(grey, "mono8", 3), (90, 90, 90)),
-                    "/mono16": (raw(grey.astype("<u2") * 257, "mono16", 2), (90, 90, 90)),
+                    "/mono16": (raw(full_range(grey.astype("<u2") * 257), "mono16", 2), (90, 90, 90)),
+                    "/infrared": (raw(full_range(grey.astype("<u2") * 4, 1023), "16UC1"),
+                                  (90, 90, 90)),
                     "/bayer": (raw(bayer, "bayer_rggb8"), (200, 100, 50)),
                     "/yuv": (raw(uyvy, "yuv422"), (128, 128, 128))}
         with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:

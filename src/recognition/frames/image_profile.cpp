@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <opencv2/core.hpp>
 
+#include "recognition/depth_scale.h"
+
 namespace place_recognition {
 namespace {
 
@@ -61,16 +63,20 @@ ImageStatistics statisticsOf(const cv::Mat& image) {
 
 ImageProfile commonSize(const std::vector<RunOpener>& runs, const Progress& progress) {
   ImageProfile smallest;
+  DepthExtent depth;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     report(progress, "Looking at the images",
            static_cast<double>(r) / static_cast<double>(runs.size()));
-    const cv::Size size = firstSize(*runs[r]());
+    const std::unique_ptr<Run> run = runs[r]();
+    const cv::Size size = firstSize(*run);
+    depth = united(depth, run->depthExtent());
     const bool smaller =
         std::max(size.width, size.height) < std::max(smallest.width, smallest.height);
     if (size.empty() || (smallest.known() && !smaller)) continue;
     smallest.width = size.width;
     smallest.height = size.height;
   }
+  smallest.depth = depth;
   return smallest;
 }
 

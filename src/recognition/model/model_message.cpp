@@ -250,6 +250,8 @@ void writeImages(const ImageProfile& images, proto::Model& message) {
   profile.set_colour(images.colour);
   profile.set_darkest(images.darkest);
   profile.set_brightest(images.brightest);
+  profile.set_depth_low(images.depth.low);
+  profile.set_depth_high(images.depth.high);
 }
 
 void readImages(const proto::Model& message, Model& model) {
@@ -262,8 +264,14 @@ void readImages(const proto::Model& message, Model& model) {
   require(profile.darkest() >= 0 && profile.darkest() <= profile.brightest() &&
               profile.brightest() <= 255,
           "the brightness of the images that it was trained on is not in 0..255");
-  model.images = {static_cast<int>(profile.width()), static_cast<int>(profile.height()),
-                  profile.colour(), profile.darkest(), profile.brightest()};
+  require(profile.depth_low() <= profile.depth_high() && profile.depth_high() < 1u << 16,
+          "the depth of the images that it was trained on is not in 0..65535");
+  model.images = {static_cast<int>(profile.width()),
+                  static_cast<int>(profile.height()),
+                  profile.colour(),
+                  profile.darkest(),
+                  profile.brightest(),
+                  {profile.depth_low(), profile.depth_high()}};
 }
 
 void readProvenance(const proto::Provenance& message, Model& model) {

@@ -79,6 +79,7 @@ class Collector {
     skipped_.emplace_back();
     seen_.emplace_back();
     rate_ = FrameRate(sampling_.rate);
+    run.setDepthExtent(expected_.depth);
     ImageGuard guard(expected_, image_options_);
     const std::string stage = "Reading " + run.name();
     report(progress, stage, 0);

@@ -240,8 +240,9 @@ std::string chooseImageTopic(const Topics& topics, const std::string& wanted) {
   return first;
 }
 
-/// Sets the scale by images of 16 bits from all of a topic, and tells of it.
-void setScale(const rosbag::Bag& bag, const std::string& topic, DepthScale& scale) {
+/// Tells the extent of images of 16 bits, by some from all of a topic.
+void sendDepth(const rosbag::Bag& bag, const std::string& topic) {
+  DepthExtent extent;
   constexpr std::uint32_t kSamples = 16;
   rosbag::View view(bag, rosbag::TopicQuery(topic));
   const std::uint32_t step = std::max(view.size() / kSamples, std::uint32_t{1});
@@ -252,23 +253,23 @@ void setScale(const rosbag::Bag& bag, const std::string& topic, DepthScale& scal
     BagRecord ignored;
     const cv::Mat image = readImage(instance, ignored, owner);
     if (!image.empty() && image.depth() != CV_16U) return;
-    if (!image.empty()) scale.see(image);
+    if (!image.empty()) extent = united(extent, depthExtentOf(image));
   }
-  if (!scale.hasSeen()) return;
-  BagRecord note;
-  note.kind = BagRecordKind::kNote;
-  note.text = "images of 16 bits on " + topic + " are shown in 8, " + scale.text() + ".";
-  send(note);
+  if (!extent.known()) return;
+  BagRecord depth;
+  depth.kind = BagRecordKind::kDepth;
+  depth.rows = extent.low;
+  depth.cols = extent.high;
+  send(depth);
 }
 
 void sendImages(const rosbag::Bag& bag, const std::string& topic) {
-  DepthScale scale;
-  setScale(bag, topic, scale);
+  sendDepth(bag, topic);
   int number = 0;
   for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
     boost::shared_ptr<void> owner;
     BagRecord record;
-    const cv::Mat image = scale.toEightBits(readImage(instance, record, owner));
+    const cv::Mat image = readImage(instance, record, owner);
     record.type = image.type();
     record.text = topic + " #" + std::to_string(++number);
     send(record);

@@ -10,6 +10,7 @@
 
 #include "base/child_process.h"
 #include "base/place_name.h"
+#include "datasets/depth_scale.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
@@ -58,7 +59,8 @@ class BagRecords {
   cv::Mat pixels(const BagRecord& record) {
     const bool sound = record.rows > 0 && record.rows <= kMaxImageSide && record.cols > 0 &&
                        record.cols <= kMaxImageSide &&
-                       (record.type == CV_8UC1 || record.type == CV_8UC3);
+                       (record.type == CV_8UC1 || record.type == CV_8UC3 ||
+                        record.type == CV_16UC1 || record.type == CV_16UC3);
     if (!sound) throwCrash(std::nullopt);
     cv::Mat image(static_cast<int>(record.rows), static_cast<int>(record.cols), record.type);
     if (!readBytes(reader_.output(), image.data, image.total() * image.elemSize())) {
@@ -127,7 +129,9 @@ struct OpenBag {
                              static_cast<int>(record.cols), static_cast<int>(record.rows)});
     }
     labels = readLabels(records, info, options, labels_file, record);
-    for (; record.kind == BagRecordKind::kNote; record = records.next()) note = record.text;
+    for (; record.kind == BagRecordKind::kDepth; record = records.next()) {
+      depth = {std::min(record.rows, record.cols), record.cols};
+    }
     following = std::move(record);
   }
 
@@ -135,7 +139,7 @@ struct OpenBag {
   BagRecords records;
   BagInfo info;
   Labels labels;
-  std::string note;     ///< how the images are read; empty if as usual
+  DepthExtent depth;    ///< of images of 16 bits
   BagRecord following;  ///< the first record after the labels
 };
 
@@ -148,7 +152,7 @@ class BagRun : public Run {
                           " is whole, though named as one that is being recorded; rename it.");
     }
     if (!bag_.labels.note().empty()) warnings_.push_back(bag_.labels.note());
-    if (!bag_.note.empty()) warnings_.push_back(path + ": " + bag_.note);
+    if (bag_.depth.known()) scale_.see(bag_.depth);
   }
 
   bool next(Frame& frame) override {
@@ -156,6 +160,9 @@ class BagRun : public Run {
     if (record.kind == BagRecordKind::kEnd) {
       time_ = bag_.info.start + bag_.info.duration;
       warnOfUnseenPlaces();
+      if (is_deep_) {
+        warnings_.push_back(name() + ": images of 16 bits are shown in 8, " + scale_.text() + ".");
+      }
       return false;
     }
     time_ = record.time;
@@ -165,9 +172,18 @@ class BagRun : public Run {
     frame.name = record.text;
     frame.problem = record.detail;
     frame.image = record.kind == BagRecordKind::kImage ? bag_.records.pixels(record) : cv::Mat();
+    is_deep_ |= frame.image.depth() == CV_16U;
+    frame.image = scale_.toEightBits(frame.image);
     bag_.following = bag_.records.next();
     return true;
   }
+
+  void setDepthExtent(const DepthExtent& extent) override {
+    scale_ = DepthScale(extent);
+    if (bag_.depth.known()) scale_.see(bag_.depth);
+  }
+
+  DepthExtent depthExtent() const override { return bag_.depth; }
 
   double fraction() const override {
     if (bag_.info.duration <= 0) return bag_.following.kind == BagRecordKind::kEnd ? 1 : 0;
@@ -185,6 +201,8 @@ class BagRun : public Run {
   }
 
   OpenBag bag_;
+  DepthScale scale_;
+  bool is_deep_ = false;        // an image of 16 bits was read
   double time_ = 0;             // bag time of the last frame, s
   std::set<std::string> seen_;  // places of frames
 };

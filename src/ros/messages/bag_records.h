@@ -7,14 +7,14 @@
 namespace place_recognition {
 
 // What bag_reader tells openBagRun() and bagInfo() through a pipe. In this order: one kSpan, a
-// kTopic each topic, the kLabel in order of time, perhaps a kNote, the kImage or kProblem in order
+// kTopic each topic, the kLabel in order of time, perhaps a kDepth, the kImage or kProblem in order
 // of time, kEnd; or, at any point, kError or kCrash as the last.
 
 enum class BagRecordKind : std::uint32_t {
   kSpan,     ///< time and stamp: first and last bag time
   kTopic,    ///< text: name; detail: type; number: messages; rows and cols of the first picture
   kLabel,    ///< text: label; time
-  kNote,     ///< text: how the pictures are read, for a person
+  kDepth,    ///< rows and cols: the lowest and highest value of images of 16 bits, see DepthExtent
   kImage,    ///< text: name; time; stamp; rows, cols, type; rows x cols pixels follow
   kProblem,  ///< a picture that cannot be decoded: text: name; detail: why; time; stamp
   kError,    ///< detail: why the bag cannot be read, for a person; number: byte offset
@@ -24,7 +24,7 @@ enum class BagRecordKind : std::uint32_t {
 
 struct BagRecordNumbers {
   BagRecordKind kind = BagRecordKind::kEnd;
-  std::int32_t type = 0;  ///< of cv::Mat: CV_8UC1 or CV_8UC3
+  std::int32_t type = 0;  ///< of cv::Mat: one or three channels of CV_8U or CV_16U
   double time = 0;        ///< bag time, s
   double stamp = 0;       ///< of the picture's header, s
   std::uint64_t number = 0;

@@ -316,6 +316,8 @@ bool PlaceRecognizer::followModel() {
   if (!recognizer_ || &recognizer_->model() != model.get()) {
     recognizer_ = std::make_unique<Recognizer>(model);
     guard_.emplace(*model);
+    depth_scale_ = DepthScale(model->images.depth);
+    depth_text_.clear();
     place_over_time_.setModel(model, config_.smoothing);
   }
   const double wanted = config_.unknown_threshold;
@@ -328,10 +330,10 @@ bool PlaceRecognizer::followModel() {
 
 cv::Mat PlaceRecognizer::inEightBits(const cv::Mat& image) {
   if (image.depth() != CV_16U) return image;
-  const std::string before = depth_scale_.hasSeen() ? depth_scale_.text() : "";
-  const cv::Mat scaled = depth_scale_.toEightBits(image);
-  if (depth_scale_.text() != before) {
-    ROS_INFO("Images of 16 bits are used in 8, %s.", depth_scale_.text().c_str());
+  cv::Mat scaled = depth_scale_.toEightBits(image);
+  if (depth_text_ != depth_scale_.text()) {
+    depth_text_ = depth_scale_.text();
+    ROS_INFO("Images of 16 bits are used in 8, %s.", depth_text_.c_str());
   }
   return scaled;
 }

@@ -97,7 +97,8 @@ class PlaceRecognizer {
   std::optional<ImageGuard> guard_;         // likewise
   PlaceOverTime place_over_time_;           // likewise
   RateLimit rate_limit_;
-  DepthScale depth_scale_;                     // of the images that came
+  DepthScale depth_scale_;                     // of the model, or of the images that came
+  std::string depth_text_;                     // as logged last
   double last_stamp_ = 0;                      // s
   Diagnostics::Clock::time_point last_image_;  // arrival of the last one that could be used
   std::string last_place_;                     // as published last
