@@ -85,6 +85,16 @@ TEST_F(TrainCommand, ToLearnOn) {
   EXPECT_TRUE(has("--threads=1"));
 }
 
+TEST_F(TrainCommand, ToCalibrate) {
+  goal_.calibrate = true;
+  goal_.threads = 2;
+  const std::vector<std::string> arguments = command();
+  EXPECT_EQ(arguments[1], "calibrate");
+  EXPECT_TRUE(has("--model=home"));
+  EXPECT_TRUE(has("--threads=2"));
+  EXPECT_FALSE(has("--calibrate=1"));
+}
+
 TEST_F(TrainCommand, BadFieldsAreNamed) {
   const auto expectNamed = [this](const std::string& field,
                                   const std::function<void(TrainGoal&)>& change) {
@@ -106,6 +116,8 @@ TEST_F(TrainCommand, BadFieldsAreNamed) {
   expectNamed("add_to", [](TrainGoal& g) { g.add_to = "monday", g.preset = "crfh"; });
   expectNamed("vector_limit", [](TrainGoal& g) { g.vector_limit = 10; });
   expectNamed("vector_limit", [](TrainGoal& g) { g.add_to = "a", g.vector_limit = 2000000; });
+  expectNamed("calibrate", [](TrainGoal& g) { g.calibrate = true, g.preset = "crfh"; });
+  expectNamed("calibrate", [](TrainGoal& g) { g.calibrate = true, g.add_to = "home"; });
   expectNamed("threads", [](TrainGoal& g) { g.threads = 100000; });
   expectNamed("image_topic", [](TrainGoal& g) { g.image_topic = "a topic"; });
   expectNamed("label_topic", [](TrainGoal& g) { g.label_topic = std::string(1000, 'a'); });

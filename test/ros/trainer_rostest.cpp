@@ -156,6 +156,46 @@ TEST_F(Trainers, LearnOnWithinALimit) {
   EXPECT_LE(response.support_vectors, 12u);
 }
 
+TEST_F(Trainers, CalibrateAModel) {
+  ASSERT_TRUE(retrain([](Retrain::Request&) {}).success);
+  const std::string path = namedModelPath("retrained");
+  const Model before = loadModel(path);
+  const auto calibrate = [](const std::string& bag) {
+    return retrain([&bag](Retrain::Request& request) {
+      request.yaml.clear();
+      request.calibrate = true;
+      request.bags = {bag};
+      request.recognizers = {"/place_recognizer"};
+    });
+  };
+  const Retrain::Response response = calibrate("other.bag");
+  EXPECT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.images, 90u);
+  EXPECT_GT(response.validation_rate, 0.5);
+  EXPECT_NE(response.message.find("calibration error"), std::string::npos) << response.message;
+  EXPECT_NE(response.message.find("has loaded it"), std::string::npos) << response.message;
+  const Model after = loadModel(path);
+  EXPECT_NE(after.version, before.version);
+  EXPECT_NE(after.calibration.slope, before.calibration.slope);
+  EXPECT_EQ(after.supportVectorCount(), before.supportVectorCount());
+  EXPECT_EQ(after.places, before.places);
+  EXPECT_FALSE(calibrate("missing.bag").success);
+  EXPECT_EQ(loadModel(path).version, after.version);
+}
+
+TEST_F(Trainers, CalibrateByActionWithFeedback) {
+  ASSERT_TRUE(retrain([](Retrain::Request&) {}).success);
+  TrainGoal wanted = goal("retrained", "other.bag");
+  wanted.yaml.clear();
+  wanted.calibrate = true;
+  client_.sendGoal(wanted, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                   [this](const TrainFeedbackConstPtr&) { ++feedbacks_; });
+  ASSERT_TRUE(client_.waitForResult(ros::Duration(120)));
+  EXPECT_EQ(client_.getState(), actionlib::SimpleClientGoalState::SUCCEEDED);
+  EXPECT_EQ(client_.getResult()->images, 90u);
+  EXPECT_GT(feedbacks_, 0);
+}
+
 TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
   using Request = Retrain::Request;
   const auto expectRefused = [](const std::string& reason,
@@ -193,6 +233,7 @@ int main(int argc, char** argv) {
   return runRostest(argc, argv, "trainer_rostest", [] {
     std::filesystem::create_directories(modelFolder());
     writeBag(home() + "/short.bag", 20);
+    writeBag(home() + "/other.bag", 30);
     writeBag(home() + "/long.bag", 1500);
   });
 }

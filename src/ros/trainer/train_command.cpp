@@ -50,6 +50,9 @@ void check(const TrainGoal& goal) {
   require(
       goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
       "add_to excludes preset, yaml and reduction, which the model has");
+  require(!goal.calibrate || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty() &&
+                              goal.add_to.empty()),
+          "calibrate excludes preset, yaml, reduction and add_to");
   require(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
   require(goal.vector_limit <= kMaxVectorLimit,
           "vector_limit is above " + std::to_string(kMaxVectorLimit));
@@ -64,8 +67,8 @@ void check(const TrainGoal& goal) {
 }
 
 /// Fields that are not the option of place_tool by the same name.
-const std::vector<std::string> kOtherFields = {"bags",      "preset",       "yaml",
-                                               "reduction", "vector_limit", "recognizers"};
+const std::vector<std::string> kOtherFields = {
+    "bags", "preset", "yaml", "reduction", "vector_limit", "calibrate", "recognizers"};
 
 /// `--image-topic` of image_topic.
 std::string optionOf(std::string field) {
@@ -79,7 +82,8 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
                                       const std::vector<std::string>& bag_roots,
                                       const std::string& yaml_path) {
   check(goal);
-  std::vector<std::string> command = {findExecutable("place_tool"), "train"};
+  std::vector<std::string> command = {findExecutable("place_tool"),
+                                      goal.calibrate ? "calibrate" : "train"};
   for (const std::string& bag : goal.bags) command.push_back(confinedBagPath(bag, bag_roots));
   // A value joined to its option cannot be taken for another option.
   const auto add = [&command](const std::string& option, const std::string& value) {

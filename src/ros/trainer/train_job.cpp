@@ -6,8 +6,10 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 
 #include "base/atomic_file.h"
 #include "base/child_process.h"
@@ -58,7 +60,31 @@ TrainFeedback toFeedback(const Json& line) {
   return feedback;
 }
 
+/// "calibration error 0.120, then 0.041", of a figure before and after.
+std::string change(const std::string& what, const Json& figures, const char* key) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << what << " "
+       << figures.at("before").at(key).get<double>() << ", then "
+       << figures.at("after").at(key).get<double>();
+  return text.str();
+}
+
+TrainResult calibrationResult(const Json& figures, const std::string& model) {
+  TrainResult result;
+  result.success = true;
+  result.images = figures.at("images").get<std::uint64_t>();
+  result.validation_rate = figures.at("after").at("average_rate").get<double>();
+  result.message = "Calibrated " + model + " on " + std::to_string(result.images) +
+                   " images: " + change("rate", figures, "average_rate") + "; " +
+                   change("calibration error", figures, "calibration_error") + "; " +
+                   change("'unknown'", figures, "unknown") + "; " +
+                   change("slope", figures, "slope") + "; " +
+                   change("'unknown' below", figures, "unknown_threshold") + ".";
+  return result;
+}
+
 TrainResult toResult(const Json& figures, const std::string& model) {
+  if (figures.contains("before")) return calibrationResult(figures, model);
   TrainResult result;
   result.success = true;
   result.images = figures.at("images").get<std::uint64_t>();
