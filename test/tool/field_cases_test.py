@@ -9,9 +9,10 @@ import unicodedata
 import unittest
 
 import cv2
+import numpy as np
 import rosbag
 import rospy
-from sensor_msgs.msg import CompressedImage
+from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import String
 from tool_case import PLACE_TOOL, ROOMS, ToolCase, paint
 
@@ -313,6 +314,142 @@ class FullDiskTest(FieldCase):
         self.succeed("recognize", "run", *MODEL[:2], "--json", "/dev/null")
         self.assertTrue(pathlib.Path("/dev/null").is_char_device())
         self.refuse("import", "run", "--out", "/dev/full")
+
+
+class InfraredTest(FieldCase):
+    """Images of 10 bits in 16."""
+
+    def write_infrared(self, name, rooms, brightness, bits=10):
+        """mono16 images a second from 1000, `brightness` of 0..255 times the paint; of 8 bits mono8."""
+        with rosbag.Bag(str(self.folder / name), "w") as bag:
+            for i, room in enumerate(rooms):
+                grey = cv2.cvtColor(paint(room, i), cv2.COLOR_BGR2GRAY).astype(np.float64)
+                levels = np.minimum(grey * brightness * 4, 1023).astype("<u2")
+                stamp = rospy.Time(1000 + i)
+                if i % 4 == 0:
+                    bag.write("/place_label", String(room), stamp)
+                image = Image(height=96, width=128, encoding="mono16", step=256)
+                image.data = levels.tobytes()
+                if bits == 8:
+                    image.encoding, image.step = "mono8", 128
+                    image.data = (levels >> 2).astype(np.uint8).tobytes()
+                image.header.stamp = stamp
+                bag.write("/infra", image, stamp)
+        return name
+
+    def answers(self, *inputs):
+        result = self.run_tool("recognize", "--model", "./home.places", *inputs, "--json", "-")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return [(line["place"], line["scores"]) for line in
+                map(json.loads, result.stdout.splitlines())], result.stderr
+
+    def test_the_range_that_was_learned_is_kept(self):
+        rooms = [room for room in ("kitchen", "corridor", "office") for _ in range(8)]
+        self.write_infrared("day.bag", rooms, 1.2)
+        figures, said = self.train("day.bag")
+        self.assert_names(said, "0 .. 1023 of 16 bits")
+        self.assertLess(500, json.loads(self.succeed("info", "./home.places", "--json", "-"))
+                        ["image_depth"][1])
+        # By itself this run would be taken for one of 9 bits.
+        dark, said = self.answers(self.write_infrared("dark.bag", rooms, .4))
+        self.assert_names(said, "0 .. 1023 of 16 bits, as in training")
+        self.assertEqual(dark, self.answers(self.write_infrared("dark8.bag", rooms, .4, bits=8))[0])
+        for verb in ("evaluate", "calibrate"):
+            result = self.run_tool(verb, "dark.bag", "--model", "./home.places")
+            self.assertIn("as in training", result.stderr)
+        # A single picture, and a folder.
+        dark_grey = (cv2.cvtColor(paint("kitchen", 0), cv2.COLOR_BGR2GRAY) * 1.6).astype(np.uint16)
+        picture = self.write_picture("runs/kitchen/0.png", dark_grey)
+        single = self.answers(picture)[0]
+        self.assertEqual(single, self.answers("runs")[0])
+        self.assertEqual(single, self.answers(self.write_picture(
+            "eight.png", (dark_grey >> 2).astype(np.uint8)))[0])
+
+    def test_runs_of_one_training_share_a_range(self):
+        rooms = [room for room in ("kitchen", "corridor", "office") for _ in range(8)]
+        self.write_infrared("dark.bag", rooms, .4)
+        self.write_infrared("day.bag", rooms, 1.2)
+        said = self.train("dark.bag", "day.bag")[1]
+        self.assertEqual(said.count("0 .. 1023 of 16 bits"), 2, said)
+
+
+class RedAndBlueTest(FieldCase):
+    def test_compressed_images_are_those_that_image_transport_makes_of_them(self):
+        """The same images raw, and compressed without loss in each way of naming the channels."""
+        ways = {"raw": None, "rgb8; png compressed rgb8": False, "rgb8; png compressed bgr8": True,
+                "bgr8; png compressed bgr8": True, "bgr8; png compressed rgb8": False,
+                "rgb8; png compressed ": False, "png": True}
+        models = {}
+        for way, stored_as_bgr in ways.items():
+            with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+                for i in range(24):
+                    stamp, room = rospy.Time(1000 + i), list(ROOMS)[i // 8]
+                    bgr = paint(room, i)
+                    if i % 8 == 0:
+                        bag.write("/place_label", String(room), stamp)
+                    if way == "raw":
+                        image = Image(height=96, width=128, encoding="rgb8", step=384,
+                                      data=bgr[..., ::-1].tobytes())
+                    else:
+                        stored = bgr if stored_as_bgr else bgr[..., ::-1]
+                        image = CompressedImage(format=way, data=cv2.imencode(
+                            ".png", np.ascontiguousarray(stored))[1].tobytes())
+                    image.header.stamp = stamp
+                    bag.write("/image" if way == "raw" else "/image/compressed", image, stamp)
+            self.train("run.bag")
+            models[way] = (self.folder / "home.places").read_bytes()
+        for way, model in models.items():
+            self.assertTrue(model == models["raw"], way)
+
+
+class SurroundingsTest(FieldCase):
+    def train_in(self, **environment):
+        result = subprocess.run(
+            [PLACE_TOOL, "train", "run", *MODEL, "--json", "-"], cwd=self.folder, timeout=120,
+            env={key: value for key, value in dict(self.environment(), **environment).items()
+                 if value is not None}, text=True, capture_output=True)
+        return result
+
+    def test_a_locale_with_a_decimal_comma(self):
+        made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8",
+                               str(self.folder / "de_DE.UTF-8")], capture_output=True)
+        if made.returncode > 1:
+            self.skipTest("no source of the locale de_DE (package locales)")
+        self.write_run("run")
+        plain = self.train_in(LC_ALL="C")
+        model = (self.folder / "home.places").read_bytes()
+        german = self.train_in(LC_ALL="de_DE.UTF-8", LOCPATH=str(self.folder))
+        figures = [json.loads(result.stdout) for result in (plain, german)]
+        for figure in figures:
+            figure.pop("seconds", None)
+        self.assertEqual(*figures)
+        self.assertTrue((self.folder / "home.places").read_bytes() == model)
+
+    def test_no_home(self):
+        self.write_run("run")
+        result = self.train_in(HOME=None, ROS_HOME=None)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        environment = {key: value for key, value in os.environ.items()
+                       if key not in ("HOME", "ROS_HOME")}
+        result = subprocess.run([PLACE_TOOL, "train", "run", "--model", "home"], cwd=self.folder,
+                                env=environment, text=True, capture_output=True, timeout=120)
+        self.assertEqual(result.returncode, 1)
+        self.assert_names(result.stderr, "HOME is not set; set ROS_HOME or HOME.")
+
+    def test_names_in_any_script(self):
+        names = ["\U0001f373 kitchen", "\U0001f469\u200d\U0001f373", "\u5eca\u4e0b", "\u063a\u0631\u0641\u0629"]
+        for i, name in enumerate(names):
+            for view in range(8):
+                self.write_picture(f"\u2615 run/{name}/{view}.png",
+                                   paint(list(ROOMS)[i % 3], 8 * i + view, seed=i))
+        self.assertEqual(self.rooms_of("\u2615 run"), sorted(names))
+        figures = self.figures("evaluate", "\u2615 run", "--model", "./home.places", "--report",
+                               "report \u2615")
+        self.assertEqual(sorted(figures["confusion"]["labels"]), sorted(names))
+        self.succeed("import", "\u2615 run", "--out", "\u2615.bag")
+        self.assertEqual(self.rooms_of("\u2615.bag"), sorted(names))
+        for name in names:
+            self.assertIn(name, self.succeed("info", "./home.places"))
 
 
 class SharedCasesTest(FieldCase):

@@ -89,10 +89,15 @@ void LabelledRecording::finish() {
         (timeless_ > 0 ? noClock(timeless_) : "No image has come on " + image_topic_ + ".") +
         " Nothing was recorded.");
   }
-  bag->complete();
-  const std::string count = bag->path() + ": " + std::to_string(images_) + " images.";
-  if (failed_) throw Error("The recording is not whole: " + count);
-  ROS_INFO("%s", count.c_str());
+  const std::string rescue = " What was recorded is in " + bag->path() + kActive +
+                             "; when there is room, run: rosbag reindex " + bag->path() + kActive;
+  if (failed_) throw Error("The recording is not whole." + rescue);
+  try {
+    bag->complete();
+  } catch (const Error& e) {
+    throw Error(e.what() + rescue);
+  }
+  ROS_INFO("%s: %lu images.", bag->path().c_str(), static_cast<unsigned long>(images_));
 }
 
 void LabelledRecording::say(const std::string& place, const ros::Time& time) {

@@ -38,6 +38,7 @@ void endOnRequest() {
       if (end_requested.exchange(true)) ros::requestShutdown();
     });
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a write that a limit stops fails like one on a full disk
   ros::XMLRPCManager::instance()->unbind("shutdown");
   ros::XMLRPCManager::instance()->bind("shutdown", onShutdownCall);
 }

@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+"""Nodes where the disk is full, clocks differ, cameras are infrared, and a manager runs two nodelets."""
+import os
+import sys
+import unittest
+
+import cv2
+import numpy as np
+import rosbag
+import rospy
+from place_recognition.msg import PlaceRecognition
+from place_recognition.srv import Retrain
+from sensor_msgs.msg import Image
+from std_msgs.msg import String
+
+sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
+from node_case import PROGRAMS, Camera, NodeCase, paint  # noqa: E402
+
+IMAGE = "image:=/camera/image_raw"
+ROOMS = "places: [{name: kitchen, position: [[0, 0], [4, 0], [4, 3]]}]"
+TOOL = os.environ["PLACE_TOOL"]
+
+
+class FieldCase(NodeCase):
+    def camera(self, *arguments, **options):
+        camera = Camera(*arguments, **options)
+        self.addCleanup(camera.close)
+        return camera
+
+    def listen(self, topic, type_):
+        """What comes on a topic from now on."""
+        heard = []
+        subscriber = rospy.Subscriber(topic, type_, heard.append)
+        self.addCleanup(subscriber.unregister)
+        self.wait_for(subscriber.get_num_connections, f"nobody publishes {topic}")
+        return heard
+
+    def write_run(self, name):
+        """A labelled bag of two rooms."""
+        with rosbag.Bag(str(self.folder / name), "w") as bag:
+            for i in range(16):
+                room = ("kitchen", "office")[i // 8]
+                stamp = rospy.Time(1000 + i)
+                if i % 8 == 0:
+                    bag.write("/place_label", String(room), stamp)
+                image = Image(height=96, width=128, encoding="bgr8", step=384,
+                              data=paint(room, i).tobytes())
+                image.header.stamp = stamp
+                bag.write("/image", image, stamp)
+        return name
+
+    def train(self, run, model="home"):
+        program = self.start(TOOL, "train", run, "--model", model, "--config", "crfh_colour")
+        self.assertEqual(program.wait(), 0, program.output)
+        return model
+
+
+class FullDiskTest(FieldCase):
+    """A limit on the size of files stands for a disk that is full: the kernel refuses to write."""
+
+    def start_on_small_disk(self, kilobytes, node, *arguments):
+        return self.start("prlimit", f"--fsize={kilobytes * 1024}", PROGRAMS / node,
+                          f"__name:={node}", *arguments)
+
+    def test_recorders_end_with_a_sentence_and_keep_what_can_be_rescued(self):
+        (self.folder / "rooms.yaml").write_text(ROOMS)
+        for node, arguments in (("place_labeler", []), ("auto_labeler", ["_rooms:=rooms.yaml"])):
+            with self.subTest(node):
+                bag = self.folder / f"{node}.bag"
+                camera = self.camera(compressed=False)
+                # rosbag writes a chunk of 768 KB at a time.
+                program = self.start_on_small_disk(1200, node, f"_bag:={bag}", IMAGE, *arguments)
+                self.wait_for(camera.listeners, "nobody listens")
+                self.wait_for(lambda: camera.send() or program.process.poll() is not None,
+                              lambda: program.output)
+                self.expect_end(program, 1, f"Cannot write {bag}", "make room",
+                                f"rosbag reindex {bag}.active")
+                self.assertNotIn("terminate called", program.output)
+                self.assertFalse(bag.exists())
+                camera.close()
+                rescue = self.start("rosbag", "reindex", f"{bag}.active")
+                self.assertEqual(rescue.wait(), 0, rescue.output)
+                with rosbag.Bag(f"{bag}.active") as rescued:
+                    self.assertGreater(rescued.get_message_count(), 10)
+
+    def test_a_recorder_that_cannot_even_start(self):
+        program = self.start_on_small_disk(0, "place_labeler", "_bag:=run.bag", IMAGE)
+        self.assertEqual(program.wait(), 1)
+        self.assertEqual(list(self.folder.glob("run.bag*")), [])
+
+    def test_the_trainer_refuses_and_goes_on(self):
+        self.write_run("run.bag")
+        self.start_on_small_disk(3, "trainer", f"_bag_roots:=[{self.folder}]")
+        rospy.wait_for_service("/trainer/retrain", 60)
+        retrain = rospy.ServiceProxy("/trainer/retrain", Retrain)
+        for _ in range(2):
+            answer = retrain(bags=[str(self.folder / "run.bag")], model="home", preset="crfh_colour")
+            self.assertFalse(answer.success)
+            self.assertIn("Cannot write", answer.message)
+            self.assertIn("make room", answer.message)
+        self.assertEqual([path for path in (self.folder / "ros_home").rglob("*")
+                          if "places" in path.name], [])
+
+
+class StampsTest(FieldCase):
+    def test_every_frame_is_answered_whatever_its_stamp(self):
+        model = self.train(self.write_run("run.bag"))
+        node = self.start_node("place_recognizer", f"_model:={model}", "image:=/camera/image_raw",
+                               "_lazy:=false")
+        camera = self.camera(compressed=False)
+        self.wait_for(camera.listeners, "nobody listens")
+        heard = self.listen("/place_recognizer/recognition", PlaceRecognition)
+        places = self.listen("/place_recognizer/place", String)
+        now = rospy.Time.now()
+        second = rospy.Duration(1)
+        stamps = [now, now + 2 * second, now + 2 * second, now - 2 * second, now + second,
+                  rospy.Time(0), rospy.Time(0, 1), now, rospy.Time(2 ** 32 - 1), now]
+        for i, stamp in enumerate(stamps):
+            message = camera.message()
+            message.header.stamp = stamp
+            camera.publisher.publish(message)
+            self.wait_for(lambda: len(heard) > i, lambda: f"{stamp} unanswered: {node.output}")
+            self.assertEqual((heard[i].header.stamp, heard[i].place), (stamp, "kitchen"))
+        self.wait_for(lambda: any(place.data == "kitchen" for place in places), lambda: places)
+        self.assertEqual(node.interrupt(), 0)
+
+    def test_a_camera_whose_clock_differs_by_two_seconds_is_recorded_and_learned(self):
+        (self.folder / "rooms.yaml").write_text(ROOMS)
+        for skew in (2, -2):
+            camera = self.camera()
+            node = self.start_node("auto_labeler", "_rooms:=rooms.yaml", f"_bag:=run{skew}.bag", IMAGE,
+                                   "_image_transport:=compressed")
+            self.wait_for(camera.listeners, "nobody listens")
+            for _ in range(20):
+                camera.send(rospy.Time.now() + rospy.Duration(skew))
+                rospy.sleep(0.02)
+            self.expect(node, "Recording")
+            rospy.sleep(3)
+            self.assertEqual(node.interrupt(), 0, node.output)
+            self.assertIn("20 images", node.output)
+            camera.close()
+
+
+class InfraredTest(FieldCase):
+    def test_the_range_of_the_model_is_used(self):
+        def infrared(room, view, share):
+            grey = cv2.cvtColor(paint(room, view), cv2.COLOR_BGR2GRAY).astype(np.float64)
+            return Image(height=96, width=128, encoding="mono16", step=256,
+                         data=np.minimum(grey * 4 * share, 1023).astype("<u2").tobytes())
+
+        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+            for i in range(16):
+                room = ("kitchen", "office")[i // 8]
+                if i % 8 == 0:
+                    bag.write("/place_label", String(room), rospy.Time(1000 + i))
+                bag.write("/image", infrared(room, i, 1.2), rospy.Time(1000 + i))
+        model = self.train("run.bag")
+        node = self.start_node("place_recognizer", f"_model:={model}", "image:=/infra", "_lazy:=false")
+        publisher = rospy.Publisher("/infra", Image, queue_size=1)
+        self.addCleanup(publisher.unregister)
+        self.wait_for(publisher.get_num_connections, "nobody listens")
+        publisher.publish(infrared("kitchen", 1, .4))
+        self.expect(node, "Images of 16 bits are used in 8, 0 .. 1023 of 16 bits, as in training.")
+        self.assertEqual(node.interrupt(), 0)
+
+
+class TwoNodeletsTest(FieldCase):
+    def test_two_recognizers_in_one_manager_have_a_model_and_a_camera_each(self):
+        with rosbag.Bag(str(self.folder / "other.bag"), "w") as bag:
+            for i in range(16):
+                room = ("corridor", "office")[i // 8]
+                if i % 8 == 0:
+                    bag.write("/place_label", String(room), rospy.Time(1000 + i))
+                bag.write("/image", Image(height=96, width=128, encoding="bgr8", step=384,
+                                          data=paint(room, i).tobytes()), rospy.Time(1000 + i))
+        models = {"front": self.train(self.write_run("run.bag"), "home"),
+                  "rear": self.train("other.bag", "other")}
+        manager = self.start(os.environ["PLACE_RECOGNITION_NODELET_MANAGER"], "__name:=manager")
+        cameras, heard = {}, {}
+        for name, model in models.items():
+            self.launch("recognize.launch", "manager:=manager", f"name:={name}", f"model:={model}",
+                        f"image:=/{name}/image_raw", "lazy:=false")
+            cameras[name] = self.camera(f"/{name}/image_raw", compressed=False)
+            self.wait_for(cameras[name].listeners, "nobody listens")
+            heard[name] = self.listen(f"/{name}/recognition", PlaceRecognition)
+        for _ in range(5):
+            for name, camera in cameras.items():
+                before = len(heard[name])
+                camera.send()
+                self.wait_for(lambda: len(heard[name]) > before, lambda: manager.output)
+        for name, other in (("front", "kitchen"), ("rear", "corridor")):
+            self.assertEqual({message.model_name for message in heard[name]}, {models[name]})
+            self.assertEqual({place.name for message in heard[name] for place in message.places},
+                             {other, "office"})
+            self.assertEqual(len(heard[name]), 5)
+        self.assertEqual({message.place for message in heard["front"]}, {"kitchen"})
+
+
+if __name__ == "__main__":
+    unittest.main()
