@@ -4,6 +4,8 @@
 #include <cassert>
 #include <vector>
 
+#include "base/depth_extents.h"
+
 namespace place_recognition {
 namespace {
 
@@ -31,11 +33,6 @@ DepthExtent depthExtentOf(const cv::Mat& image) {
   for (std::size_t below = counts[low]; below <= ignored; below += counts[low]) ++low;
   for (std::size_t above = counts[high]; above <= ignored; above += counts[high]) --high;
   return {low, high};
-}
-
-DepthExtent united(const DepthExtent& a, const DepthExtent& b) {
-  if (!a.known() || !b.known()) return a.known() ? a : b;
-  return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
 DepthScale::DepthScale(const DepthExtent& extent) : extent_(extent), given_(extent.known()) {

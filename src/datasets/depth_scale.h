@@ -11,9 +11,6 @@ namespace place_recognition {
 /// Of an image (CV_16U), without the extreme half percent of its channels at each side.
 DepthExtent depthExtentOf(const cv::Mat& image);
 
-/// What holds both; an extent that is not known adds nothing.
-DepthExtent united(const DepthExtent& a, const DepthExtent& b);
-
 /// Brings images of 16 bits a channel to 8 bits. The range that becomes 0 .. 255 is a power of two
 /// wide, from zero where images start near it; so the runs of one camera share it although their
 /// scenes differ.

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "base/depth_extents.h"
 #include "datasets/picture_sequence.h"
 #include "scratch_folder.h"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <opencv2/core.hpp>
 
-#include "recognition/depth_scale.h"
+#include "base/depth_extents.h"
 
 namespace place_recognition {
 namespace {

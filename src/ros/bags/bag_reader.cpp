@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/depth_extents.h"
 #include "base/process_limits.h"
 #include "datasets/depth_scale.h"
 #include "place_recognition/error.h"
