@@ -73,7 +73,7 @@ TEST(ModelFile, KeepsWhatTheImagesWereLike) {
   EXPECT_EQ(read.darkest, images.darkest);
   EXPECT_EQ(read.brightest, images.brightest);
   EXPECT_FALSE(read.depth.known());
-  Model infrared = smallModel();
+  Model infrared = parseModel(smallModelBytes(), "test");
   infrared.images.depth = {10, 900};
   const DepthExtent depth = parseModel(serializeModel(infrared), "test").images.depth;
   EXPECT_EQ(depth.low, 10u);
