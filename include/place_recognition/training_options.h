@@ -40,10 +40,11 @@ struct SamplingOptions {
   void check() const;
 };
 
-/// One cue: a feature and the kernel that compares it.
+/// One cue: a feature, the kernel that compares it, and what it counts beside others.
 struct CueOptions {
   std::string name = "crfh";
   std::string normalize = "none";
+  double weight = 1;
   FeatureOptions feature;
   KernelOptions kernel;
 
@@ -55,6 +56,9 @@ struct CueOptions {
             "mean level to 110; grey-world: a gain per channel does; run: a gain per channel "
             "brings the light of the run, as far as it is known, to that of the training, and the "
             "cue counts the more the better it is known");
+    visitor("weight", self.weight,
+            "how much the cue counts beside the others, 0.01..100, unless held-out frames clearly "
+            "speak for other weights");
     visitor("feature", self.feature, "what is extracted from each image");
     visitor("kernel", self.kernel, "how two such features are compared");
   }

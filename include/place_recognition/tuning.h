@@ -20,12 +20,14 @@ struct SearchSpace {
   std::vector<std::vector<double>> scales = {{1}, {4}, {1, 4}, {2, 8}};
   std::vector<int> bins = {10, 16, 28};
   int max_dimensions = 6;
-  std::vector<double> gamma_factors = {0.25, 1, 4};
   std::vector<double> c = {10, 100, 1000};
-  int max_cues = 3;
+  int max_cues = 6;
   bool other_light = true;
   int first_pictures = 200;
   int max_pictures = 1000;
+
+  /// Further cues in question. Not read from YAML.
+  std::vector<CueOptions> cues = {};
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -35,19 +37,17 @@ struct SearchSpace {
     visitor("bins", self.bins, "quantisation levels of each dimension");
     visitor("max_dimensions", self.max_dimensions,
             "a histogram has at most this many dimensions, descriptors times scales");
-    visitor("gamma_factors", self.gamma_factors,
-            "gamma, as multiples of one over twice the typical distance");
     visitor("c", self.c, "price of a training error");
     visitor("max_cues", self.max_cues, "that are combined at most, 1..8");
-    visitor(
-        "other_light", self.other_light,
-        "judge held-out pictures a second time, in other light, and have `train` learn from such "
-        "ones, too; not where the rooms are only ever seen in the light of the runs");
+    visitor("other_light", self.other_light,
+            "change the light, too, of the held-out pictures that are judged a second time; not "
+            "where the "
+            "rooms are only ever seen in the light of the runs");
     visitor("first_pictures", self.first_pictures,
             "the first of at most two rounds, which compare scales and bins, looks at about this "
             "many, the second at twice as many");
     visitor("max_pictures", self.max_pictures,
-            "about this many are looked at for gamma, the combination of cues and C, and at most "
+            "about this many are looked at for the combination of cues and C, and at most "
             "in the rounds");
   }
   /// Throws Error naming the first field out of range.
@@ -56,18 +56,18 @@ struct SearchSpace {
 
 /// How one configuration fared on held-out pictures.
 struct TuningTrial {
-  std::string stage;             ///< in plain words, as "round 1", "gamma", "second cue"
-  std::vector<CueOptions> cues;  ///< with the gamma tried
+  std::string stage;             ///< in plain words, as "round 1 of 2", "one more", "C"
+  std::vector<CueOptions> cues;  ///< combined with the weights of their options
   double c = 0;                  ///< price of a training error
   std::uint64_t pictures = 0;    ///< looked at
-  double log_loss = 0;          ///< nats a picture, rooms weighted alike, all lights; the criterion
-  double rate = 0;              ///< mean of the rooms' rates in the light of the recording
-  double other_light_rate = 0;  ///< the same in other light; 0 if that was not asked for
+  double log_loss = 0;           ///< nats a picture, rooms weighted alike; the criterion
+  double rate = 0;               ///< mean of the rooms' rates on pictures as recorded
+  double changed_rate = 0;       ///< the same on changed ones
 };
 
 /// What tune() found.
 struct Tuning {
-  TrainingOptions options;          ///< what `train` is to be given; unreduced, as it was judged
+  TrainingOptions options;          ///< what `train` is to be given
   TuningTrial best;                 ///< how they fared
   std::vector<TuningTrial> trials;  ///< everything that was tried, in order
   bool complete = true;             ///< false: stopped early, and the best so far
@@ -75,25 +75,28 @@ struct Tuning {
   double seconds = 0;
 };
 
-/// Finds features, gamma and C for `runs` by cross-validation within them; `base` gives everything
-/// else, and its own cues are candidates beside those of `space`.
+/// Finds features and C for `runs` by cross-validation within them, starting from `base`, which
+/// also gives everything else. `base` is left only for good reason: it was found on other sites,
+/// and a few hundred pictures of one run cannot tell much.
 ///
-/// Folds are whole runs if two or more of them hold every place, else contiguous blocks of time;
-/// if `hold_out` is not empty, one split: trained on `runs`, tested on `hold_out`. Tested pictures
-/// are judged in the light of the recording and in other light (see AugmentationOptions), because
-/// a recording cannot tell which features survive the night. The criterion is the log loss of the
-/// calibrated probabilities: it uses how sure the answers are, where a rate of a few hundred frames
-/// only knows right and wrong. What is simpler wins if it is within one standard error (of the
-/// paired difference).
+/// Folds are whole runs if two or more of them hold every place, else the blocks of time that
+/// training holds out; if `hold_out` is not empty, one split: trained on `runs`, tested on
+/// `hold_out`. A tested picture is judged as it was recorded and as the next run might show it: in
+/// other light, nearer, to the side, less sharp. The criterion is the log loss of the calibrated
+/// probabilities: it uses how sure the answers are, where a rate of a few hundred frames only
+/// knows right and wrong.
 ///
 /// 1. For each set of descriptors, scales and bins by successive halving: a second round on
-///    twice as many pictures for the best quarter of the first. 2. Gamma for each survivor. 3. Cues
-///    are added one at a time, with equal weights, while that gains two standard errors. 4. C.
-///    Measures between pictures are computed once a candidate and serve every gamma, C and
-///    combination.
+///    twice as many pictures for the best quarter of the first. What is simpler wins if it is
+///    within one standard error (of the paired difference).
+/// 2. From the cues of `base`, the step that gains most, while it gains four standard errors: a
+///    survivor or a cue of `space.cues` in place of a cue, one more, or one less.
+/// 3. C.
+///    Measures between pictures are computed once a candidate and serve every C and combination.
 ///
-/// Throws Error if the runs cannot be learned from; Cancelled if `progress` asks for a stop before
-/// anything was found, else what was found by then is returned. Independent of `threads`.
+/// Throws Error if the runs cannot be learned from, or a network cannot be used. If `progress` asks
+/// for a stop, what was found by then is returned, at first `base`; Cancelled if it does so before
+/// the pictures are counted. Independent of `threads`.
 Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& hold_out,
             const TrainingOptions& base, const SearchSpace& space, unsigned threads = 0,
             const Progress& progress = {});

@@ -34,6 +34,14 @@ void explain(const std::string& where, const Work& work) {
   }
 }
 
+void readOptionsFile(const std::string& path, TrainingOptions& options) {
+  const YAML::Node file = readYamlFile(path);
+  explain(path, [&] {
+    readOptions(file, "", options);
+    options.check();
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> presetNames() {
@@ -47,6 +55,12 @@ std::vector<std::string> presetNames() {
   return names;
 }
 
+TrainingOptions readPreset(const std::string& name) {
+  TrainingOptions options;
+  readOptionsFile(configurationPath(name), options);
+  return options;
+}
+
 void ConfigurationOptions::addTo(Verb& verb) {
   verb.option("--config", "FILE", config, "YAML file, or a preset's name, as crfh_colour");
   verb.option("--set", "KEY=VALUE", set,
@@ -55,14 +69,7 @@ void ConfigurationOptions::addTo(Verb& verb) {
 }
 
 TrainingOptions ConfigurationOptions::read(TrainingOptions options) const {
-  if (!config.empty()) {
-    const std::string path = configurationPath(config);
-    const YAML::Node file = readYamlFile(path);
-    explain(path, [&] {
-      readOptions(file, "", options);
-      options.check();
-    });
-  }
+  if (!config.empty()) readOptionsFile(configurationPath(config), options);
   if (!set.empty()) {
     const YAML::Node tree = parseYaml(writeOptions(options), "the configuration");
     for (const std::string& assignment : set) assignOption(tree, assignment);
@@ -71,7 +78,7 @@ TrainingOptions ConfigurationOptions::read(TrainingOptions options) const {
       options.check();
     });
   }
-  tryNetworks(options);
+  tryNetworks(options.cues);
   return options;
 }
 

@@ -21,6 +21,9 @@ struct ConfigurationOptions {
   TrainingOptions read(TrainingOptions options = {}) const;
 };
 
+/// A preset that comes with the package. Networks that it names are not tried.
+TrainingOptions readPreset(const std::string& name);
+
 /// Names of the presets that come with the package, in ascending order: `crfh` for
 /// `config/crfh.yaml`.
 std::vector<std::string> presetNames();

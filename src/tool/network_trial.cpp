@@ -81,9 +81,10 @@ std::string runTrial(const std::vector<std::string>& arguments, const std::strin
 
 }  // namespace
 
-void tryNetworks(const TrainingOptions& options) {
-  for (const EmbeddingOptions* embedding : embeddingsOf(options)) {
-    if (embedding->loaded) continue;
+void tryNetworks(const std::vector<CueOptions>& cues) {
+  for (const CueOptions& cue : cues) {
+    const auto* embedding = std::get_if<EmbeddingOptions>(&cue.feature);
+    if (!embedding || embedding->loaded) continue;
     runTrial({embedding->network, "--options=" + writeOptions(*embedding)}, embedding->network,
              embedding->layer);
   }

@@ -1,14 +1,17 @@
-#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
 #include "base/atomic_file.h"
 #include "base/options.h"
+#include "place_recognition/network.h"
 #include "place_recognition/tuning.h"
+#include "recognition/model/embeddings.h"
 #include "report/text_table.h"
 #include "tool/configuration.h"
 #include "tool/inputs.h"
+#include "tool/network_trial.h"
 #include "tool/output.h"
 #include "tool/verbs.h"
 
@@ -39,11 +42,17 @@ SearchSpace readSpace(const std::string& path) {
   return space;
 }
 
-/// What everything else is taken from. Its cues are tried only if a configuration was named.
-TrainingOptions readBase(const ConfigurationOptions& configuration) {
-  TrainingOptions base = configuration.read();
-  if (configuration.config.empty()) base.cues.clear();
-  return base;
+/// The cue of the preset `embedding` takes part if its network is installed, unless `base` has an
+/// embedding already.
+void addInstalledNetwork(const TrainingOptions& base, SearchSpace& space) {
+  if (!embeddingsOf(base).empty()) return;
+  for (const CueOptions& cue : readPreset("embedding").cues) {
+    const auto* embedding = std::get_if<EmbeddingOptions>(&cue.feature);
+    if (embedding && std::filesystem::exists(networkPath(embedding->network))) {
+      space.cues.push_back(cue);
+    }
+  }
+  tryNetworks(space.cues);
 }
 
 std::string namesOf(const std::vector<CueOptions>& cues) {
@@ -52,24 +61,20 @@ std::string namesOf(const std::vector<CueOptions>& cues) {
   return names;
 }
 
-std::string gammasOf(const std::vector<CueOptions>& cues) {
-  std::ostringstream text;
-  text.precision(3);
-  for (const CueOptions& cue : cues) text << (&cue == &cues[0] ? "" : " ") << cue.kernel.gamma;
-  return text.str();
-}
-
 std::vector<std::string> rowOf(const TuningTrial& trial) {
-  return {trial.stage + ": " + namesOf(trial.cues), gammasOf(trial.cues),     fixed(trial.c, 0),
-          std::to_string(trial.pictures),           fixed(trial.log_loss, 3), percent(trial.rate),
-          percent(trial.other_light_rate)};
+  return {trial.stage + ": " + namesOf(trial.cues),
+          fixed(trial.c, 0),
+          std::to_string(trial.pictures),
+          fixed(trial.log_loss, 3),
+          percent(trial.rate),
+          percent(trial.changed_rate)};
 }
 
 /// The trials as a table, those for which `wanted` holds.
 template <typename Wanted>
 std::string table(const std::vector<TuningTrial>& trials, const Wanted& wanted) {
   std::vector<std::vector<std::string>> rows{
-      {"tried", "gamma", "C", "pictures", "log loss", "right", "in other light"}};
+      {"tried", "C", "pictures", "log loss", "right", "changed"}};
   for (const TuningTrial& trial : trials) {
     if (wanted(trial)) rows.push_back(rowOf(trial));
   }
@@ -87,25 +92,26 @@ std::string yamlOf(const Tuning& tuning, const std::vector<std::string>& inputs)
   std::string header = "Found by `place_tool tune` for";
   for (const std::string& input : inputs) header += " " + input;
   header += tuning.complete ? ".\n" : "; stopped before its end.\n";
-  header += "Held-out pictures: log loss " + fixed(tuning.best.log_loss, 3) + ", " +
-            percent(tuning.best.rate) + " right, " + percent(tuning.best.other_light_rate) +
-            " in other light.\n\nEverything that was tried:\n" +
+  header += tuning.best.pictures == 0
+                ? "It is what the search started from; nothing was compared with it yet.\n"
+                : "Held-out pictures: log loss " + fixed(tuning.best.log_loss, 3) + ", " +
+                      percent(tuning.best.rate) + " right, " + percent(tuning.best.changed_rate) +
+                      " as the next run might show them.\n";
+  header += "\nEverything that was tried:\n" +
             table(tuning.trials, [](const TuningTrial&) { return true; });
   return asComment(header) + "\n" + writeOptions(tuning.options);
 }
 
 Json jsonOf(const TuningTrial& trial) {
   Json cues = Json::array();
-  for (const CueOptions& cue : trial.cues) {
-    cues.push_back({{"name", cue.name}, {"gamma", cue.kernel.gamma}});
-  }
+  for (const CueOptions& cue : trial.cues) cues.push_back({{"name", cue.name}});
   return {{"stage", trial.stage},
           {"cues", cues},
           {"c", trial.c},
           {"pictures", trial.pictures},
           {"log_loss", trial.log_loss},
           {"rate", trial.rate},
-          {"other_light_rate", trial.other_light_rate}};
+          {"changed_rate", trial.changed_rate}};
 }
 
 Json figures(const Tuning& tuning, const std::string& path) {
@@ -128,7 +134,8 @@ void printSummary(const Tuning& tuning, const std::string& path, std::ostream& o
 void tune(const TuneOptions& options) {
   SearchSpace space = readSpace(options.space);
   if (options.same_light) space.other_light = false;
-  const TrainingOptions base = readBase(options.configuration);
+  const TrainingOptions base = options.configuration.read();
+  addInstalledNetwork(base, space);
   requireWritable(options.out);
   const std::vector<RunOpener> runs = options.input.openers(options.inputs);
   const std::vector<RunOpener> hold_out =
@@ -148,7 +155,7 @@ void tune(const TuneOptions& options) {
 }  // namespace
 
 void addTune(CommandLine& tool) {
-  Verb& verb = tool.verb("tune", "Finds features, gamma and C by cross-validation over runs");
+  Verb& verb = tool.verb("tune", "Finds features and C by cross-validation over runs");
   const auto options = std::make_shared<TuneOptions>();
   verb.argument("INPUT", options->inputs, kInputHelp);
   verb.option("--out", "FILE.yaml", options->out, "YAML file for `train --config`").required();
@@ -158,16 +165,18 @@ void addTune(CommandLine& tool) {
   verb.option("--space", "FILE", options->space,
               "YAML file that says what to try; see doc/configuration.md");
   verb.flag("--same-light", options->same_light,
-            "The rooms will only be seen in the light of these runs: do not judge the held-out "
-            "pictures in other light, too");
+            "The rooms will only be seen in the light of these runs: do not change it in the "
+            "held-out pictures that stand for the next run");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
   verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
-      "Two rounds compare scales and bins on few pictures (--space: first_pictures), then gamma,\n"
-      "the combination of cues and C are chosen on more of them (max_pictures).\n"
-      "Cues of --config are tried beside those of the search space. Ctrl-C keeps the best so far.\n"
+      "Starts from the configuration, the default one unless told, and leaves it only where "
+      "held-out\n"
+      "pictures, also changed as the next run might show them, clearly speak for it. One or two\n"
+      "rounds find the best scales and bins on few pictures (--space: first_pictures), then cues\n"
+      "and C are chosen on more of them (max_pictures). Ctrl-C keeps the best so far.\n"
       "Example:\n"
       "  place_tool tune monday.bag tuesday.bag --out office.yaml\n"
       "  place_tool train monday.bag tuesday.bag --model office --config office.yaml");

@@ -1,9 +1,8 @@
 #include "tuning/candidates.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
-
-#include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
@@ -31,12 +30,27 @@ std::string nameOf(const CrfhOptions& crfh) {
   name.erase(std::remove_if(name.begin(), name.end(),
                             [](char c) { return c == '(' || c == ')' || c == '+'; }),
              name.end());
-  constexpr std::size_t kLongest = 64;
+  constexpr std::size_t kLongest = 62;  // of a name; "_g" may follow
   return name.substr(0, kLongest);
 }
 
 bool isAllowed(const CrfhOptions& crfh, int max_dimensions) {
   return static_cast<int>(crfh.descriptors.size() * crfh.scales.size()) <= max_dimensions;
+}
+
+/// Brightness and colours, not their changes from pixel to pixel.
+bool isColour(const std::vector<std::string>& descriptors) {
+  static const std::set<std::string> channels{"L", "R", "G", "B", "C1", "C2"};
+  return std::all_of(descriptors.begin(), descriptors.end(),
+                     [](const std::string& name) { return channels.count(name) > 0; });
+}
+
+CueOptions cueOf(const CrfhOptions& crfh, const std::string& normalize) {
+  CueOptions cue;
+  cue.name = nameOf(crfh) + (normalize == "grey-world" ? "_g" : "");
+  cue.normalize = normalize;
+  cue.feature = crfh;
+  return cue;
 }
 
 Family familyOf(const std::vector<std::string>& descriptors, const SearchSpace& space) {
@@ -52,12 +66,16 @@ Family familyOf(const std::vector<std::string>& descriptors, const SearchSpace& 
       crfh.descriptors = descriptors;
       crfh.scales = set;
       crfh.bins = {count};
+      crfh.levels = isColour(descriptors) ? "linear" : "logarithmic";
       if (!isAllowed(crfh, space.max_dimensions)) continue;
       crfh.check();
-      CueOptions cue;
-      cue.name = nameOf(crfh);
-      cue.feature = crfh;
-      family.cues.push_back(cue);
+      if (!isColour(descriptors)) {
+        family.cues.push_back(cueOf(crfh, "none"));
+      } else {
+        for (const char* normalize : {"run", "grey-world"}) {
+          family.cues.push_back(cueOf(crfh, normalize));
+        }
+      }
     }
   }
   return family;
@@ -65,16 +83,11 @@ Family familyOf(const std::vector<std::string>& descriptors, const SearchSpace& 
 
 }  // namespace
 
-std::vector<Family> candidateFamilies(const TrainingOptions& base, const SearchSpace& space) {
+std::vector<Family> candidateFamilies(const SearchSpace& space) {
   std::vector<Family> families;
   for (const std::vector<std::string>& descriptors : space.descriptors) {
     Family family = familyOf(descriptors, space);
     if (!family.cues.empty()) families.push_back(std::move(family));
-  }
-  for (const CueOptions& cue : base.cues) families.push_back({cue.name, {cue}});
-  if (families.empty()) {
-    throw Error("There is nothing to try: no set of descriptors has at most 'max_dimensions' " +
-                std::to_string(space.max_dimensions) + " dimensions; allow more.");
   }
   return families;
 }

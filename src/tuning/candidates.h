@@ -14,8 +14,9 @@ struct Family {
   std::vector<CueOptions> cues;
 };
 
-/// A family for each set of descriptors in `space` that fits in, and one for each cue of `base`.
-/// Each cue has a name of its own, made of what it is. Throws Error if there is nothing to try.
-std::vector<Family> candidateFamilies(const TrainingOptions& base, const SearchSpace& space);
+/// A family for each set of descriptors in `space` that fits in: derivatives as ratios, colours
+/// both in the light of the run and grey-world (as the default cues have it, doc/experiments.md).
+/// Each cue has a name of its own, made of what it is.
+std::vector<Family> candidateFamilies(const SearchSpace& space);
 
 }  // namespace place_recognition

@@ -17,7 +17,7 @@ bool hasGamma(const KernelOptions& kernel) {
 
 CueComparison::CueComparison(CueOptions cue, std::vector<Feature> features,
                              const TuningSamples& samples, unsigned threads)
-    : cue_(std::move(cue)), samples_(samples) {
+    : cue_(std::move(cue)), kernel_(cue_.kernel), samples_(samples) {
   std::vector<Feature> present;
   std::size_t recorded = 0;
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -28,27 +28,18 @@ CueComparison::CueComparison(CueOptions cue, std::vector<Feature> features,
     if (i < samples.recorded) ++recorded;
   }
 
-  const bool open = hasGamma(cue_.kernel) && cue_.kernel.gamma == 0;
-  gamma_is_free_ = open && Kernel(cue_.kernel).measureIsFreeOfGamma();
-  if (open && !gamma_is_free_) {
-    cue_.kernel.gamma = gammaGrid(Kernel(cue_.kernel), measures_).neutral;
-  }
-  measures_ = measureColumns(Kernel(cue_.kernel), present, recorded, threads);
-  neutral_gamma_ = cue_.kernel.gamma;
-  if (gamma_is_free_) {
+  const bool open = hasGamma(kernel_) && kernel_.gamma == 0;
+  const bool measures_have_gamma = !Kernel(kernel_).measureIsFreeOfGamma();
+  if (open && measures_have_gamma) kernel_.gamma = gammaGrid(Kernel(kernel_), measures_).neutral;
+  measures_ = measureColumns(Kernel(kernel_), present, recorded, threads);
+  if (open && !measures_have_gamma) {
     const Eigen::MatrixXd square = measures_.topRows(static_cast<Eigen::Index>(recorded));
-    neutral_gamma_ = gammaGrid(Kernel(cue_.kernel), square).neutral;
+    kernel_.gamma = gammaGrid(Kernel(kernel_), square).neutral;
   }
 }
 
-CueOptions CueComparison::withGamma(double gamma) const {
-  CueOptions cue = cue_;
-  cue.kernel.gamma = gamma;
-  return cue;
-}
-
-HeldOut CueComparison::heldOut(double gamma, const SvmOptions& svm, unsigned threads) const {
-  const PackedGram gram(Kernel(withGamma(gamma).kernel), measures_, threads);
+HeldOut CueComparison::heldOut(const SvmOptions& svm, unsigned threads) const {
+  const PackedGram gram(Kernel(kernel_), measures_, threads);
   ReductionOptions unreduced;
   unreduced.method = "none";
   const Progress silent;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -10,9 +11,10 @@
 namespace place_recognition {
 namespace {
 
-/// Standard errors that a further cue must gain: it costs time in every frame, and what the same
-/// pictures say for it is partly their own noise.
-constexpr double kGainOfACue = 2;
+/// Standard errors that a step away from the prior must gain: the best of some fifty steps gains
+/// two by chance alone, and neighbouring pictures are not as independent as the error takes them to
+/// be.
+constexpr double kGainOfAStep = 4;
 
 /// `values` by their ratio to `centre`, the nearest first.
 std::vector<double> nearestFirst(std::vector<double> values, double centre) {
@@ -22,116 +24,112 @@ std::vector<double> nearestFirst(std::vector<double> values, double centre) {
   return values;
 }
 
-std::vector<double> gammasOf(const CueComparison& comparison, const SearchSpace& space) {
-  if (!comparison.gammaIsFree()) return {comparison.neutralGamma()};
-  std::vector<double> gammas;
-  for (const double factor : nearestFirst(space.gamma_factors, 1)) {
-    gammas.push_back(factor * comparison.neutralGamma());
-  }
-  return gammas;
-}
-
-std::vector<CueOptions> optionsOf(const std::vector<CueChoice>& choices) {
+std::vector<CueOptions> optionsOf(const std::vector<CueComparison>& comparisons,
+                                  const Combination& combination) {
   std::vector<CueOptions> cues;
-  for (const CueChoice& choice : choices) {
-    cues.push_back(choice.comparison->withGamma(choice.gamma));
-  }
+  for (const std::size_t c : combination) cues.push_back(comparisons[c].cue());
   return cues;
 }
 
-HeldOut combineEqually(const std::vector<HeldOut>& cues) {
-  return combine(cues, std::vector<double>(cues.size(), 1 / static_cast<double>(cues.size())));
+/// `held_out` of these cues, with the weights that training prefers.
+HeldOut combined(const std::vector<HeldOut>& held_out, const std::vector<CueOptions>& cues) {
+  return combine(held_out, priorWeights(cues));
 }
 
-std::vector<HeldOut> heldOutOf(const std::vector<CueChoice>& choices) {
-  std::vector<HeldOut> held_out;
-  for (const CueChoice& choice : choices) held_out.push_back(choice.held_out);
-  return held_out;
+Combination without(Combination combination, std::size_t cue) {
+  combination.erase(std::remove(combination.begin(), combination.end(), cue), combination.end());
+  return combination;
+}
+
+Combination with(Combination combination, std::size_t cue) {
+  combination.insert(std::upper_bound(combination.begin(), combination.end(), cue), cue);
+  return combination;
+}
+
+/// One step of the search.
+struct Step {
+  std::string name;
+  Combination combination;
+};
+
+/// All steps from `current`, of `cues` cues and at most `max_cues` combined.
+std::vector<Step> stepsFrom(const Combination& current, std::size_t cues, std::size_t max_cues) {
+  std::vector<Step> steps;
+  for (std::size_t c = 0; c < cues; ++c) {
+    const bool is_in = std::binary_search(current.begin(), current.end(), c);
+    if (is_in && current.size() > 1) steps.push_back({"one less", without(current, c)});
+    if (is_in) continue;
+    if (current.size() < max_cues) steps.push_back({"one more", with(current, c)});
+    for (const std::size_t other : current) {
+      steps.push_back({"another", with(without(current, other), c)});
+    }
+  }
+  return steps;
 }
 
 }  // namespace
 
-std::vector<CueChoice> chooseGammas(const std::vector<CueComparison>& comparisons,
-                                    const TuningSamples& samples, Search& search) {
-  search.stage = "gamma";
-  search.best.reset();
-  std::vector<CueChoice> choices;
+Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_t prior,
+                       const TuningSamples& samples, Search& search) {
+  std::vector<HeldOut> held_out;
   for (const CueComparison& comparison : comparisons) {
-    report(search.progress, "Choosing gamma",
-           static_cast<double>(choices.size()) / static_cast<double>(comparisons.size()));
-    const std::vector<double> gammas = gammasOf(comparison, search.space);
-    std::vector<HeldOut> held_out;
-    std::vector<Score> scores;
-    std::vector<TuningTrial> trials;
-    for (const double gamma : gammas) {
-      held_out.push_back(comparison.heldOut(gamma, search.base.svm, search.threads));
-      scores.push_back(score(held_out.back(), samples));
-      trials.push_back(
-          search.note({comparison.withGamma(gamma)}, search.base.svm.c, samples, scores.back()));
-    }
-    const std::size_t chosen = firstNearlyAsGood(scores);
-    choices.push_back({&comparison, gammas[chosen], std::move(held_out[chosen]), scores[chosen]});
-    const bool best = !search.best || trials[chosen].log_loss < search.best->log_loss;
-    if (best) search.best = trials[chosen];
+    report(search.progress, "Judging cues",
+           static_cast<double>(held_out.size()) / static_cast<double>(comparisons.size()));
+    held_out.push_back(comparison.heldOut(search.base.svm, search.threads));
   }
-  return choices;
-}
+  const auto judge = [&](const std::string& stage, const Combination& combination) {
+    std::vector<HeldOut> of_these;
+    for (const std::size_t c : combination) of_these.push_back(held_out[c]);
+    const std::vector<CueOptions> cues = optionsOf(comparisons, combination);
+    const Score result = score(combined(of_these, cues), samples);
+    search.note(stage, cues, search.base.svm.c, samples, result);
+    return result;
+  };
 
-std::vector<CueChoice> chooseCues(std::vector<CueChoice> choices, const TuningSamples& samples,
-                                  Search& search) {
-  const auto best = std::min_element(
-      choices.begin(), choices.end(),
-      [](const CueChoice& a, const CueChoice& b) { return a.score.log_loss < b.score.log_loss; });
-  std::vector<CueChoice> chosen{std::move(*best)};
-  choices.erase(best);
-  Score current = chosen.front().score;
-
-  while (static_cast<int>(chosen.size()) < search.space.max_cues && !choices.empty()) {
-    search.stage = "cue " + std::to_string(chosen.size() + 1);
+  Combination current(prior);
+  std::iota(current.begin(), current.end(), 0);
+  Score reached = judge("start", current);
+  search.best = search.trials.back();
+  for (;;) {
+    const std::vector<Step> steps =
+        stepsFrom(current, comparisons.size(), static_cast<std::size_t>(search.space.max_cues));
     std::vector<Score> scores;
-    std::vector<TuningTrial> trials;
-    for (const CueChoice& choice : choices) {
+    const std::size_t first_trial = search.trials.size();
+    for (const Step& step : steps) {
       report(search.progress, "Combining cues",
-             static_cast<double>(scores.size()) / static_cast<double>(choices.size()));
-      std::vector<CueChoice> combination = chosen;
-      combination.push_back(choice);
-      scores.push_back(score(combineEqually(heldOutOf(combination)), samples));
-      trials.push_back(
-          search.note(optionsOf(combination), search.base.svm.c, samples, scores.back()));
+             static_cast<double>(scores.size()) / static_cast<double>(steps.size()));
+      scores.push_back(judge(step.name, step.combination));
     }
-    const auto least =
-        std::min_element(scores.begin(), scores.end(),
-                         [](const Score& a, const Score& b) { return a.log_loss < b.log_loss; });
-    const double gain = current.log_loss - least->log_loss;
-    if (gain <= kGainOfACue * differenceError(current, *least, samples)) break;
-    const auto index = least - scores.begin();
-    current = *least;
-    search.best = trials[static_cast<std::size_t>(index)];
-    chosen.push_back(std::move(choices[static_cast<std::size_t>(index)]));
-    choices.erase(choices.begin() + index);
+    if (scores.empty()) return current;
+    const std::size_t best = leastOf(scores);
+    const double gain = reached.log_loss - scores[best].log_loss;
+    if (gain <= kGainOfAStep * differenceError(reached, scores[best], samples)) return current;
+    reached = scores[best];
+    current = steps[best].combination;
+    search.best = search.trials[first_trial + best];
   }
-  return chosen;
 }
 
-double chooseC(const std::vector<CueChoice>& chosen, const TuningSamples& samples, Search& search) {
-  search.stage = "C";
+double chooseC(const std::vector<CueComparison>& comparisons, const Combination& chosen,
+               const TuningSamples& samples, Search& search) {
   const std::vector<double> values = nearestFirst(search.space.c, search.base.svm.c);
+  const std::vector<CueOptions> cues = optionsOf(comparisons, chosen);
+  const std::size_t first_trial = search.trials.size();
   std::vector<Score> scores;
-  std::vector<TuningTrial> trials;
   for (const double c : values) {
     report(search.progress, "Choosing C",
            static_cast<double>(scores.size()) / static_cast<double>(values.size()));
     SvmOptions svm = search.base.svm;
     svm.c = c;
     std::vector<HeldOut> held_out;
-    for (const CueChoice& choice : chosen) {
-      held_out.push_back(choice.comparison->heldOut(choice.gamma, svm, search.threads));
+    for (const std::size_t cue : chosen) {
+      held_out.push_back(comparisons[cue].heldOut(svm, search.threads));
     }
-    scores.push_back(score(combineEqually(held_out), samples));
-    trials.push_back(search.note(optionsOf(chosen), c, samples, scores.back()));
+    scores.push_back(score(combined(held_out, cues), samples));
+    search.note("C", cues, c, samples, scores.back());
   }
   const std::size_t index = firstNearlyAsGood(scores);
-  search.best = trials[index];
+  search.best = search.trials[first_trial + index];
   return values[index];
 }
 

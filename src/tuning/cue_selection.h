@@ -7,25 +7,18 @@
 
 namespace place_recognition {
 
-/// A cue in question with its gamma, and how it fares alone.
-struct CueChoice {
-  const CueComparison* comparison;
-  double gamma;
-  HeldOut held_out;
-  Score score;
-};
+/// Which of the cues are combined: indices, ascending.
+using Combination = std::vector<std::size_t>;
 
-/// The gamma of each cue: the one closest to neutral within one standard error of the best.
-std::vector<CueChoice> chooseGammas(const std::vector<CueComparison>& comparisons,
-                                    const TuningSamples& samples, Search& search);
-
-/// Cues to be combined: the best one, and then each time the one that lowers the log loss of all
-/// with equal weights most, as long as it does so by more than two standard errors.
-std::vector<CueChoice> chooseCues(std::vector<CueChoice> choices, const TuningSamples& samples,
-                                  Search& search);
+/// Starts with the first `prior` cues, combined with the weights of their options, and each time
+/// takes the step that lowers the log loss most, as long as it does so by more than four standard
+/// errors: another cue in place of one, one more, or one less.
+Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_t prior,
+                       const TuningSamples& samples, Search& search);
 
 /// The C of the chosen cues: the one closest to that of the base within one standard error of the
 /// best.
-double chooseC(const std::vector<CueChoice>& chosen, const TuningSamples& samples, Search& search);
+double chooseC(const std::vector<CueComparison>& comparisons, const Combination& chosen,
+               const TuningSamples& samples, Search& search);
 
 }  // namespace place_recognition

@@ -28,31 +28,28 @@ std::size_t stepTo(std::uint64_t pictures, int wanted) {
       1, static_cast<std::size_t>(pictures) / static_cast<std::size_t>(wanted));
 }
 
-/// The progress of family number `index` as a part of its round.
-Progress partOfRound(const Search& search, std::size_t index, std::size_t families) {
-  return [&search, index, families](const std::string&, double fraction) {
+/// The progress of family number `index` as a part of `round`.
+Progress partOfRound(const Search& search, const std::string& round, std::size_t index,
+                     std::size_t families) {
+  return [&search, round, index, families](const std::string&, double fraction) {
     const double done = (static_cast<double>(index) + fraction) / static_cast<double>(families);
-    return !search.progress || search.progress("Looking for cues, " + search.stage, done);
+    return !search.progress || search.progress("Looking for cues, " + round, done);
   };
 }
 
 /// The `count` best cues of a family, in the order in which they stood; for one, the simplest
 /// within one standard error of the best.
 std::vector<CueOptions> bestOf(const Family& family, std::size_t count, std::size_t step,
-                               const Progress& progress, Search& search) {
+                               const std::string& round, const Progress& progress, Search& search) {
   if (family.cues.size() <= count) return family.cues;
-  TuningSamples samples = collectTuningSamples(search.runs, search.withCues(family.cues), step,
-                                               search.threads, progress);
+  TuningSamples samples = search.collect(family.cues, step, progress);
   std::vector<Score> scores;
   for (std::size_t c = 0; c < family.cues.size(); ++c) {
     report(progress, "", 1);
     const CueComparison comparison(family.cues[c], std::move(samples.features[c]), samples,
                                    search.threads);
-    const double gamma = comparison.neutralGamma();
-    scores.push_back(score(comparison.heldOut(gamma, search.base.svm, search.threads), samples));
-    const TuningTrial& trial =
-        search.note({comparison.withGamma(gamma)}, search.base.svm.c, samples, scores.back());
-    if (!search.best || trial.log_loss < search.best->log_loss) search.best = trial;
+    scores.push_back(score(comparison.heldOut(search.base.svm, search.threads), samples));
+    search.note(round, {family.cues[c]}, search.base.svm.c, samples, scores.back());
   }
   if (count == 1) return {family.cues[firstAsGood(scores, samples)]};
 
@@ -82,12 +79,11 @@ std::vector<CueOptions> bestOfEach(std::vector<Family> families, const Thinning&
   const int rounds = one_round ? 1 : 2;
   std::size_t step = thinning.first;
   for (int round = 1; round <= rounds; ++round) {
-    search.stage = "round " + std::to_string(round) + " of " + std::to_string(rounds);
-    search.best.reset();
+    const std::string name = "round " + std::to_string(round) + " of " + std::to_string(rounds);
     for (std::size_t f = 0; f < families.size(); ++f) {
       const std::size_t count = round == rounds ? 1 : (families[f].cues.size() + 3) / 4;
-      families[f].cues =
-          bestOf(families[f], count, step, partOfRound(search, f, families.size()), search);
+      families[f].cues = bestOf(families[f], count, step, name,
+                                partOfRound(search, name, f, families.size()), search);
     }
     step = std::max(thinning.last, step / 2);
   }

@@ -17,7 +17,7 @@ struct Thinning {
 Thinning planThinning(const TuningRuns& runs, const SearchSpace& space, const Progress& progress,
                       std::uint64_t& pictures);
 
-/// The best cue of each family by successive halving, at the neutral gamma: the first round leaves
+/// The best cue of each family by successive halving: the first round leaves
 /// a quarter of each family, the second, on twice as many pictures, one. Where all pictures are
 /// few, one round does.
 std::vector<CueOptions> bestOfEach(std::vector<Family> families, const Thinning& thinning,

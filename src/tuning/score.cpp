@@ -6,7 +6,7 @@
 namespace place_recognition {
 namespace {
 
-/// In every light.
+/// As recorded and changed.
 std::vector<int> testedSamples(const TuningSamples& samples) {
   std::vector<int> tested;
   for (const Fold& fold : samples.folds) {
@@ -35,25 +35,25 @@ Score score(const HeldOut& held_out, const TuningSamples& samples) {
   const std::vector<double> losses = logLosses(held_out, samples.origins, tested);
   Score result;
   result.losses.assign(samples.recorded, 0);
-  std::vector<int> lights(samples.recorded, 0);
-  std::vector<int> truth, answers, other_truth, other_answers;
+  std::vector<int> pictures(samples.recorded, 0);
+  std::vector<int> truth, answers, changed_truth, changed_answers;
   for (std::size_t k = 0; k < tested.size(); ++k) {
     const int i = tested[k];
     const int source = samples.source[i];
     result.losses[source] += losses[k];
-    ++lights[source];
+    ++pictures[source];
     const int answer = held_out.valid[i] ? largest(held_out.margins.row(i)) : -1;
-    (source == i ? truth : other_truth).push_back(samples.origins[i].place);
-    (source == i ? answers : other_answers).push_back(answer);
+    (source == i ? truth : changed_truth).push_back(samples.origins[i].place);
+    (source == i ? answers : changed_answers).push_back(answer);
   }
   for (std::size_t i = 0; i < samples.recorded; ++i) {
-    if (lights[i] > 0) result.losses[i] /= lights[i];
+    if (pictures[i] > 0) result.losses[i] /= pictures[i];
   }
   const RoomMean mean = meanOfTested(samples, [&](int i) { return result.losses[i]; });
   result.log_loss = mean.mean;
   result.standard_error = mean.standard_error;
   result.rate = averageRate(truth, answers, samples.places.size());
-  result.other_light_rate = averageRate(other_truth, other_answers, samples.places.size());
+  result.changed_rate = averageRate(changed_truth, changed_answers, samples.places.size());
   return result;
 }
 

@@ -9,11 +9,11 @@ namespace place_recognition {
 
 /// How held-out answers fared.
 struct Score {
-  double log_loss = 0;          ///< mean of the rooms' means of `losses`, nats
-  double standard_error = 0;    ///< of log_loss, as if pictures were independent
-  double rate = 0;              ///< mean of the rooms' rates in the light of the recording
-  double other_light_rate = 0;  ///< the same in all other lights; 0 if there are none
-  std::vector<double> losses;   ///< of each recorded sample, mean over lights; 0: never tested
+  double log_loss = 0;         ///< mean of the rooms' means of `losses`, nats
+  double standard_error = 0;   ///< of log_loss, as if pictures were independent
+  double rate = 0;             ///< mean of the rooms' rates on pictures as recorded
+  double changed_rate = 0;     ///< the same on changed ones; 0 if there are none
+  std::vector<double> losses;  ///< of each recorded sample, mean over its pictures; 0: never tested
 };
 
 /// Scores margins by -log of the probability that they give to the true room, after calibration on

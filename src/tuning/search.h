@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,17 +17,23 @@ struct Search {
   unsigned threads;
   const Progress& progress;
 
-  std::string stage = {};
   std::vector<TuningTrial> trials = {};
-  std::optional<TuningTrial> best = {};  ///< if the search ended now
+  TuningTrial best = {};  ///< if the search ended now
 
-  /// Notes a trial of the current stage.
-  const TuningTrial& note(const std::vector<CueOptions>& cues, double c,
-                          const TuningSamples& samples, const Score& score);
+  /// Notes a trial.
+  void note(const std::string& stage, const std::vector<CueOptions>& cues, double c,
+            const TuningSamples& samples, const Score& score);
 
-  /// `base` with other cues, and in the lights that are asked for.
-  TrainingOptions withCues(const std::vector<CueOptions>& cues) const;
+  /// Features of `cues` of about one of `step` pictures.
+  TuningSamples collect(const std::vector<CueOptions>& cues, std::size_t step,
+                        const Progress& collect_progress) const;
 };
+
+/// `options` with other cues.
+TrainingOptions withCues(TrainingOptions options, const std::vector<CueOptions>& cues);
+
+/// The index of the least log loss.
+std::size_t leastOf(const std::vector<Score>& scores);
 
 /// The first of `scores`, which stand in the order of preference, that is as good as the best: its
 /// log loss is less than one standard error of the difference above the least.

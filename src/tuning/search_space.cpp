@@ -29,8 +29,12 @@ void SearchSpace::check() const {
   requireSome("scales", scales);
   for (const std::vector<double>& set : scales) requirePositive("scales", set);
   requireSome("bins", bins);
-  requirePositive("gamma_factors", gamma_factors);
   requirePositive("c", c);
+  if (!cues.empty()) {
+    TrainingOptions options;
+    options.cues = cues;
+    options.check();
+  }
   if (max_dimensions < 1) refuse("max_dimensions", "is below 1; give 1 or more");
   if (max_cues < 1 || max_cues > 8) refuse("max_cues", "is not 1 to 8");
   if (first_pictures < 10) refuse("first_pictures", "is below 10; give more");

@@ -4,29 +4,35 @@
 #include <utility>
 
 #include "recognition/frames/image_profile.h"
+#include "recognition/model/embeddings.h"
 #include "tuning/cue_selection.h"
 #include "tuning/family_rounds.h"
 
 namespace place_recognition {
 namespace {
 
-/// The whole search; search.best is the answer at its end, or when it is stopped.
-void look(Search& search, std::uint64_t& pictures) {
-  const Thinning thinning = planThinning(search.runs, search.space, search.progress, pictures);
+/// The cues to choose from: those of the base, those of the space, and the best of each family.
+std::vector<CueOptions> cuesInQuestion(const Thinning& thinning, Search& search) {
+  std::vector<CueOptions> cues = search.base.cues;
+  cues.insert(cues.end(), search.space.cues.begin(), search.space.cues.end());
   const std::vector<CueOptions> winners =
-      bestOfEach(candidateFamilies(search.base, search.space), thinning, search);
+      bestOfEach(candidateFamilies(search.space), thinning, search);
+  cues.insert(cues.end(), winners.begin(), winners.end());
+  return cues;
+}
 
-  TuningSamples samples = collectTuningSamples(search.runs, search.withCues(winners), thinning.last,
-                                               search.threads, search.progress);
+/// The whole search; search.best is the answer at its end, or when it is stopped.
+void look(Search& search, const Thinning& thinning) {
+  const std::vector<CueOptions> cues = cuesInQuestion(thinning, search);
+  TuningSamples samples = search.collect(cues, thinning.last, search.progress);
   std::vector<CueComparison> comparisons;
-  for (std::size_t c = 0; c < winners.size(); ++c) {
+  for (std::size_t c = 0; c < cues.size(); ++c) {
     report(search.progress, "Comparing pictures",
-           static_cast<double>(c) / static_cast<double>(winners.size()));
-    comparisons.emplace_back(winners[c], std::move(samples.features[c]), samples, search.threads);
+           static_cast<double>(c) / static_cast<double>(cues.size()));
+    comparisons.emplace_back(cues[c], std::move(samples.features[c]), samples, search.threads);
   }
-  const std::vector<CueChoice> chosen =
-      chooseCues(chooseGammas(comparisons, samples, search), samples, search);
-  chooseC(chosen, samples, search);
+  const Combination chosen = chooseCues(comparisons, search.base.cues.size(), samples, search);
+  chooseC(comparisons, chosen, samples, search);
 }
 
 }  // namespace
@@ -35,20 +41,26 @@ Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& ho
             const TrainingOptions& base, const SearchSpace& space, unsigned threads,
             const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
+  base.check();
   space.check();
-  Search search{{runs, hold_out, commonSize(runs, progress)}, base, space, threads, progress};
+  const TrainingOptions ready = withNetworks(base);
+  SearchSpace ready_space = space;
+  ready_space.cues = withNetworks(withCues(base, space.cues)).cues;
+  Search search{
+      {runs, hold_out, commonSize(runs, progress)}, ready, ready_space, threads, progress};
+  search.best.cues = base.cues;
+  search.best.c = base.svm.c;
   Tuning tuning;
+  const Thinning thinning = planThinning(search.runs, space, progress, tuning.pictures);
   try {
-    look(search, tuning.pictures);
+    look(search, thinning);
   } catch (const Cancelled&) {
-    if (!search.best) throw;
     tuning.complete = false;
   }
-  tuning.best = *search.best;
+  tuning.best = search.best;
   tuning.trials = std::move(search.trials);
-  tuning.options = search.withCues(tuning.best.cues);
+  tuning.options = withCues(base, tuning.best.cues);
   tuning.options.svm.c = tuning.best.c;
-  tuning.options.reduction.method = "none";
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   tuning.seconds = elapsed.count();
   return tuning;

@@ -7,6 +7,7 @@
 
 #include "base/place_name.h"
 #include "recognition/training/block_choice.h"
+#include "tuning/next_run.h"
 #include "tuning/thinned_run.h"
 
 namespace place_recognition {
@@ -68,12 +69,18 @@ std::vector<Fold> recordedFolds(const Samples& samples, const TuningRuns& runs,
 }  // namespace
 
 TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
-                                   std::size_t step, unsigned threads, const Progress& progress) {
+                                   bool other_light, std::size_t step, unsigned threads,
+                                   const Progress& progress) {
   const std::vector<RunOpener> openers = thinnedOpeners(runs, step, options.seed);
   std::size_t opened = 0;
-  TuningSamples samples{collectSamples(openers, options, threads,
-                                       partOf(progress, openers.size(), opened), 2, runs.images),
-                        {}};
+  NextRun next_run(options.seed, other_light);
+  const PictureChange change = [&next_run](const cv::Mat& image, const std::string& place) {
+    return next_run.change(image, place);
+  };
+  TuningSamples samples{
+      collectSamples(openers, options, threads, partOf(progress, openers.size(), opened), 2,
+                     runs.images, change),
+      {}};
   samples.folds = withCopies(recordedFolds(samples, runs, options, threads), samples.source, false);
   return samples;
 }

@@ -16,15 +16,17 @@ struct TuningRuns {
   std::optional<ImageProfile> images = {};  ///< commonSize(runs), if that is known already
 };
 
-/// Samples to judge cues by, and how. Trained on is the light of the recording only: what looks
-/// the same in other light has to show without having been seen there.
+/// Samples to judge cues by, and how: each as it was recorded and as the next run might show it
+/// (next_run.h). Trained on is the recording only: what looks the same in the next run has to show
+/// without having been seen there.
 struct TuningSamples : Samples {
-  std::vector<Fold> folds;  ///< tested in every light that there is of a sample
+  std::vector<Fold> folds;  ///< tested as recorded and changed
 };
 
 /// Features of one of every `step` labelled pictures of each place, see thinOut(). See
 /// collectSamples() for errors.
 TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
-                                   std::size_t step, unsigned threads, const Progress& progress);
+                                   bool other_light, std::size_t step, unsigned threads,
+                                   const Progress& progress);
 
 }  // namespace place_recognition

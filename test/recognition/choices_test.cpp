@@ -60,18 +60,23 @@ TEST(Combination, IsTheWeightedMeanOfTheCuesThatAreThere) {
   EXPECT_EQ(combined.valid, (std::vector<bool>{true, true, false}));
 }
 
-TEST(Combination, PrefersTheCueThatTellsAndElseEqualWeights) {
+TEST(Combination, PrefersTheCueThatTellsAndElseThePrior) {
   const std::vector<SampleOrigin> samples{{0, 0, 0}, {0, 0, 1}, {1, 0, 2}, {1, 0, 3}};
   const std::vector<bool> all(4, true);
   const Eigen::MatrixXd good = (Eigen::MatrixXd(4, 2) << 1, -1, 1, -1, -1, 1, -1, 1).finished();
   const Eigen::MatrixXd bad = -good;
+  const std::vector<double> half{0.5, 0.5};
   const std::vector<double> equal =
-      chooseCueWeights({heldOut(good, all), heldOut(good, all)}, samples, 2);
+      chooseCueWeights({heldOut(good, all), heldOut(good, all)}, half, samples, 2);
   EXPECT_EQ(equal, (std::vector<double>{0.5, 0.5}));
   const std::vector<double> chosen =
-      chooseCueWeights({heldOut(bad, all), heldOut(good, all)}, samples, 2);
+      chooseCueWeights({heldOut(bad, all), heldOut(good, all)}, half, samples, 2);
   EXPECT_GT(chosen[1], 0.5);
-  EXPECT_EQ(chooseCueWeights({heldOut(good, all)}, samples, 2), std::vector<double>{1});
+  EXPECT_EQ(chooseCueWeights({heldOut(good, all)}, {1}, samples, 2), std::vector<double>{1});
+  // A prior that lies between the steps, of five cues.
+  const std::vector<double> prior{0.15, 0.15, 0.15, 0.15, 0.4};
+  EXPECT_EQ(chooseCueWeights(std::vector<HeldOut>(5, heldOut(good, all)), prior, samples, 2),
+            prior);
 }
 
 TEST(Validation, ThresholdLetsTheWantedShareFall) {

@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// Three recorded pictures of two rooms and one of the first of them in other light.
+/// Three recorded pictures of two rooms and one of the first of them changed.
 TuningSamples fourSamples() {
   TuningSamples samples;
   samples.places = {"a", "b"};
@@ -42,7 +42,7 @@ TEST(Score, LogLossIsTheMeanOfTheRoomsMeansOverLights) {
   EXPECT_NEAR(result.losses[0], first, 1e-12);
   EXPECT_NEAR(result.log_loss, ((first + loss(1, 0)) / 2 + loss(2, 1)) / 2, 1e-12);
   EXPECT_DOUBLE_EQ(result.rate, 1);
-  EXPECT_DOUBLE_EQ(result.other_light_rate, 0);
+  EXPECT_DOUBLE_EQ(result.changed_rate, 0);
 }
 
 TEST(Score, MissingMarginsKnowNothing) {

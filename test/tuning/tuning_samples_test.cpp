@@ -6,6 +6,7 @@
 #include <set>
 
 #include "recognition/drawn_run.h"
+#include "tuning/next_run.h"
 #include "tuning/thinned_run.h"
 
 namespace place_recognition {
@@ -15,9 +16,7 @@ const std::vector<RunOpener> kNone;
 
 TuningSamples collect(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& hold_out,
                       std::size_t step = 1) {
-  TrainingOptions options = quickOptions();
-  options.augmentation.other_light = true;
-  return collectTuningSamples({runs, hold_out}, options, step, 2, {});
+  return collectTuningSamples({runs, hold_out}, quickOptions(), true, step, 2, {});
 }
 
 /// Places of `indices` by run.
@@ -27,7 +26,7 @@ std::set<int> runsOf(const TuningSamples& samples, const std::vector<int>& indic
   return runs;
 }
 
-TEST(TuningSamples, EveryPictureIsThereInTwoLights) {
+TEST(TuningSamples, EveryPictureIsThereAsRecordedAndChanged) {
   const TuningSamples samples = collect({opener(drawFrames(2, 10))}, kNone);
   ASSERT_EQ(samples.recorded, 20u);
   ASSERT_EQ(samples.origins.size(), 40u);
@@ -38,12 +37,12 @@ TEST(TuningSamples, EveryPictureIsThereInTwoLights) {
   }
 }
 
-TEST(TuningSamples, WhatIsTestedInAnyLightIsTrainedOnInNone) {
+TEST(TuningSamples, WhatIsTestedIsNotTrainedOn) {
   const TuningSamples samples = collect({opener(drawFrames(2, 10))}, kNone);
   std::size_t tested = 0;
   for (const Fold& fold : samples.folds) {
     const std::set<int> train(fold.train.begin(), fold.train.end());
-    for (const int i : fold.train) EXPECT_LT(i, 20) << "trained on in the recorded light only";
+    for (const int i : fold.train) EXPECT_LT(i, 20) << "trained on as recorded only";
     for (const int i : fold.test) EXPECT_EQ(train.count(samples.source[i]), 0u);
     tested += fold.test.size();
   }
@@ -68,6 +67,40 @@ TEST(TuningSamples, HeldOutRunsAreTestedAndNeverTrainedOn) {
   EXPECT_EQ(runsOf(samples, samples.folds[0].train), std::set<int>{0});
   EXPECT_EQ(runsOf(samples, samples.folds[0].test), std::set<int>{1});
   EXPECT_EQ(samples.folds[0].test.size(), 16u);
+}
+
+/// Mean of all levels.
+double levelOf(const cv::Mat& image) {
+  const cv::Scalar mean = cv::mean(image);
+  return (mean[0] + mean[1] + mean[2]) / 3;
+}
+
+TEST(NextRun, ChangesFramingAndSharpnessAndLightIfAsked) {
+  const cv::Mat image = drawRoom(1, 1);
+  NextRun same_light(1, false);
+  NextRun other_light(1, true);
+  bool any_light = false;
+  for (int i = 0; i < 8; ++i) {
+    const ChangedPicture still = same_light.change(image, "room1");
+    EXPECT_EQ(still.image.size(), image.size());
+    EXPECT_GT(cv::norm(still.image, image, cv::NORM_L1), 0);
+    EXPECT_NEAR(levelOf(still.image) / levelOf(image), 1, 0.1);
+    EXPECT_EQ(still.correction.red, 1);
+    const ChangedPicture lit = other_light.change(image, "room1");
+    cv::Mat corrected;
+    changeLight(lit.image, lit.correction, corrected);
+    EXPECT_NEAR(levelOf(corrected) / levelOf(image), 1, 0.2) << "the light is known to a twentieth";
+    any_light = any_light || std::abs(levelOf(lit.image) / levelOf(image) - 1) > 0.2;
+  }
+  EXPECT_TRUE(any_light);
+}
+
+TEST(NextRun, OfTheSameSeedIsTheSame) {
+  const cv::Mat image = drawRoom(1, 1);
+  NextRun a(3, true), b(3, true), c(4, true);
+  const cv::Mat first = a.change(image, "room1").image;
+  EXPECT_EQ(cv::norm(first, b.change(image, "room1").image, cv::NORM_L1), 0);
+  EXPECT_NE(cv::norm(first, c.change(image, "room1").image, cv::NORM_L1), 0);
 }
 
 TEST(ThinnedRun, KeepsOneOfEveryThreeLabelledFramesOfEachPlace) {

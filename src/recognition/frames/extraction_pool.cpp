@@ -15,8 +15,8 @@ ExtractionPool::ExtractionPool(const TrainingOptions& options, const ImageProfil
 
 ExtractionPool::~ExtractionPool() { stop(); }
 
-void ExtractionPool::submit(const cv::Mat& image, ExtractedFeatures& result) {
-  if (!queue_.push({image, &result})) rethrowFailure();
+void ExtractionPool::submit(const cv::Mat& image, ExtractedFeatures& result, const Light& light) {
+  if (!queue_.push({image, &result, light})) rethrowFailure();
 }
 
 void ExtractionPool::finish() {
@@ -28,7 +28,7 @@ void ExtractionPool::work(const TrainingOptions& options, const ImageProfile& im
   try {
     CueExtraction extraction(options, images);
     for (Job job; queue_.pop(job);) {
-      if (!extraction.extract(job.image, job.result->features)) {
+      if (!extraction.extract(job.image, job.result->features, job.light)) {
         job.result->problem = extraction.reason();
       }
       job.result->color = extraction.color();

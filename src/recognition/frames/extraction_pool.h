@@ -12,6 +12,7 @@
 #include "place_recognition/model.h"
 #include "place_recognition/training_options.h"
 #include "recognition/frames/bounded_queue.h"
+#include "recognition/frames/light.h"
 
 namespace place_recognition {
 
@@ -29,8 +30,9 @@ class ExtractionPool {
   ~ExtractionPool();
 
   /// Queues an image, waiting while the queue is full. `result` must stay where it is and is not
-  /// to be touched before finish(). Throws what an extractor threw.
-  void submit(const cv::Mat& image, ExtractedFeatures& result);
+  /// to be touched before finish(). `light`: see CueExtraction::extract(). Throws what an extractor
+  /// threw.
+  void submit(const cv::Mat& image, ExtractedFeatures& result, const Light& light = {});
 
   /// Waits until every result is there. Throws what an extractor threw.
   void finish();
@@ -39,6 +41,7 @@ class ExtractionPool {
   struct Job {
     cv::Mat image;
     ExtractedFeatures* result = nullptr;
+    Light light;
   };
 
   void work(const TrainingOptions& options, const ImageProfile& images);

@@ -1,6 +1,8 @@
 #include "recognition/training/combination.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 
 namespace place_recognition {
@@ -25,10 +27,11 @@ void forEachComposition(std::size_t count, int total, std::vector<int>& parts,
 /// Steps of the grid that keep it below about a thousand points.
 int stepsFor(std::size_t cues) { return cues <= 3 ? 10 : cues == 4 ? 8 : 4; }
 
-double squaredNorm(const std::vector<int>& parts) {
+/// In steps that rounding errors do not reach.
+std::int64_t squaredDistance(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
-  for (const int part : parts) sum += static_cast<double>(part) * part;
-  return sum;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::llround(1e9 * sum);
 }
 
 }  // namespace
@@ -57,22 +60,36 @@ HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& wei
   return combined;
 }
 
+std::vector<double> priorWeights(const std::vector<CueOptions>& cues) {
+  double sum = 0;
+  for (const CueOptions& cue : cues) sum += cue.weight;
+  std::vector<double> weights;
+  for (const CueOptions& cue : cues) weights.push_back(cue.weight / sum);
+  return weights;
+}
+
 std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
+                                     const std::vector<double>& prior,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
   struct Trial {
     std::vector<double> weights;
-    double norm, rate, error;
+    std::int64_t distance;
+    double rate, error;
   };
   std::vector<Trial> trials;
+  const auto judge = [&](const std::vector<double>& weights) {
+    const HeldOut combined = combine(cues, weights);
+    trials.push_back({weights, squaredDistance(weights, prior),
+                      averageRate(combined, samples, places),
+                      averageRateError(combined, samples, places)});
+  };
+  judge(prior);
   const int steps = stepsFor(cues.size());
   std::vector<int> parts;
   forEachComposition(cues.size(), steps, parts, [&] {
-    Trial trial{{}, squaredNorm(parts), 0, 0};
-    for (const int part : parts) trial.weights.push_back(static_cast<double>(part) / steps);
-    const HeldOut combined = combine(cues, trial.weights);
-    trial.rate = averageRate(combined, samples, places);
-    trial.error = averageRateError(combined, samples, places);
-    trials.push_back(std::move(trial));
+    std::vector<double> weights;
+    for (const int part : parts) weights.push_back(static_cast<double>(part) / steps);
+    judge(weights);
   });
 
   const Trial best = *std::max_element(
@@ -80,8 +97,8 @@ std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
   const Trial* chosen = nullptr;
   for (const Trial& trial : trials) {
     if (trial.rate < best.rate - best.error) continue;
-    const bool better = !chosen || trial.norm < chosen->norm ||
-                        (trial.norm == chosen->norm && trial.rate > chosen->rate);
+    const bool better = !chosen || trial.distance < chosen->distance ||
+                        (trial.distance == chosen->distance && trial.rate > chosen->rate);
     if (better) chosen = &trial;
   }
   return chosen->weights;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "place_recognition/training_options.h"
 #include "recognition/training/held_out.h"
 
 namespace place_recognition {
@@ -14,12 +15,16 @@ namespace place_recognition {
 /// weight is.
 HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& weights);
 
-/// The weights, in steps of a tenth (coarser for many cues) and with the sum 1, for the mean rate
-/// of the rooms on held-out samples: of those within one standard error of the best, the ones
-/// closest to equal weights, because a few hundred frames cannot tell them apart and equal weights
-/// need no learning. On real rooms (ie_rooms, config/colour_cues.yaml) this rule names 82.4
-/// and 88.3 % right, the weights of the best held-out rate 82.4 and 84.8 %.
+/// The weights that the options ask for, with the sum 1.
+std::vector<double> priorWeights(const std::vector<CueOptions>& cues);
+
+/// The weights, `prior` or in steps of a tenth (coarser for many cues) and with the sum 1, for the
+/// mean rate of the rooms on held-out samples: of those within one standard error of the best, the
+/// ones closest to `prior`, because a few hundred frames cannot tell them apart. On real rooms
+/// (ie_rooms, config/colour_cues.yaml) this rule names 82.4 and 88.3 % right, the weights of the
+/// best held-out rate 82.4 and 84.8 %.
 std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
+                                     const std::vector<double>& prior,
                                      const std::vector<SampleOrigin>& samples, std::size_t places);
 
 }  // namespace place_recognition

@@ -119,7 +119,8 @@ Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsig
   judges.folds =
       timeBlockFolds(frames.origins, options.validation.folds,
                      std::vector<TimeBlocks>(static_cast<std::size_t>(last_run) + 1, kAFifth));
-  model.cue_weights = chooseCueWeights(cues, frames.origins, model.places.size());
+  model.cue_weights =
+      chooseCueWeights(cues, priorWeights(options.cues), frames.origins, model.places.size());
   const Calibrated calibrated = calibrate(combine(cues, model.cue_weights), frames.origins,
                                           judges.folds, options.unknown.false_alarm_rate);
   model.calibration = calibrated.calibration;

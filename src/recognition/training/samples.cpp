@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "base/place_name.h"
 #include "base/text.h"
@@ -24,12 +26,10 @@ struct Record {
   double stamp = 0;
   std::string name;
   ExtractedFeatures extracted;
-  ExtractedFeatures in_other_light;  // if that is asked for
+  ExtractedFeatures changed;  // if that is asked for
 
   bool hasFeature() const { return extracted.problem.empty(); }
-  bool hasFeatureInOtherLight() const {
-    return !in_other_light.features.empty() && in_other_light.problem.empty();
-  }
+  bool hasChangedFeature() const { return !changed.features.empty() && changed.problem.empty(); }
 };
 
 /// What the label of a frame says, used or not.
@@ -61,16 +61,25 @@ std::string warningOf(const std::string& run, const Skipped& skipped) {
   return text + ".";
 }
 
+/// Other light, if that is to be learned.
+PictureChange changeOfLight(const TrainingOptions& options) {
+  if (!options.augmentation.other_light) return {};
+  const auto draw = std::make_shared<LightDraw>(options.seed);
+  return [draw](const cv::Mat& image, const std::string& place) {
+    return ChangedPicture{inLight(image, draw->next(place)), {}};
+  };
+}
+
 /// Reads runs and remembers what came of each frame.
 class Collector {
  public:
-  Collector(const TrainingOptions& options, const ImageProfile& profile, unsigned threads)
+  Collector(const TrainingOptions& options, const ImageProfile& profile, PictureChange change,
+            unsigned threads)
       : image_options_(options.image),
         expected_(profile),
         profile_(profile),
         sampling_(options.sampling),
-        other_light_(options.augmentation.other_light),
-        light_draw_(options.seed),
+        change_(std::move(change)),
         seed_(options.seed),
         pool_(options, profile, threads) {}
 
@@ -136,9 +145,9 @@ class Collector {
       const int run = static_cast<int>(inputs_.size()) - 1;
       records_.push_back({frame.place, run, frame.stamp, frame.name, {}, {}});
       pool_.submit(frame.image, records_.back().extracted);
-      if (other_light_) {
-        pool_.submit(inLight(frame.image, light_draw_.next(frame.place)),
-                     records_.back().in_other_light);
+      if (change_) {
+        const ChangedPicture changed = change_(frame.image, frame.place);
+        pool_.submit(changed.image, records_.back().changed, changed.correction);
       }
     }
   }
@@ -208,7 +217,7 @@ class Collector {
 
   /// Leaves no more records than may be learned.
   void thinOut(Samples& samples) {
-    const std::size_t most = static_cast<std::size_t>(sampling_.most) / (other_light_ ? 2 : 1);
+    const std::size_t most = static_cast<std::size_t>(sampling_.most) / (change_ ? 2 : 1);
     const std::size_t count = records_.size();
     std::vector<int> rooms;
     for (const Record& record : records_) rooms.push_back(placeOf(record, samples));
@@ -240,8 +249,8 @@ class Collector {
     }
     samples.recorded = samples.origins.size();
     for (std::size_t i = 0; i < samples.recorded; ++i) {
-      if (!records_[i].hasFeatureInOtherLight()) continue;
-      append(samples.origins[i], static_cast<int>(i), records_[i].in_other_light, samples);
+      if (!records_[i].hasChangedFeature()) continue;
+      append(samples.origins[i], static_cast<int>(i), records_[i].changed, samples);
     }
   }
 
@@ -283,8 +292,7 @@ class Collector {
   SamplingOptions sampling_;
   FrameRate rate_{0};  // of the current run
   std::uint64_t passed_over_ = 0;
-  bool other_light_;
-  LightDraw light_draw_;
+  PictureChange change_;
   std::uint64_t seed_;
   ExtractionPool pool_;  // the last member: its threads end first
 };
@@ -293,8 +301,9 @@ class Collector {
 
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                        unsigned threads, const Progress& progress, std::size_t least_places,
-                       const std::optional<ImageProfile>& profile) {
-  Collector collector(options, profile ? *profile : commonSize(runs, progress), threads);
+                       const std::optional<ImageProfile>& profile, const PictureChange& change) {
+  Collector collector(options, profile ? *profile : commonSize(runs, progress),
+                      change ? change : changeOfLight(options), threads);
   for (const RunOpener& open : runs) collector.read(*open(), progress);
   return collector.finish(options.cues.size(), least_places);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,11 +12,19 @@
 #include "place_recognition/model.h"
 #include "place_recognition/training.h"
 #include "recognition/frames/color_statistics.h"
+#include "recognition/frames/light.h"
 
 namespace place_recognition {
 
-/// What training keeps of the labelled frames of its runs: first those in the light of the
-/// recording, in the order of the runs, then the same frames in other light, if that is asked for.
+/// A picture as it might look another time.
+struct ChangedPicture {
+  cv::Mat image;
+  Light correction;  ///< what cues that follow the light of the run multiply it by
+};
+using PictureChange = std::function<ChangedPicture(const cv::Mat& image, const std::string& place)>;
+
+/// What training keeps of the labelled frames of its runs: first those as they were recorded, in
+/// the order of the runs, then the same frames changed, if that is asked for.
 struct Samples {
   std::vector<std::string> places;             ///< names, ascending
   std::vector<SampleOrigin> origins;           ///< one a sample; place: index into `places`
@@ -42,9 +52,11 @@ struct Samples {
 /// one a core); a few frames at most wait in between. Throws Error if there is no picture, no
 /// label, a label that cannot name a place, or if fewer than `least_places` have samples; Cancelled
 /// if `progress` asks for it. Images are brought to the size of `profile`, that of a model that
-/// learns on for example; without one to commonSize(runs).
+/// learns on for example; without one to commonSize(runs). Each picture is there a second time as
+/// `change` makes it, or, if there is none, in other light if `options` say so.
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                        unsigned threads, const Progress& progress, std::size_t least_places = 2,
-                       const std::optional<ImageProfile>& profile = {});
+                       const std::optional<ImageProfile>& profile = {},
+                       const PictureChange& change = {});
 
 }  // namespace place_recognition

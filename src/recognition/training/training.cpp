@@ -116,7 +116,8 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   Training training;
   Model& model = training.model;
   model.options = options;
-  model.cue_weights = chooseCueWeights(judges.reductions[0], judges.samples, places);
+  model.cue_weights =
+      chooseCueWeights(judges.reductions[0], priorWeights(options.cues), judges.samples, places);
   std::vector<HeldOut> held_out;
   for (const std::vector<HeldOut>& reduced : judges.reductions) {
     held_out.push_back(combine(reduced, model.cue_weights));

@@ -19,6 +19,9 @@ void checkCue(const CueOptions& cue) {
   }
   try {
     colorNormalization(cue.normalize);
+    if (!(cue.weight >= 0.01 && cue.weight <= 100)) {
+      throw Error("option 'weight' is " + std::to_string(cue.weight) + "; give 0.01 to 100.");
+    }
     std::visit([](const auto& feature) { feature.check(); }, cue.feature);
     cue.kernel.check();
     const KernelType& kernel = kernelType(cue.kernel.type);
