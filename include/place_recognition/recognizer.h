@@ -13,6 +13,7 @@ namespace place_recognition {
 
 class CueExtraction;
 class LightEstimate;
+class RateLimit;
 struct Light;
 
 /// The answer to one frame.
@@ -48,6 +49,12 @@ class Recognizer {
   /// The next frame begins a new stream.
   void forgetLight();
 
+  /// Cues of type `embedding`, which cost much, are computed for at most `rate` frames of a stream
+  /// a second; 0: for each. In between their last margins count, by their weight times e^(-age /
+  /// decorrelation_time): what was seen tells of what is seen now for about as long.
+  /// `decorrelation_time`, s: 0 lets them count for nothing.
+  void setEmbeddingRate(double rate, double decorrelation_time);
+
   /// Light of the current stream, estimated from its frames so far.
   const LightEstimate& light() const { return *light_; }
 
@@ -57,20 +64,38 @@ class Recognizer {
   const Model& model() const { return *model_; }
 
  private:
-  const Recognition& recognizeIn(const Light& light, double certainty, const cv::Mat& image);
-  bool sumMargins(double certainty);
+  /// What one cue says of an image.
+  struct CueAnswer {
+    bool missing = true;
+    Eigen::RowVectorXd margins;
+    double familiarity = 0;  // the largest kernel value
+  };
+  using CueAnswers = std::vector<CueAnswer>;
+
+  bool embeddingsAreDue(double stamp);
+  double weightOf(std::size_t cue, double certainty, bool embeddings_are_held) const;
+  void askCues(const Light& light, const cv::Mat& image, bool with_embeddings, CueAnswers& answers);
+  const Recognition& combine(const CueAnswers& answers, double certainty, bool embeddings_are_held);
+  bool sumMargins(const CueAnswers& answers, double certainty, bool embeddings_are_held);
   void decide();
   void answerNothing(const std::string& reason);
 
   std::shared_ptr<const Model> model_;
   std::unique_ptr<CueExtraction> extraction_;
   std::unique_ptr<LightEstimate> light_;
-  double unknown_light_;           // certainty of the light of a picture by itself
-  std::vector<bool> follows_run_;  // of each cue: normalize is run
+  double unknown_light_;            // certainty of the light of a picture by itself
+  std::vector<bool> follows_run_;   // of each cue: normalize is run
+  std::vector<bool> is_embedding_;  // of each cue
+  double embedding_rate_ = 0;
+  double decorrelation_time_ = 0;
+  std::unique_ptr<RateLimit> embedding_limit_;
+  double stamp_ = 0;            // of the last frame of the stream
+  double embedding_stamp_ = 0;  // of the last one that embeddings were computed for
   double unknown_threshold_;
   std::vector<Feature> features_;  // one a cue
+  CueAnswers stream_answers_;      // to the last frame of the stream; of embeddings, those held
+  CueAnswers image_answers_;       // to a picture by itself
   Eigen::VectorXd kernel_values_;
-  Eigen::RowVectorXd cue_margins_;
   double familiarity_ = 0;  // the largest kernel value, mean of the cues
   Recognition recognition_;
 };

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "features/small_network.h"
 #include "place_recognition/model_file.h"
 #include "recognition/drawn_run.h"
 #include "recognition/frames/cue_extraction.h"
@@ -75,6 +78,62 @@ TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
   first = first_only.recognize(strip).margins;
   EXPECT_EQ(both, first);
   EXPECT_NE(both, Eigen::RowVectorXd::Zero(3));
+}
+
+/// A cue of a small network beside that of quickOptions().
+std::shared_ptr<const Model> modelWithNetwork() {
+  TrainingOptions options = quickOptions();
+  CueOptions cue;
+  cue.name = "embedding";
+  cue.feature = SmallNetwork::options();
+  cue.kernel.type = "gaussian";
+  options.cues.push_back(cue);
+  Model model = train({opener(drawFrames(3, 12))}, options).model;
+  model.cue_weights = {0.25, 0.75};
+  return std::make_shared<const Model>(std::move(model));
+}
+
+/// Margins of one cue for an image.
+Eigen::RowVectorXd marginsOf(const Model& model, std::size_t cue, const cv::Mat& image) {
+  std::vector<Feature> features;
+  CueExtraction(model).extract(image, features);
+  Eigen::VectorXd kernel_values;
+  Eigen::RowVectorXd margins;
+  model.classifiers[cue].margins(features[cue], kernel_values, margins);
+  return margins;
+}
+
+TEST(Recognizer, HoldsMarginsOfEmbeddingsAndLetsThemAge) {
+  const std::shared_ptr<const Model> model = modelWithNetwork();
+  Recognizer recognizer(model);
+  recognizer.setEmbeddingRate(1, 0.4);
+  const cv::Mat first = drawRoom(0, 300);
+  const double start = 100;
+  recognizer.recognize(first, start);
+  for (const double age : {0.1, 0.3, 0.45}) {
+    const cv::Mat image = drawRoom(1, 400);
+    recognizer.recognize(drawRoom(2, 500));  // a picture by itself changes nothing of the stream
+    const double held = 0.75 * std::exp(-age / 0.4);
+    const Eigen::RowVectorXd expected =
+        (0.25 * marginsOf(*model, 0, image) + held * marginsOf(*model, 1, first)) / (0.25 + held);
+    const Eigen::RowVectorXd margins = recognizer.recognize(image, start + age).margins;
+    EXPECT_TRUE(margins.isApprox(expected, 1e-12)) << margins << " at " << age;
+  }
+  // Due again; and when time jumps back.
+  for (const double stamp : {start + 1, start - 50}) {
+    const cv::Mat image = drawRoom(1, 600);
+    EXPECT_EQ(recognizer.recognize(image, stamp).margins, recognizer.recognize(image).margins);
+    recognizer.recognize(image, stamp + 0.1);
+  }
+}
+
+TEST(Recognizer, WithoutALimitEmbeddingsAreComputedForEveryFrame) {
+  const std::shared_ptr<const Model> model = modelWithNetwork();
+  Recognizer recognizer(model);
+  for (unsigned i = 0; i < 5; ++i) {
+    const cv::Mat image = drawRoom(static_cast<int>(i % 3), 300 + i);
+    EXPECT_EQ(recognizer.recognize(image, 0.01 * i).margins, recognizer.recognize(image).margins);
+  }
 }
 
 TEST(Recognizer, DoesNotExtractCuesThatDoNotCount) {

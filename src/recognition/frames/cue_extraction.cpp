@@ -9,6 +9,7 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
   for (const CueOptions& cue : options.cues) {
     extractors_.push_back(makeFeatureExtractor(cue.feature));
     normalizations_.push_back(colorNormalization(cue.normalize));
+    is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
     normalizes_ = normalizes_ || normalizations_.back() != ColorNormalization::kNone;
   }
 }
@@ -20,7 +21,7 @@ CueExtraction::CueExtraction(const Model& model) : CueExtraction(model.options, 
 }
 
 bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features,
-                            const Light& light) {
+                            const Light& light, bool with_embeddings) {
   assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
   const cv::Mat& scaled = scaler_.scaled(image);
   if (normalizes_) color_ = logColor(scaled);
@@ -29,7 +30,7 @@ bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features
   reason_.clear();
   bool any = false;
   for (std::size_t c = 0; c < extractors_.size(); ++c) {
-    if (!extractors_[c]) continue;
+    if (!extractors_[c] || (is_embedding_[c] && !with_embeddings)) continue;
     extractors_[c]->extract(normalized_.in(normalizations_[c]), features[c]);
     any = any || !isMissing(features[c]);
     if (isMissing(features[c]) && reason_.empty()) reason_ = extractors_[c]->missingReason();

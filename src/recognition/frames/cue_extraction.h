@@ -25,8 +25,10 @@ class CueExtraction {
 
   /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one a cue, into `features`, whose
   /// memory is reused. False if no cue could be extracted; reason() then says why.
-  /// `light`: what cues that follow the light of the run multiply the image by.
-  bool extract(const cv::Mat& image, std::vector<Feature>& features, const Light& light = {});
+  /// `light`: what cues that follow the light of the run multiply the image by. Without
+  /// `with_embeddings` the features of cues that run a network stay as they are.
+  bool extract(const cv::Mat& image, std::vector<Feature>& features, const Light& light = {},
+               bool with_embeddings = true);
 
   /// logColor() of the last image, before any normalization; zero if no cue normalizes.
   const Eigen::RowVector3d& color() const { return color_; }
@@ -37,6 +39,7 @@ class CueExtraction {
   ImageScaler scaler_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
   std::vector<ColorNormalization> normalizations_;             // of each cue
+  std::vector<bool> is_embedding_;                             // of each cue
   bool normalizes_ = false;
   Eigen::RowVector3d color_ = Eigen::RowVector3d::Zero();
   NormalizedImage normalized_;

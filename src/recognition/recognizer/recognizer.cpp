@@ -1,7 +1,9 @@
 #include "place_recognition/recognizer.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/rate_limit.h"
 #include "recognition/frames/cue_extraction.h"
 #include "recognition/model/scores.h"
 #include "recognition/recognizer/light_estimate.h"
@@ -13,12 +15,15 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
       extraction_(std::make_unique<CueExtraction>(*model_)),
       light_(std::make_unique<LightEstimate>(model_->colors)),
       unknown_light_(light_->certainty()),
+      embedding_limit_(std::make_unique<RateLimit>()),
       unknown_threshold_(model_->unknown_threshold) {
   for (const CueOptions& cue : model_->options.cues) {
     follows_run_.push_back(colorNormalization(cue.normalize) == ColorNormalization::kRun);
+    is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
   }
   const Eigen::Index places = static_cast<Eigen::Index>(model_->places.size());
-  cue_margins_.setZero(places);
+  stream_answers_.resize(model_->classifiers.size());
+  image_answers_.resize(model_->classifiers.size());
   recognition_.margins.setZero(places);
   recognition_.probabilities.setZero(places);
 }
@@ -28,22 +33,53 @@ Recognizer::Recognizer(Recognizer&&) noexcept = default;
 Recognizer& Recognizer::operator=(Recognizer&&) noexcept = default;
 
 const Recognition& Recognizer::recognize(const cv::Mat& image) {
-  return recognizeIn({}, unknown_light_, image);
+  askCues({}, image, true, image_answers_);
+  return combine(image_answers_, unknown_light_, false);
 }
 
 const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
   light_->beginFrame(stamp);
-  recognizeIn(light_->correction(), light_->certainty(), image);
+  const bool compute = embeddingsAreDue(stamp);
+  if (compute) embedding_stamp_ = stamp;
+  stamp_ = stamp;
+  askCues(light_->correction(), image, compute, stream_answers_);
+  combine(stream_answers_, light_->certainty(), !compute);
   light_->add(extraction_->color(), recognition_.probabilities);
   return recognition_;
 }
 
-void Recognizer::forgetLight() { light_->reset(); }
+void Recognizer::forgetLight() {
+  light_->reset();
+  embedding_limit_->reset();
+}
 
-const Recognition& Recognizer::recognizeIn(const Light& light, double certainty,
-                                           const cv::Mat& image) {
-  extraction_->extract(image, features_, light);
-  if (sumMargins(certainty)) {
+void Recognizer::setEmbeddingRate(double rate, double decorrelation_time) {
+  embedding_rate_ = rate;
+  decorrelation_time_ = decorrelation_time;
+}
+
+bool Recognizer::embeddingsAreDue(double stamp) {
+  if (stamp < stamp_) embedding_limit_->reset();
+  return embedding_limit_->admits(stamp, embedding_rate_);
+}
+
+/// Leaves the answers of embeddings as they are unless `with_embeddings`.
+void Recognizer::askCues(const Light& light, const cv::Mat& image, bool with_embeddings,
+                         CueAnswers& answers) {
+  extraction_->extract(image, features_, light, with_embeddings);
+  for (std::size_t c = 0; c < features_.size(); ++c) {
+    if (is_embedding_[c] && !with_embeddings) continue;
+    CueAnswer& answer = answers[c];
+    answer.missing = isMissing(features_[c]) || model_->cue_weights[c] == 0;
+    if (answer.missing) continue;
+    model_->classifiers[c].margins(features_[c], kernel_values_, answer.margins);
+    answer.familiarity = kernel_values_.size() > 0 ? kernel_values_.maxCoeff() : 0;
+  }
+}
+
+const Recognition& Recognizer::combine(const CueAnswers& answers, double certainty,
+                                       bool embeddings_are_held) {
+  if (sumMargins(answers, certainty, embeddings_are_held)) {
     decide();
   } else {
     answerNothing(extraction_->reason());
@@ -51,19 +87,30 @@ const Recognition& Recognizer::recognizeIn(const Light& light, double certainty,
   return recognition_;
 }
 
-/// Weighted mean of the margins, and of the familiarity, of the cues that the image has, those that
-/// follow the light of the run by the certainty of it; false if there is none that counts. Dividing
-/// by the weights present keeps the sum in the units that the calibration was fitted in.
-bool Recognizer::sumMargins(double certainty) {
+/// What a cue counts: if it follows the light of the run, by the certainty of it; if its margins
+/// are held, by their age.
+double Recognizer::weightOf(std::size_t cue, double certainty, bool embeddings_are_held) const {
+  double weight = model_->cue_weights[cue];
+  if (follows_run_[cue]) weight *= certainty;
+  if (is_embedding_[cue] && embeddings_are_held) {
+    weight *=
+        decorrelation_time_ > 0 ? std::exp((embedding_stamp_ - stamp_) / decorrelation_time_) : 0;
+  }
+  return weight;
+}
+
+/// Weighted mean of the margins, and of the familiarity, of the cues that the image has; false if
+/// there is none that counts. Dividing by the weights present keeps the sum in the units that the
+/// calibration was fitted in.
+bool Recognizer::sumMargins(const CueAnswers& answers, double certainty, bool embeddings_are_held) {
   recognition_.margins.setZero();
   familiarity_ = 0;
   double present = 0;
-  for (std::size_t c = 0; c < features_.size(); ++c) {
-    const double weight = model_->cue_weights[c] * (follows_run_[c] ? certainty : 1);
-    if (weight == 0 || isMissing(features_[c])) continue;
-    model_->classifiers[c].margins(features_[c], kernel_values_, cue_margins_);
-    recognition_.margins += weight * cue_margins_;
-    if (kernel_values_.size() > 0) familiarity_ += weight * kernel_values_.maxCoeff();
+  for (std::size_t c = 0; c < answers.size(); ++c) {
+    const double weight = weightOf(c, certainty, embeddings_are_held);
+    if (weight == 0 || answers[c].missing) continue;
+    recognition_.margins += weight * answers[c].margins;
+    familiarity_ += weight * answers[c].familiarity;
     present += weight;
   }
   if (present == 0) return false;

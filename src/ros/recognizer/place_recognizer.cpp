@@ -57,6 +57,7 @@ void checkLiveParameters(Parameters& parameters, const ros::NodeHandle& private_
   check("unknown_threshold", &PlaceRecognizerConfig::unknown_threshold);
   check("smoothing", &PlaceRecognizerConfig::smoothing);
   check("maximum_rate", &PlaceRecognizerConfig::maximum_rate);
+  check("embedding_rate", &PlaceRecognizerConfig::embedding_rate);
 }
 
 }  // namespace
@@ -323,6 +324,7 @@ bool PlaceRecognizer::followModel() {
   const double wanted = config_.unknown_threshold;
   const double threshold = wanted < 0 ? model->unknown_threshold : wanted;
   recognizer_->setUnknownThreshold(threshold);
+  recognizer_->setEmbeddingRate(config_.embedding_rate, config_.smoothing);
   place_over_time_.setSmoothing(config_.smoothing);
   place_over_time_.setUnknownThreshold(threshold);
   return true;
