@@ -91,8 +91,8 @@ class Reducer {
  private:
   Samples collect(const std::vector<std::string>& inputs) const {
     if (inputs.empty()) return {};
-    return collectSamples(options_.input.openers(inputs), model_.options, 0, progress_, 2,
-                          model_.images);
+    return collectSamplesFor(model_, options_.input.openers(inputs), model_.options, 0, progress_,
+                             2);
   }
 
   ReductionFigures measured(const Model& model) const {

@@ -1,4 +1,4 @@
-#include "recognition/recognizer/light_estimate.h"
+#include "recognition/frames/light_estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "learning/support_set.h"
 #include "place_recognition/error.h"
 #include "recognition/drawn_run.h"
+#include "recognition/frames/light.h"
 
 namespace place_recognition {
 namespace {
@@ -48,6 +49,33 @@ TEST(Recalibrate, LeavesPlacesOutThatTheModelDoesNotKnow) {
   std::vector<Frame> elsewhere = drawFrames(1, 20);
   for (Frame& frame : elsewhere) frame.place = "elsewhere";
   EXPECT_THROW(recalibrate(drawnModel(2), {opener(elsewhere)}), Error);
+}
+
+std::vector<Frame> inDimLight(std::vector<Frame> frames) {
+  for (Frame& frame : frames) frame.image = inLight(frame.image, {0.5, 0.6, 0.7});
+  return frames;
+}
+
+double rateInDimLight(const std::string& normalize) {
+  TrainingOptions options = twoCueOptions();
+  options.cues.erase(options.cues.begin());  // colour alone
+  options.cues[0].normalize = normalize;
+  Model model = train({opener(drawFrames(3, 30))}, options).model;
+  return recalibrate(std::move(model), {opener(inDimLight(drawFrames(3, 40, 800)))})
+      .before.average_rate;
+}
+
+TEST(Recalibrate, HoldsTheLightOfARunAgainstTheTrainingByItsLabels) {
+  EXPECT_LT(rateInDimLight("none"), 0.7);
+  EXPECT_GT(rateInDimLight("run"), 0.95);
+}
+
+TEST(LearnOn, KeepsTheLightOfTheTraining) {
+  TrainingOptions options = twoCueOptions();
+  for (CueOptions& cue : options.cues) cue.normalize = "run";
+  const Model model = train({opener(drawFrames(3, 30))}, options).model;
+  const Model after = learnOn(model, {opener(inDimLight(drawFrames(3, 30, 800)))}, 0).model;
+  EXPECT_LT((after.colors.means - model.colors.means).cwiseAbs().maxCoeff(), 0.1);
 }
 
 }  // namespace

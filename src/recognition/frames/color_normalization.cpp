@@ -38,6 +38,10 @@ Eigen::RowVector3d logColor(const cv::Mat& image) {
   return color;
 }
 
+Eigen::RowVector3d logGains(const Light& light) {
+  return Eigen::Array3d(light.blue, light.green, light.red).log().matrix().transpose();
+}
+
 void NormalizedImage::set(const cv::Mat& image, const Eigen::RowVector3d& color,
                           const Light& correction) {
   image_ = &image;

@@ -20,6 +20,9 @@ ColorNormalization colorNormalization(const std::string& name);
 /// logarithms of the gains. Levels count as 1 at least.
 Eigen::RowVector3d logColor(const cv::Mat& image);
 
+/// What an image's logColor() grows by in that light.
+Eigen::RowVector3d logGains(const Light& light);
+
 /// One image in the colours that each kind of normalization gives it, made when asked for and once.
 /// Not thread-safe.
 class NormalizedImage {

@@ -31,7 +31,7 @@ void ExtractionPool::work(const TrainingOptions& options, const ImageProfile& im
       if (!extraction.extract(job.image, job.result->features, job.light)) {
         job.result->problem = extraction.reason();
       }
-      job.result->color = extraction.color();
+      job.result->color = extraction.color() + logGains(job.light);
     }
   } catch (...) {
     const std::lock_guard<std::mutex> lock(failure_mutex_);

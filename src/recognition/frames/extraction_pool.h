@@ -19,7 +19,7 @@ namespace place_recognition {
 /// Where the features of one image go.
 struct ExtractedFeatures {
   std::vector<Feature> features;  ///< one a cue
-  Eigen::RowVector3d color;       ///< see logColor()
+  Eigen::RowVector3d color;       ///< logColor() in the light of the training
   std::string problem;            ///< why no cue could be extracted; empty if one could
 };
 
@@ -29,9 +29,9 @@ class ExtractionPool {
   ExtractionPool(const TrainingOptions& options, const ImageProfile& images, unsigned threads);
   ~ExtractionPool();
 
-  /// Queues an image, waiting while the queue is full. `result` must stay where it is and is not
-  /// to be touched before finish(). `light`: see CueExtraction::extract(). Throws what an extractor
-  /// threw.
+  /// Queues an image, which cues that follow the light of the run see multiplied by `light`; waits
+  /// while the queue is full. `result` must stay where it is and is not to be touched before
+  /// finish(). Throws what an extractor threw.
   void submit(const cv::Mat& image, ExtractedFeatures& result, const Light& light = {});
 
   /// Waits until every result is there. Throws what an extractor threw.

@@ -17,6 +17,11 @@ struct Light {
   double blue = 1;
 };
 
+/// The gains of both.
+inline Light operator*(const Light& a, const Light& b) {
+  return {a.red * b.red, a.green * b.green, a.blue * b.blue};
+}
+
 /// Darker, brighter, warmer and colder, by about as much as automatic exposure and white balance
 /// leave over.
 const std::vector<Light>& otherLights();

@@ -5,8 +5,8 @@
 
 #include "base/rate_limit.h"
 #include "recognition/frames/cue_extraction.h"
+#include "recognition/frames/light_estimate.h"
 #include "recognition/model/scores.h"
-#include "recognition/recognizer/light_estimate.h"
 
 namespace place_recognition {
 

@@ -91,14 +91,8 @@ Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsig
                           const Progress& progress) {
   TrainingOptions options = model.options;
   options.augmentation.other_light = false;
-  for (const CueOptions& cue : options.cues) {
-    if (cue.normalize != "run") continue;
-    throw Error("The cue '" + cue.name +
-                "' follows the light of a run (cues.normalize), which "
-                "calibration cannot do; train with another preset to calibrate.");
-  }
   Recalibration result;
-  Samples samples = collectSamples(runs, options, threads, progress, 1, model.images);
+  Samples samples = collectSamplesFor(model, runs, options, threads, progress, 1);
   result.warnings = samples.warnings;
   const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);
   if (frames.origins.empty()) {

@@ -10,10 +10,12 @@
 #include "base/place_name.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
+#include "recognition/frames/color_normalization.h"
 #include "recognition/frames/extraction_pool.h"
 #include "recognition/frames/image_guard.h"
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/light.h"
+#include "recognition/frames/light_estimate.h"
 #include "recognition/training/sampling.h"
 
 namespace place_recognition {
@@ -70,25 +72,65 @@ PictureChange changeOfLight(const TrainingOptions& options) {
   };
 }
 
+/// The light of a run, held against the training of a model by the labels of its frames.
+class LabelledLight {
+ public:
+  /// Without a model, or one of a cue that follows the light: it is always that of the training.
+  explicit LabelledLight(const Model* model)
+      : model_(model), estimate_(model ? model->colors : ColorStatistics{}) {}
+
+  void beginRun() { estimate_.reset(); }
+
+  /// What the next frame is multiplied by; it counts for those after it.
+  Light next(const Frame& frame) {
+    if (!model_ || !model_->colors.known()) return {};
+    estimate_.beginFrame(frame.stamp);
+    const Light light = estimate_.correction();
+    const auto& places = model_->places;
+    const auto place = std::lower_bound(places.begin(), places.end(), frame.place);
+    if (place != places.end() && *place == frame.place) {
+      Eigen::RowVectorXd certain =
+          Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(places.size()));
+      certain[place - places.begin()] = 1;
+      estimate_.add(logColor(frame.image), certain);
+    }
+    return light;
+  }
+
+ private:
+  const Model* model_;
+  LightEstimate estimate_;
+};
+
 /// Reads runs and remembers what came of each frame.
 class Collector {
  public:
-  Collector(const TrainingOptions& options, const ImageProfile& profile, PictureChange change,
-            unsigned threads)
+  Collector(const TrainingOptions& options, const ImageProfile& profile, const Model* model,
+            PictureChange change, unsigned threads)
       : image_options_(options.image),
         expected_(profile),
         profile_(profile),
+        light_(model),
         sampling_(options.sampling),
         change_(std::move(change)),
         seed_(options.seed),
+        cues_(options.cues.size()),
         pool_(options, profile, threads) {}
 
+  Samples readAll(const std::vector<RunOpener>& runs, const Progress& progress,
+                  std::size_t least_places) {
+    for (const RunOpener& open : runs) read(*open(), progress);
+    return finish(least_places);
+  }
+
+ private:
   void read(Run& run, const Progress& progress) {
     inputs_.push_back(run.name());
     skipped_.emplace_back();
     seen_.emplace_back();
     rate_ = FrameRate(sampling_.rate);
     run.setDepthExtent(expected_.depth);
+    light_.beginRun();
     ImageGuard guard(expected_, image_options_);
     const std::string stage = "Reading " + run.name();
     report(progress, stage, 0);
@@ -99,7 +141,7 @@ class Collector {
     warnings_.insert(warnings_.end(), run.warnings().begin(), run.warnings().end());
   }
 
-  Samples finish(std::size_t cues, std::size_t least_places) {
+  Samples finish(std::size_t least_places) {
     pool_.finish();
     Samples samples;
     samples.inputs = inputs_;
@@ -108,7 +150,7 @@ class Collector {
     requirePlaces(least_places);
     samples.places.assign(places_.begin(), places_.end());
     thinOut(samples);
-    fill(samples, cues);
+    fill(samples);
     learnRooms(samples);
     samples.warnings.insert(samples.warnings.end(), warnings_.begin(), warnings_.end());
     for (std::size_t r = 0; r < inputs_.size(); ++r) {
@@ -119,7 +161,6 @@ class Collector {
     return samples;
   }
 
- private:
   void add(Frame frame, ImageGuard& guard) {
     ++frames_;
     seen_.back().push_back({frame.stamp, frame.place});
@@ -144,10 +185,11 @@ class Collector {
       include(statisticsOf(frame.image), profile_);
       const int run = static_cast<int>(inputs_.size()) - 1;
       records_.push_back({frame.place, run, frame.stamp, frame.name, {}, {}});
-      pool_.submit(frame.image, records_.back().extracted);
+      const Light light = light_.next(frame);
+      pool_.submit(frame.image, records_.back().extracted, light);
       if (change_) {
         const ChangedPicture changed = change_(frame.image, frame.place);
-        pool_.submit(changed.image, records_.back().changed, changed.correction);
+        pool_.submit(changed.image, records_.back().changed, light * changed.correction);
       }
     }
   }
@@ -237,10 +279,10 @@ class Collector {
         "camera sampling.rate=5 passes over more as it is read.");
   }
 
-  void fill(Samples& samples, std::size_t cues) {
+  void fill(Samples& samples) {
     samples.images.assign(samples.places.size(), 0);
     samples.colors.assign(samples.places.size(), {});
-    samples.features.resize(cues);
+    samples.features.resize(cues_);
     for (Record& record : records_) {
       const SampleOrigin origin{placeOf(record, samples), record.run, record.stamp};
       ++samples.images[static_cast<std::size_t>(origin.place)];
@@ -289,11 +331,13 @@ class Collector {
   const ImageOptions image_options_;
   const ImageProfile expected_;  // to which images are brought, and are held against
   ImageProfile profile_;         // with those that came
+  LabelledLight light_;
   SamplingOptions sampling_;
   FrameRate rate_{0};  // of the current run
   std::uint64_t passed_over_ = 0;
   PictureChange change_;
   std::uint64_t seed_;
+  std::size_t cues_;
   ExtractionPool pool_;  // the last member: its threads end first
 };
 
@@ -302,10 +346,16 @@ class Collector {
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                        unsigned threads, const Progress& progress, std::size_t least_places,
                        const std::optional<ImageProfile>& profile, const PictureChange& change) {
-  Collector collector(options, profile ? *profile : commonSize(runs, progress),
+  Collector collector(options, profile ? *profile : commonSize(runs, progress), nullptr,
                       change ? change : changeOfLight(options), threads);
-  for (const RunOpener& open : runs) collector.read(*open(), progress);
-  return collector.finish(options.cues.size(), least_places);
+  return collector.readAll(runs, progress, least_places);
+}
+
+Samples collectSamplesFor(const Model& model, const std::vector<RunOpener>& runs,
+                          const TrainingOptions& options, unsigned threads,
+                          const Progress& progress, std::size_t least_places) {
+  Collector collector(options, model.images, &model, changeOfLight(options), threads);
+  return collector.readAll(runs, progress, least_places);
 }
 
 }  // namespace place_recognition

@@ -51,12 +51,19 @@ struct Samples {
 /// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
 /// one a core); a few frames at most wait in between. Throws Error if there is no picture, no
 /// label, a label that cannot name a place, or if fewer than `least_places` have samples; Cancelled
-/// if `progress` asks for it. Images are brought to the size of `profile`, that of a model that
-/// learns on for example; without one to commonSize(runs). Each picture is there a second time as
-/// `change` makes it, or, if there is none, in other light if `options` say so.
+/// if `progress` asks for it. Images are brought to the size of `profile`; without one to
+/// commonSize(runs). Each picture is there a second time as `change` makes it, or, if there is
+/// none, in other light if `options` say so.
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                        unsigned threads, const Progress& progress, std::size_t least_places = 2,
                        const std::optional<ImageProfile>& profile = {},
                        const PictureChange& change = {});
+
+/// The same for a model that learns on or is to be judged: images are brought to the size of those
+/// it was trained on, and cues that follow the light of a run see them in the light of its
+/// training, as far as their labels tell it.
+Samples collectSamplesFor(const Model& model, const std::vector<RunOpener>& runs,
+                          const TrainingOptions& options, unsigned threads,
+                          const Progress& progress, std::size_t least_places);
 
 }  // namespace place_recognition

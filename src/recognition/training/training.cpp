@@ -201,7 +201,7 @@ Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vec
   options.reduction = learningOnReduction(options.reduction, vector_limit);
   options.check();
   return timed([&] {
-    Samples fresh = collectSamples(runs, options, threads, progress, 1, model.images);
+    Samples fresh = collectSamplesFor(model, runs, options, threads, progress, 1);
     Training training =
         learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads, progress);
     training.model.asked = model.asked;
