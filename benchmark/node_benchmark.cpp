@@ -38,7 +38,7 @@ sensor_msgs::Image toMessage(const cv::Mat& image) {
   return message;
 }
 
-/// Of another process, from /proc.
+/// What /proc tells of another process.
 struct Process {
   std::string folder;
 

@@ -21,7 +21,7 @@ struct Calibration {
   double slope = 1;  ///< > 0
   EvidenceWeights weights = {};
 
-  /// Of each place; sum to 1. Finite for every finite input.
+  /// One per place; they sum to 1 and are finite for every finite input.
   Eigen::RowVectorXd probabilities(const Eigen::RowVectorXd& margins) const;
 
   /// How much speaks for any of the places at all, 0..1: the logistic function of the weighted sum

@@ -36,7 +36,7 @@ class Classifier {
   std::size_t supportVectorCount() const;
   const SupportSet& supportSet() const { return *support_set_; }
   const Machines& machines() const { return *machines_; }
-  /// Of each support vector, the place that it was recorded in.
+  /// The place that each support vector was recorded in.
   const std::vector<int>& vectorPlaces() const { return vector_places_; }
 
  private:

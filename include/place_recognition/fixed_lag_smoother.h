@@ -22,8 +22,8 @@ class FixedLagSmoother {
   /// Bounds memory where stamps stand still.
   static constexpr std::size_t kMostFrames = 1000;
 
-  /// Of a filter with this map and these options. `lag`: s, >= 0. Throws Error if an option is out
-  /// of range.
+  /// Smooths the output of a TemporalFilter built with the same adjacency and options. `lag`: s,
+  /// >= 0. Throws Error if an option is out of range.
   FixedLagSmoother(const Adjacency& adjacency, const TemporalFilterOptions& options, double lag);
   ~FixedLagSmoother();
 

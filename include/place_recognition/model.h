@@ -62,8 +62,8 @@ struct Model {
   TrainingOptions options;              ///< as used: gamma, reduction, blocks of time as found
   ImageProfile images;                  ///< that it was trained on
   std::vector<std::string> places;      ///< names, in ascending order; at least two
-  std::vector<Classifier> classifiers;  ///< one a cue of `options`
-  std::vector<double> cue_weights;      ///< one a cue, of the sum of margins
+  std::vector<Classifier> classifiers;  ///< one per cue of `options`
+  std::vector<double> cue_weights;      ///< one per cue, of the sum of margins
   Calibration calibration;              ///< of the summed margins
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;

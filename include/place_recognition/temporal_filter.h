@@ -22,7 +22,7 @@ struct Motion {
 struct FilteredAnswer {
   int place = -1;                    ///< index in Model::places; -1: unknown
   double confidence = 0;             ///< probability of `place`, or of 'unknown'
-  Eigen::RowVectorXd probabilities;  ///< one a place, then 'unknown'; sum to 1
+  Eigen::RowVectorXd probabilities;  ///< one per place, then 'unknown'; sum to 1
   bool changed = false;  ///< `place` differs from the last frame's, or this is the first frame
 };
 
@@ -68,7 +68,7 @@ class TemporalFilter {
   const FilteredAnswer& update(double stamp, const Recognition& recognition,
                                const std::optional<Motion>& motion = std::nullopt);
 
-  /// Of the frame seen last.
+  /// Step and answer of the frame seen last.
   const FilterStep& step() const { return step_; }
   const FilteredAnswer& answer() const { return answer_; }
 

@@ -29,7 +29,7 @@ using RunOpener = std::function<std::unique_ptr<Run>()>;
 /// the runs), Gram matrix, gamma by cross-validation where it is not given, machines, reduction
 /// (for `auto` chosen by cross-validation), calibration on held-out blocks of time. Throws Error if
 /// fewer than two places have images; Cancelled if `progress` asks for it. The model's bytes depend
-/// on inputs and options only, not on `threads` (0: one a core).
+/// on inputs and options only, not on `threads` (0: one per core).
 Training train(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                unsigned threads = 0, const Progress& progress = {});
 

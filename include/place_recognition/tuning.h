@@ -10,7 +10,7 @@
 
 namespace place_recognition {
 
-/// Where tune() looks; read from YAML (config/tuning/).
+/// Where tune() looks; read from YAML.
 struct SearchSpace {
   std::vector<std::vector<std::string>> descriptors = {
       {"Lxx", "Lxy", "Lyy"}, {"Lx", "Ly"},

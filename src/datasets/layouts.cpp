@@ -169,7 +169,7 @@ double coldStamp(const std::string& file) {
   return numberBehindLetter(file.substr(0, file.find('_')));
 }
 
-/// A line a picture, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
+/// A line per picture, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
 std::vector<LabelledPicture> listByPictures(const fs::path& cameras, const fs::path& list) {
   constexpr std::size_t kMaxFileBytes = 64 << 20;
   std::vector<LabelledPicture> pictures;

@@ -26,7 +26,8 @@ struct PictureSet {
 /// Every `step`-th picture of each place, from the first.
 PictureSet thinnedOut(const PictureSet& set, int step);
 
-/// Of names, places and contents, not of where the files lie. Throws Error if one cannot be read.
+/// Depends on names, places and contents, not on where the files lie. Throws Error if a file
+/// cannot be read.
 std::uint64_t digestOf(const std::vector<PictureSet>& sets);
 
 /// The set as a recording; `set` must outlive it.

@@ -45,7 +45,7 @@ class Experiment {
   virtual void compute(const std::vector<Json>& cells, const CellSink& finished,
                        const Progress& progress) = 0;
 
-  /// `results`: one a cell, in the order of cells().
+  /// `results`: one per cell, in the order of cells().
   virtual Findings findings(const std::vector<Json>& results) const = 0;
 };
 

@@ -11,7 +11,7 @@ namespace place_recognition {
 /// Tables 8.2 and 8.6, and the splits of Table 8.1: one cell a training set.
 class FinalExperiment : public Experiment {
  public:
-  /// Each of `sets` is trained on in turn. `threads`: 0: one a core.
+  /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
   FinalExperiment(PlaceFeatures features, std::vector<PictureSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;

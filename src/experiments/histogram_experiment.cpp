@@ -130,7 +130,7 @@ const HistogramExperiment::Candidate& HistogramExperiment::candidateOf(const Jso
 void HistogramExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                                   const Progress& progress) {
   std::size_t done = 0;
-  // Of a part of the work that itself reports from 0 to 1.
+  // Progress of a part of the work that itself reports from 0 to 1.
   const auto share = [&](double parts) -> Progress {
     return [&, parts](const std::string& stage, double fraction) {
       const double all = (static_cast<double>(done) + parts * fraction) / cells.size();

@@ -23,7 +23,7 @@ enum class HistogramSweep {
 class HistogramExperiment : public Experiment {
  public:
   /// Each of `sets` is trained on in turn. Descriptors: histograms of more than `max_dimensions`
-  /// are left out, as are those whose bins 64 bits cannot number. `threads`: 0: one a core.
+  /// are left out, as are those whose bins 64 bits cannot number. `threads`: 0: one per core.
   HistogramExperiment(HistogramSweep sweep, std::vector<PictureSet> sets, int max_dimensions,
                       unsigned threads);
 

@@ -27,7 +27,7 @@ std::string describe(const KernelOptions& kernel);
 /// 1 ... 5, both ways of many classes, C = 100, and for Table 7.2 C = 1, 10 and 1000.
 class MaterialsExperiment : public Experiment {
  public:
-  /// `samples`: pictures of every material each; three or more. `threads`: 0: one a core.
+  /// `samples`: pictures of every material each; three or more. `threads`: 0: one per core.
   MaterialsExperiment(std::vector<PictureSet> samples, unsigned threads);
 
   std::vector<Json> cells() const override;

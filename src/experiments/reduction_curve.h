@@ -32,7 +32,7 @@ ReductionCurve reductionCurve(const Machines& machines, const Eigen::MatrixXd& k
 /// The fewest vectors of any point that keeps `share` (0..1) of the rate of the first one.
 int fewestVectors(const ReductionCurve& curve, double share);
 
-/// Of several reductions of the same machines, as fewestVectors().
+/// The same for several reductions of the same machines.
 int fewestVectors(const std::vector<ReductionCurve>& curves, double share);
 
 /// (share of the vectors left, rate) of the mean of several curves, as far as all of them go.

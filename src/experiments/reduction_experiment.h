@@ -13,7 +13,7 @@ namespace place_recognition {
 /// machines. One cell a kind of features, training set, method and normalisation.
 class ReductionExperiment : public Experiment {
  public:
-  /// Each of `sets` is trained on in turn. `threads`: 0: one a core.
+  /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
   ReductionExperiment(std::vector<PictureSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;

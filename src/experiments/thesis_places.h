@@ -13,8 +13,8 @@ struct ThesisFinal {
   double average[3];      ///< per cent
   double rates[5][3][3];  ///< [BO, CR, EO, KT, PR][tested on][trained on]; -1: none
 
-  /// Of a room by the code of the thesis or of KTH-IDOL, or as the simulated one that is most like
-  /// it (office_a is the smaller office, Barbara's); -1 for other rooms or sets.
+  /// The rate of a room, named by the code of the thesis or of KTH-IDOL, or as the simulated room
+  /// most like it (office_a is the smaller office, Barbara's); -1 for other rooms or sets.
   double rate(const std::string& room, const std::string& test_set, int training_set) const;
 };
 

@@ -14,7 +14,7 @@ namespace place_recognition {
 
 /// Responses of CRFH descriptors, not normalised by scale, a few rows of a picture after the other.
 /// A channel is taken from the picture once, and what is asked of one channel at one scale shares a
-/// filter. Keeps its buffers: one a thread.
+/// filter. Keeps its buffers: one per thread.
 class CrfhResponses {
  public:
   /// The responses of one descriptor at one scale.

@@ -17,7 +17,7 @@ struct InterestPoint {
 };
 
 /// The Harris-Laplace detector, thesis section 4.3.1: local maxima of the cornerness, at the scales
-/// at which the Laplacian of Gaussian there is extremal. Keeps its buffers: one a thread.
+/// at which the Laplacian of Gaussian there is extremal. Keeps its buffers: one per thread.
 class HarrisLaplace {
  public:
   struct Options {

@@ -8,7 +8,7 @@ namespace place_recognition {
 
 /// SIFT orientations and descriptors (thesis section 4.3.2, Lowe 2004) of points of one level of a
 /// scale space. Positions and scales are in pixels of that level; angles in radians, from the x
-/// axis towards the y axis, that is clockwise as seen. Keeps its buffers: one a thread.
+/// axis towards the y axis, that is clockwise as seen. Keeps its buffers: one per thread.
 class SiftDescriptor {
  public:
   static constexpr int kGrid = 4;          ///< histograms along each side

@@ -19,7 +19,7 @@ namespace place_recognition {
 /// the last columns of R become Q'F.
 class ColumnElimination {
  public:
-  /// Of columns of zeros, to be set before anything else.
+  /// Starts with columns of zeros, which are to be set before anything else.
   ColumnElimination(Eigen::Index rows, Eigen::Index candidates, Eigen::Index targets);
 
   /// Column `column` = values / scale.

@@ -86,7 +86,7 @@ void takeOutOf(int columns, const ColumnSteps& steps, double* const* values,
   }
 }
 
-/// Of which the sums of four steps fit the registers.
+/// How many columns fit the registers with the sums of four steps.
 int columnsAtOnce() {
 #if defined(__x86_64__) && defined(__GNUC__)
   return __builtin_cpu_supports("avx512f") ? 4 : 2;

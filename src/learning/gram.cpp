@@ -42,7 +42,7 @@ class Triangle {
     if (const auto* index = std::get_if<VectorIndex>(&block.index())) vectors_.emplace(*index);
   }
 
-  /// Of feature i of the block, which is `x`, with features 0..i.
+  /// Measures between feature i of the block, which is `x`, and features 0..i.
   void measures(std::size_t i, const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
     if (vectors_) {
       vectors_->measures(i, out);
@@ -80,8 +80,8 @@ Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& 
     const std::size_t end = std::min(n, begin + kBlock);
     const SupportSet block = blockOf(kernel, features, begin, end);
     const Triangle triangle(block);
-    // Of column i only what stands on or above the diagonal is computed, and mirrored below, so
-    // that the matrix is symmetric to the last bit.
+    // Column i is computed down to the diagonal and mirrored below it, so that the matrix is
+    // symmetric to the last bit.
     parallelFor(n - begin, threads, [&](std::size_t offset, unsigned thread) {
       const Feature& feature = features[begin + offset];
       auto column = measures.col(begin + offset);

@@ -11,7 +11,7 @@ namespace {
 
 /// Stopping tolerance on the optimality conditions; margins are determined to about as much.
 constexpr double kTolerance = 1e-4;
-/// Of libsvm's own cache, which holds rows of a machine's problem.
+/// Size of libsvm's own cache, which holds rows of a machine's problem.
 constexpr double kCacheMegabytes = 200;
 
 void silenceLibsvm() {

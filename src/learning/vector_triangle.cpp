@@ -6,7 +6,7 @@
 namespace place_recognition {
 namespace {
 
-/// Of each vector.
+/// The number of elements of each vector.
 std::vector<std::size_t> countElements(const PostingLists& lists) {
   std::vector<std::size_t> counts(lists.vectors(), 0);
   for (const std::uint16_t v : lists.numbers) ++counts[v];

@@ -15,7 +15,7 @@ namespace place_recognition {
 /// that no bin is looked up, which would be a quarter of the work. Immutable.
 class VectorTriangle {
  public:
-  /// Of an index that outlives it.
+  /// `index` must outlive this.
   explicit VectorTriangle(const VectorIndex& index);
 
   /// Kernel::measure(vector v, vector i) for i = 0..v, the elements of `out`; the same bits as

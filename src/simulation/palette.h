@@ -12,7 +12,7 @@ namespace place_recognition::simulation {
 struct Palette {
   using Choice = std::vector<int>;
 
-  Choice walls, floors;  ///< one a room, in the order of rooms()
+  Choice walls, floors;  ///< one per room, in the order of rooms()
   int ceiling, skirting, door, frame, outdoors;
   int glass;
   Choice woods;  ///< light, reddish, dark

@@ -33,7 +33,7 @@ struct SimulationOptions {
   /// strays from its way.
   unsigned visit = 1;
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
-  unsigned threads = 0;     ///< 0: one a core
+  unsigned threads = 0;     ///< 0: one per core
   double rate = 5.0;        ///< frames a second (0.1..100); indecs: one picture every 1/rate s
 
   /// Throws Error naming the field that is out of range.

@@ -97,7 +97,7 @@ void addCalibrate(CommandLine& tool) {
       .required();
   verb.option("--out", "NAME2", options->out, "Name or file of the result, instead");
   options->input.addTo(verb);
-  verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
+  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
       "The weights of the cues, the slope of the probabilities and the threshold of 'unknown'\n"

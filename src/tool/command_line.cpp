@@ -325,7 +325,7 @@ const Verb* CommandLine::takeVerb(Words& words) const {
   return nullptr;
 }
 
-/// Of the verbs, or of those of two words that begin with `first_word`.
+/// The help text on all verbs, or on those of two words that begin with `first_word`.
 std::string CommandLine::help(const std::string& first_word) const {
   const Words names = verbNames();
   const bool is_group = std::any_of(names.begin(), names.end(), [&](const std::string& name) {

@@ -115,7 +115,7 @@ void addExperiment(CommandLine& tool) {
   verb.option("--part", "K/N", options->part,
               "Compute the K-th of N parts of the cells only; tables are written once all cells "
               "are there");
-  verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
+  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
       "Example:\n"

@@ -9,7 +9,7 @@
 
 namespace place_recognition::tool {
 
-/// JSON whose keys keep the order in which they were set.
+/// JSON, with its keys in alphabetical order.
 using Json = nlohmann::json;
 
 /// Where a verb's answers go: text for a person, figures for a program, progress for both.

@@ -252,7 +252,7 @@ void addRecognize(CommandLine& tool) {
   options->input.addTo(verb);
   options->output.addTo(verb);
   verb.footer(
-      "Prints a line a picture: path, place (or unknown), confidence 0..1. With --json an object "
+      "Prints a line per picture: path, place (or unknown), confidence 0..1. With --json an object "
       "a\n"
       "line: image, place, known, confidence, evidence and the scores of every place; for a bag\n"
       "also the smoothed answer, in the light of the frames around. Pictures that cannot be used\n"

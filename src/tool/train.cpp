@@ -149,7 +149,7 @@ void addTrain(CommandLine& tool) {
       .range(0, 1000000);
   options->configuration.addTo(verb);
   options->input.addTo(verb);
-  verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
+  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
       "Example:\n"

@@ -169,7 +169,7 @@ void addTune(CommandLine& tool) {
             "held-out pictures that stand for the next run");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
-  verb.option("--threads", "N", options->threads, "Threads; 0: one a core. Changes no result");
+  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
       "Starts from the configuration, the default one unless told, and leaves it only where "

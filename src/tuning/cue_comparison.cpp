@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-/// Of the sigmoid and its like there is no gamma to be found.
+/// Whether the kernel has a gamma to be found; the sigmoid and the polynomial have none.
 bool hasGamma(const KernelOptions& kernel) {
   return kernel.type == "gaussian" || kernel.type == "chi-squared" || kernel.type == "local-match";
 }

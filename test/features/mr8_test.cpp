@@ -133,8 +133,8 @@ TEST(Mr8, IsAJointHistogram) {
   EXPECT_GT(h.size(), 100u);
 }
 
-// Of a blank picture, every response is zero: the lowest level of the magnitudes, the third of
-// four for the Gaussian and its Laplacian.
+// Every response to a blank picture is zero: the lowest level of the magnitudes, the third of
+// four of the Gaussian and its Laplacian.
 TEST(Mr8, OfABlankPictureHasOneBin) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(30, 7), cv::Size(200, 100)}) {
     const SparseVector h = extract(cv::Mat1b(size, std::uint8_t{93}));

@@ -11,7 +11,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kMargin = 200;  // Of numbers before and after a row.
+constexpr int kMargin = 200;  // numbers before and after a row
 
 std::vector<float> randomRow(int n, unsigned seed) {
   std::mt19937 random(seed);

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder + "/network");
   write(folder + "/network/small", SmallNetwork::onnx());
   int number = 0;
-  // Of few pictures, for a fuzzer reads small models much faster.
+  // Trained on few pictures, because a fuzzer reads small models much faster.
   for (const std::string& model : trainPresets(drawFrames(2, 2))) {
     write(folder + "/model/" + std::to_string(number++), model);
   }

@@ -27,7 +27,7 @@ class ColumnStepsOf : public testing::TestWithParam<std::tuple<int, int>> {
     }
   }
 
-  /// Of `columns`, changed, from `first` on; returns the products.
+  /// Takes the steps out of `columns` from `first` on; returns the products.
   Eigen::MatrixXd takeOutOf(Eigen::MatrixXd& columns, Eigen::Index first, int count) {
     Eigen::MatrixXd products(steps_.count, count);
     ColumnTeam team;

@@ -26,7 +26,7 @@ Recognition seen(std::vector<double> probabilities, double evidence = 0.9) {
   return frame;
 }
 
-/// Of four rooms: 0.7 for `place`, 0.1 for each other.
+/// Probabilities of four rooms: 0.7 for `place`, 0.1 for each other.
 Recognition seen(int place, double evidence = 0.9) {
   std::vector<double> probabilities(4, 0.1);
   probabilities[place] = 0.7;

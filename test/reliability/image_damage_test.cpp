@@ -13,7 +13,7 @@ namespace {
 
 /// A decoder's own tables.
 constexpr std::size_t kConstant = 4 << 20;
-/// Of a picture that announces 64 million pixels, which is what a decoder may be given.
+/// Memory of a picture that announces 64 million pixels, the most that a decoder may be given.
 constexpr std::size_t kLargestPicture = 64'000'000 * std::size_t{8};
 
 /// Whether `message` gives a picture, which must be one that extractors take, or one of 16 bits

@@ -98,7 +98,7 @@ TEST_F(Saving, WritersOfOneNameWaitForEachOther) {
 
 TEST_F(Saving, ThatFailsChangesNothing) {
   for (int rooms = 2; rooms <= 4; ++rooms) saveModel(modelOf(rooms), path_);
-  // Of a file that grows beyond a limit the disk takes a part, as when it is full.
+  // The disk takes only a part of a file that grows beyond a limit, as when it is full.
   rlimit before;
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small{1000, before.rlim_max};

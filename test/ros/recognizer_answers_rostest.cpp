@@ -38,7 +38,7 @@ TEST_P(EveryTransport, AnswersWithTheHeaderOfTheImage) {
     EXPECT_GT(answer->seconds, 0);
   }
   ros::WallDuration(0.3).sleep();
-  EXPECT_EQ(answers.messages().size(), 3u);  // one an image, never repeated
+  EXPECT_EQ(answers.messages().size(), 3u);  // one per image, never repeated
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryTransport,

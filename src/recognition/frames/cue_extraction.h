@@ -23,7 +23,7 @@ class CueExtraction {
   /// The cues of `model` that count: those of weight 0 are missing in every image.
   explicit CueExtraction(const Model& model);
 
-  /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one a cue, into `features`, whose
+  /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one per cue, into `features`, whose
   /// memory is reused. False if no cue could be extracted; reason() then says why.
   /// `light`: what cues that follow the light of the run multiply the image by. Without
   /// `with_embeddings` the features of cues that run a network stay as they are.

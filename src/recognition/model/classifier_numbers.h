@@ -14,7 +14,7 @@ namespace place_recognition {
 struct ClassifierNumbers {
   std::vector<std::uint32_t> vector_places;  ///< where each vector was recorded, indices of places
   std::vector<double> weights;               ///< vectors x machines, row-major
-  std::vector<double> biases;                ///< one a machine
+  std::vector<double> biases;                ///< one per machine
   PostingLists lists;                        ///< sparse and dense vectors
   std::vector<std::uint32_t> set_sizes;      ///< descriptors of each set
   HugeVector<std::uint8_t> descriptors;      ///< DescriptorSet::kDimension bytes each

@@ -11,7 +11,7 @@ namespace place_recognition {
 // and the numbers: arrays, each as its count (8 bytes) and its elements, as a little-endian machine
 // holds them. Any change of any byte is noticed before what it changes is looked at.
 
-/// Of a model file.
+/// Limit of the size of a model file.
 constexpr std::uint64_t kMaxModelBytes = 0x7fffffff;
 
 /// Collects arrays for packContainer().

@@ -35,7 +35,7 @@ void readTrainingOptions(const std::string& text, TrainingOptions& options) {
 constexpr std::uint32_t kMaxFolds = 20;
 /// More runs than a command line can name.
 constexpr std::size_t kMaxInputs = 100000;
-/// Of what a network gives.
+/// Limit of the length of an embedding.
 constexpr std::uint32_t kMaxDimension = 1 << 20;
 
 template <typename Numbers>

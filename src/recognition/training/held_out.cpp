@@ -51,7 +51,7 @@ Answers answersOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samp
   return answers;
 }
 
-/// Of each row, over some of the columns; 0 where there are none.
+/// The largest value of each row in the columns `vectors`; 0 if there are none.
 Eigen::VectorXd largestValues(const Eigen::MatrixXd& kernel_values,
                               const std::vector<int>& vectors) {
   if (vectors.empty()) return Eigen::VectorXd::Zero(kernel_values.rows());

@@ -28,7 +28,7 @@ class ModelReduction {
   /// The machines that `options` ask for, one set a cue, over the vectors they had before.
   std::vector<Machines> reduce(const ReductionOptions& options, const Progress& progress) const;
 
-  /// The same for any number of vectors that the options allow, one a cue.
+  /// The same for any number of vectors that the options allow, one per cue.
   std::vector<std::unique_ptr<const Reduction>> factorise(const ReductionOptions& options,
                                                           const Progress& progress) const;
 
@@ -36,7 +36,7 @@ class ModelReduction {
 
  private:
   const Model& model_;
-  std::vector<Eigen::MatrixXd> kernel_values_;  // one a cue
+  std::vector<Eigen::MatrixXd> kernel_values_;  // one per cue
 };
 
 /// How well machines of a model name the places of labelled samples.

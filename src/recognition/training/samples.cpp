@@ -321,8 +321,8 @@ class Collector {
   }
 
   std::vector<std::string> inputs_;
-  std::vector<std::vector<Seen>> seen_;                  // one a run
-  std::vector<Skipped> skipped_;                         // one a run
+  std::vector<std::vector<Seen>> seen_;                  // one per run
+  std::vector<Skipped> skipped_;                         // one per run
   std::vector<std::string> warnings_;                    // of the runs
   std::map<std::string, std::string> first_problem_of_;  // place
   std::deque<Record> records_;  // stay where they are while threads fill them

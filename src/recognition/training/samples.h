@@ -27,7 +27,7 @@ using PictureChange = std::function<ChangedPicture(const cv::Mat& image, const s
 /// the order of the runs, then the same frames changed, if that is asked for.
 struct Samples {
   std::vector<std::string> places;             ///< names, ascending
-  std::vector<SampleOrigin> origins;           ///< one a sample; place: index into `places`
+  std::vector<SampleOrigin> origins;           ///< one per sample; place: index into `places`
   std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
   std::vector<int> source;                     ///< of each sample: the recorded one that it shows
   std::size_t recorded = 0;                    ///< how many show the light of the recording
@@ -41,7 +41,7 @@ struct Samples {
   std::uint64_t passed_over = 0;      ///< usable ones, see SamplingOptions
   HeldOutFrames judged_before;        ///< of the model that the remembered ones are from
   std::vector<int> place_before;      ///< for each place of that model, its index in `places`
-  std::vector<std::string> warnings;  ///< what was skipped and why, a sentence a run
+  std::vector<std::string> warnings;  ///< what was skipped and why, a sentence per run
 
   std::vector<SampleOrigin> recordedOrigins() const {
     return {origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(recorded)};
@@ -49,7 +49,7 @@ struct Samples {
 };
 
 /// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
-/// one a core); a few frames at most wait in between. Throws Error if there is no picture, no
+/// one per core); a few frames at most wait in between. Throws Error if there is no picture, no
 /// label, a label that cannot name a place, or if fewer than `least_places` have samples; Cancelled
 /// if `progress` asks for it. Images are brought to the size of `profile`; without one to
 /// commonSize(runs). Each picture is there a second time as `change` makes it, or, if there is

@@ -25,7 +25,7 @@ constexpr double kCameraPeriod = 0.2;
 /// Between two warnings of one kind, s.
 constexpr double kWarningPeriod = 10;
 
-/// Of a clock that also runs where a camera sends the same stamp again.
+/// Seconds of a clock that also runs when a camera repeats its stamp.
 double secondsOf(std::chrono::steady_clock::time_point time) {
   return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
