@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <optional>
-#include <variant>
 
 #include "base/parallel.h"
 #include "learning/support_set.h"
-#include "learning/vector_triangle.h"
 
 namespace place_recognition {
 namespace {
@@ -35,27 +32,6 @@ class RowProgress {
   double reported_ = 0;
 };
 
-/// The measures of a block's features with each other: the lower triangle of their matrix.
-class Triangle {
- public:
-  explicit Triangle(const SupportSet& block) : block_(block) {
-    if (const auto* index = std::get_if<VectorIndex>(&block.index())) vectors_.emplace(*index);
-  }
-
-  /// Measures between feature i of the block, which is `x`, and features 0..i.
-  void measures(std::size_t i, const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
-    if (vectors_) {
-      vectors_->measures(i, out);
-    } else {
-      std::get<LocalMatchIndex>(block_.index()).measures(x, out);
-    }
-  }
-
- private:
-  const SupportSet& block_;
-  std::optional<VectorTriangle> vectors_;
-};
-
 SupportSet blockOf(const Kernel& kernel, const std::vector<Feature>& features, std::size_t begin,
                    std::size_t end) {
   if (begin == 0 && end == features.size()) return SupportSet(kernel, features);
@@ -79,17 +55,11 @@ Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& 
   for (std::size_t begin = 0; begin < n; begin += kBlock) {
     const std::size_t end = std::min(n, begin + kBlock);
     const SupportSet block = blockOf(kernel, features, begin, end);
-    const Triangle triangle(block);
     // Column i is computed down to the diagonal and mirrored below it, so that the matrix is
     // symmetric to the last bit.
     parallelFor(n - begin, threads, [&](std::size_t offset, unsigned thread) {
-      const Feature& feature = features[begin + offset];
-      auto column = measures.col(begin + offset);
-      if (offset < block.size()) {
-        triangle.measures(offset, feature, column.segment(begin, offset + 1));
-      } else {
-        block.measures(feature, column.segment(begin, block.size()));
-      }
+      const std::size_t count = std::min(offset + 1, block.size());
+      block.measures(features[begin + offset], measures.col(begin + offset).segment(begin, count));
       row_progress.finishRow(thread);
     });
   }

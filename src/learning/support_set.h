@@ -24,7 +24,7 @@ class SupportSet {
   /// Vectors that are laid out already; see VectorIndex.
   SupportSet(const Kernel& kernel, PostingLists lists);
 
-  /// kernel.measure(x, vector i) for every vector, the elements of `out`.
+  /// kernel.measure(x, vector i) for the first vectors, as many as `out` has elements.
   void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
   /// kernel(x, vector i), likewise.
   void kernelValues(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;

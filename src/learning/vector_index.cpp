@@ -89,32 +89,36 @@ VectorIndex::VectorIndex(Measure measure, PostingLists lists)
   }
 }
 
-VectorIndex::Postings VectorIndex::postingsAt(const BinTable::Slot& slot, double x) const {
-  if (slot.count == kRow) return {&lists_.rows[slot.begin * size()], nullptr, size(), x};
-  return {&lists_.values[slot.begin], &lists_.numbers[slot.begin], slot.count, x};
+VectorIndex::Postings VectorIndex::postingsAt(const BinTable::Slot& slot, double x,
+                                              std::size_t vectors) const {
+  if (slot.count == kRow) return {&lists_.rows[slot.begin * size()], nullptr, vectors, x};
+  const std::uint16_t* const numbers = &lists_.numbers[slot.begin];
+  const std::size_t count =
+      vectors == size() ? slot.count
+                        : static_cast<std::size_t>(
+                              std::lower_bound(numbers, numbers + slot.count, vectors) - numbers);
+  return {&lists_.values[slot.begin], numbers, count, x};
 }
 
-std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x) const {
+std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x,
+                                                           std::size_t vectors) const {
   std::vector<Postings> bins;
   bins.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     table_.prefetch(x.indices[std::min(i + kLookupsAhead, x.size() - 1)]);
     const BinTable::Slot& slot = table_.find(x.indices[i]);
-    if (slot.count != 0) bins.push_back(postingsAt(slot, x.values[i]));
+    if (slot.count != 0) bins.push_back(postingsAt(slot, x.values[i], vectors));
   }
   return bins;
 }
 
 void VectorIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
-  assert(static_cast<std::size_t>(out.size()) == size());
-  if (size() == 0) return;
+  const auto vectors = static_cast<std::size_t>(out.size());
+  assert(vectors <= size());
+  if (vectors == 0) return;
   SparseVector scratch;
   const SparseVector& sparse = asSparse(x, lists_.dimension, scratch);
-  measures(postingsOf(sparse), total(measure_, sparse), out);
-}
-
-void VectorIndex::measures(const std::vector<Postings>& bins, double total,
-                           Eigen::Ref<Eigen::VectorXd> out) const {
+  const std::vector<Postings> bins = postingsOf(sparse, vectors);
   out.setZero();
   switch (measure_) {
     case Measure::kChiSquared:
@@ -130,7 +134,7 @@ void VectorIndex::measures(const std::vector<Postings>& bins, double total,
   // What rounding leaves of the distance of equal vectors must not become negative.
   const double shared_weight = measure_ == Measure::kChiSquared ? 4 : 2;
   const Eigen::Map<const Eigen::VectorXd> totals(lists_.totals.data(), out.size());
-  out = (total + totals.array() - shared_weight * out.array()).max(0).matrix();
+  out = (total(measure_, sparse) + totals.array() - shared_weight * out.array()).max(0).matrix();
 }
 
 }  // namespace place_recognition

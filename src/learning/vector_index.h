@@ -20,8 +20,9 @@ class VectorIndex {
   /// Throws Error, a phrase without a source, if `lists` is not that of vectors of finite elements.
   VectorIndex(Measure measure, PostingLists lists);
 
-  /// Kernel::measure(x, vector i) for every vector, the elements of `out`. Throws Error if `x` is
-  /// of another kind or dimension than the vectors. Safe to call from several threads.
+  /// Kernel::measure(x, vector i) for the first vectors, as many as `out` has elements. Throws
+  /// Error if `x` is of another kind or dimension than the vectors. Safe to call from several
+  /// threads.
   void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
 
   std::size_t size() const { return lists_.vectors(); }
@@ -35,14 +36,11 @@ class VectorIndex {
     std::size_t count;
     double x;  ///< of the new vector, in this bin
   };
-  /// The same for the first vectors, as many as `out` has elements, from the bins of x, ascending
-  /// and cut to these vectors, and its total().
-  void measures(const std::vector<Postings>& bins, double total,
-                Eigen::Ref<Eigen::VectorXd> out) const;
 
  private:
-  Postings postingsAt(const BinTable::Slot& slot, double x) const;
-  std::vector<Postings> postingsOf(const SparseVector& x) const;
+  Postings postingsAt(const BinTable::Slot& slot, double x, std::size_t vectors) const;
+  /// Those of the first `vectors` in the bins of `x`, ascending.
+  std::vector<Postings> postingsOf(const SparseVector& x, std::size_t vectors) const;
 
   Measure measure_;
   PostingLists lists_;
