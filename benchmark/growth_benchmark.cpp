@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "features/feature_extractor.h"
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "learning/support_set.h"
 #include "views.h"
 
@@ -59,7 +59,7 @@ std::vector<Feature> firstVectors(std::size_t count) {
 /// A decision over so many vectors and rooms.
 void decide(benchmark::State& state, std::size_t vectors, std::size_t rooms) {
   static const Feature frame = extractViews(CrfhOptions(), 1, 40000).features.front();
-  Machines machines;
+  BinarySvms machines;
   machines.places = rooms;
   machines.weights.setOnes(static_cast<Eigen::Index>(vectors), static_cast<Eigen::Index>(rooms));
   machines.biases.setZero(static_cast<Eigen::Index>(rooms));

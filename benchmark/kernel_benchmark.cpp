@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "learning/support_set.h"
 #include "views.h"
 
@@ -57,7 +57,7 @@ struct Setup {
   KernelOptions kernel;
   std::vector<Feature> vectors = extractViews(CrfhOptions(), kVectors).features;
   Feature frame = extractViews(CrfhOptions(), 1, 4 * kVectors).features.front();
-  Machines machines;
+  BinarySvms machines;
 
   Setup() {
     kernel.gamma = kGamma;

@@ -1,5 +1,5 @@
 // Reduction of the machines of five rooms, trained on 1000 real pictures, each machine by itself
-// (`qr`), beside Eigen's ColPivHouseholderQR of each machine. One core. Columns are not normalised:
+// (`qr`), beside Eigen's ColPivHouseholderQR of each machine. One core. Columns are not normalized:
 // their first pivot would be a tie, which each program breaks as its rounding has it.
 
 #include <benchmark/benchmark.h>
@@ -20,7 +20,7 @@ constexpr double kTolerance = 1e-6;  // of the largest margin
 
 struct Setup {
   Eigen::MatrixXd gram;
-  Machines machines;
+  BinarySvms machines;
 
   Setup() {
     const ViewFeatures views = extractViews(CrfhOptions(), kImages);
@@ -75,23 +75,23 @@ Eigen::VectorXd reduceWithEigen(const Eigen::MatrixXd& gram, const Eigen::Vector
   return reduced;
 }
 
-Machines reduceWithEigen(double tau) {
-  Machines reduced = setup().machines;
+BinarySvms reduceWithEigen(double tau) {
+  BinarySvms reduced = setup().machines;
   for (Eigen::Index m = 0; m < reduced.weights.cols(); ++m) {
     reduced.weights.col(m) = reduceWithEigen(setup().gram, reduced.weights.col(m), tau);
   }
   return reduced;
 }
 
-double countWeights(const Machines& machines) {
+double countWeights(const BinarySvms& machines) {
   return static_cast<double>((machines.weights.array() != 0).count());
 }
 
 void qr(benchmark::State& state, double tau) {
   setup();  // is none of its time
-  Machines reduced;
+  BinarySvms reduced;
   for (auto _ : state) reduced = reduce(setup().machines, setup().gram, options(tau));
-  const Machines expected = reduceWithEigen(tau);
+  const BinarySvms expected = reduceWithEigen(tau);
   state.counters["before"] = countWeights(setup().machines);
   state.counters["after"] = countWeights(reduced);
   const Eigen::MatrixXd margins = expected.margins(setup().gram);

@@ -11,8 +11,8 @@
 #include <iterator>
 #include <string>
 
+#include "learning/binary_svms.h"
 #include "learning/gram.h"
-#include "learning/machines.h"
 #include "place_recognition/calibration.h"
 #include "views.h"
 
@@ -81,7 +81,7 @@ Eigen::MatrixXd heldOutMargins(const PackedGram& gram, const std::vector<int>& l
     const int begin = fold * count / kFolds, end = (fold + 1) * count / kFolds;
     std::vector<int> train, test;
     for (int i = 0; i < count; ++i) (begin <= i && i < end ? test : train).push_back(i);
-    const Machines machines =
+    const BinarySvms machines =
         trainMachines(gram, train, labelsOf(train, labels), Views::kPlaces, SvmOptions());
     margins.middleRows(begin, end - begin) = machines.margins(gram.values(test, train));
   }
@@ -100,7 +100,7 @@ void run(const std::string& folder) {
   const Kernel kernel(options);
   const PackedGram gram(kernel, measureMatrix(kernel, features, 1, {}), 1);
   const Calibration calibration = fitCalibration(heldOutMargins(gram, labels), labels);
-  const Machines machines = trainMachines(gram, all, labels, Views::kPlaces, SvmOptions());
+  const BinarySvms machines = trainMachines(gram, all, labels, Views::kPlaces, SvmOptions());
   const std::clock_t end = std::clock();
 
   const Eigen::MatrixXd margins = machines.margins(gram.values(all, all));

@@ -11,7 +11,7 @@
 namespace place_recognition {
 
 class SupportSet;
-struct Machines;
+struct BinarySvms;
 
 /// Support vector machines of all places over one shared support set (thesis chapter 5): feature
 /// in, one margin a place out. Immutable; safe to share between threads.
@@ -19,10 +19,10 @@ class Classifier {
  public:
   /// `machines` over `vectors` (as many rows of weights), each recorded in one of `vector_places`;
   /// vectors that no machine uses are dropped.
-  Classifier(const KernelOptions& kernel, Machines machines, std::vector<Feature> vectors,
+  Classifier(const KernelOptions& kernel, BinarySvms machines, std::vector<Feature> vectors,
              const std::vector<int>& vector_places);
   /// The same of vectors that are laid out already, each used by some machine.
-  Classifier(Machines machines, SupportSet support_set, std::vector<int> vector_places);
+  Classifier(BinarySvms machines, SupportSet support_set, std::vector<int> vector_places);
   ~Classifier();
   Classifier(Classifier&&) noexcept;
   Classifier& operator=(Classifier&&) noexcept;
@@ -35,13 +35,13 @@ class Classifier {
   std::size_t places() const;
   std::size_t supportVectorCount() const;
   const SupportSet& supportSet() const { return *support_set_; }
-  const Machines& machines() const { return *machines_; }
+  const BinarySvms& machines() const { return *machines_; }
   /// The place that each support vector was recorded in.
   const std::vector<int>& vectorPlaces() const { return vector_places_; }
 
  private:
   std::unique_ptr<SupportSet> support_set_;
-  std::unique_ptr<Machines> machines_;
+  std::unique_ptr<BinarySvms> machines_;
   std::vector<int> vector_places_;
 };
 

@@ -36,14 +36,14 @@ struct CrfhOptions {
             "lap(.), det(.) of a channel");
     visitor("scales", self.scales, "t = sigma^2, pixels^2, each > 0 and <= 400");
     visitor("sigmas", self.sigmas, "the scales as sigma, pixels; replaces scales if not empty");
-    visitor("bins", self.bins, "quantisation levels: one number, or one for each descriptor");
+    visitor("bins", self.bins, "quantization levels: one number, or one for each descriptor");
     visitor("levels", self.levels,
             "linear: grey levels v as they are; logarithmic: log(1 + v / 16), scaled to 0..255, so "
             "that an edge is a ratio of brightness, which a change of light leaves as it is");
     visitor("derivatives", self.derivatives,
             "central-difference (of the smoothed image) or gaussian (sampled, eq. 4.10)");
     visitor("derivative_range", self.derivative_range,
-            "normalised derivatives are quantised in -range..range, grad in 0..range, grey levels; "
+            "normalized derivatives are quantized in -range..range, grad in 0..range, grey levels; "
             "det(.) in a quarter of it, grey levels^2");
     visitor("half_width", self.half_width, "half-width of the Gaussian, in sigma");
     visitor("border", self.border,

@@ -51,7 +51,7 @@ class FixedLagSmoother {
   };
   std::size_t windowEnd() const;
 
-  std::unique_ptr<RoomChain> chain_;
+  std::unique_ptr<TransitionModel> chain_;
   double minimum_confidence_;
   double lag_;
   bool finished_ = false;

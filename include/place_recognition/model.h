@@ -53,7 +53,7 @@ struct HeldOutFrames {
   std::vector<Eigen::VectorXf> familiarity;  ///< [cue]: of each frame; NaN: it lacks the cue
 };
 
-/// Everything needed to recognise, and where it came from. Immutable once trained or loaded; shared
+/// Everything needed to recognize, and where it came from. Immutable once trained or loaded; shared
 /// between threads as std::shared_ptr<const Model>.
 struct Model {
   std::string name;                     ///< set by whoever loads or saves it; not in the file

@@ -22,13 +22,13 @@ struct Recognition {
   bool known = false;     ///< false: the answer is 'unknown'; evidence below the threshold
   double confidence = 0;  ///< probability of `place`, 0..1
   double evidence = 0;    ///< see Calibration::evidence(); held against the unknown threshold
-  Eigen::RowVectorXd probabilities;  ///< one a place; sum to 1, the largest is `place`
-  Eigen::RowVectorXd margins;        ///< one a place; as they come from the machines
+  Eigen::RowVectorXd probabilities;  ///< one per place; sum to 1, the largest is `place`
+  Eigen::RowVectorXd margins;        ///< one per place; as they come from the machines
   std::string reason;                ///< why place is -1, for a person
 };
 
-/// Image in, answer out. Keeps its buffers between frames: one recogniser a thread, any number of
-/// recognisers a model.
+/// Image in, answer out. Keeps its buffers between frames: one recognizer a thread, any number of
+/// recognizers a model.
 class Recognizer {
  public:
   explicit Recognizer(std::shared_ptr<const Model> model);
@@ -92,7 +92,7 @@ class Recognizer {
   double stamp_ = 0;            // of the last frame of the stream
   double embedding_stamp_ = 0;  // of the last one that embeddings were computed for
   double unknown_threshold_;
-  std::vector<Feature> features_;  // one a cue
+  std::vector<Feature> features_;  // one per cue
   CueAnswers stream_answers_;      // to the last frame of the stream; of embeddings, those held
   CueAnswers image_answers_;       // to a picture by itself
   Eigen::VectorXd kernel_values_;

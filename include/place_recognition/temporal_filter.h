@@ -10,7 +10,7 @@
 
 namespace place_recognition {
 
-class RoomChain;
+class TransitionModel;
 
 /// What odometry saw since the frame before.
 struct Motion {
@@ -36,7 +36,8 @@ struct FilterStep {
 
 /// Turns the answers to single frames into a steady one: a hidden Markov model whose states are the
 /// rooms and 'unknown', followed by the forward algorithm (Rabiner 1989). Between frames the belief
-/// b moves as a chain in continuous time, see RoomChain; a frame multiplies it by likelihoods,
+/// b moves as a chain in continuous time, see TransitionModel; a frame multiplies it by
+/// likelihoods,
 ///   b_s <- b_s L_s^w / sum.
 /// With the frame's evidence e, its probabilities p, the rooms' shares q of the training images,
 /// the unknown threshold T and a share o of frames that tell nothing, l = (1 - o) p_k / q_k + o,
@@ -55,7 +56,7 @@ struct FilterStep {
 /// Nothing is allocated after construction. Not thread-safe: one filter a stream of frames.
 class TemporalFilter {
  public:
-  /// For the answers of a recogniser with `model`, of whose places `adjacency` is. Throws Error if
+  /// For the answers of a recognizer with `model`, of whose places `adjacency` is. Throws Error if
   /// an option is out of range.
   TemporalFilter(const Model& model, const Adjacency& adjacency,
                  const TemporalFilterOptions& options);
@@ -85,7 +86,7 @@ class TemporalFilter {
   void decide();
 
   TemporalFilterOptions options_;
-  std::unique_ptr<RoomChain> chain_;
+  std::unique_ptr<TransitionModel> chain_;
   double unknown_threshold_;
   bool started_ = false;
   double new_share_ = 1;  // w of the next frame

@@ -42,9 +42,9 @@ struct Mr8Options {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("bins", self.bins, "quantisation levels of each of the 8 responses, 2..200");
+    visitor("bins", self.bins, "quantization levels of each of the 8 responses, 2..200");
     visitor("range", self.range,
-            "edges and bars are quantised in 0..range, the Gaussian and its Laplacian in "
+            "edges and bars are quantized in 0..range, the Gaussian and its Laplacian in "
             "-range..range; beyond it they count as the last level");
     visitor("weber", self.weber,
             "scale each pixel's responses r by log(1 + |r| / 0.03) / |r|, against contrast");

@@ -40,7 +40,7 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
 /// needs, or the reduction that was asked for if that has a number or a tau). Held-out frames of
 /// the new runs and those that judged the model decide together on the weights of the cues and on
 /// the calibration. Errors as train(), but one new place is enough.
-Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vector_limit,
-                 unsigned threads = 0, const Progress& progress = {});
+Training trainIncrementally(const Model& model, const std::vector<RunOpener>& runs,
+                            int vector_limit, unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace place_recognition

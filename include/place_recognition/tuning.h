@@ -34,7 +34,7 @@ struct SearchSpace {
     visitor("descriptors", self.descriptors,
             "sets of CRFH descriptors; of each, the best scales and bins become one possible cue");
     visitor("scales", self.scales, "sets of scales t = sigma^2, pixels^2");
-    visitor("bins", self.bins, "quantisation levels of each dimension");
+    visitor("bins", self.bins, "quantization levels of each dimension");
     visitor("max_dimensions", self.max_dimensions,
             "a histogram has at most this many dimensions, descriptors times scales");
     visitor("c", self.c, "price of a training error");

@@ -14,7 +14,7 @@ std::string toUtf8(const std::string& bytes);
 /// The lines of a text, without their ends: those of Unix, Windows and of old Macs.
 std::vector<std::string> linesOf(const std::string& text);
 
-/// UTF-8 text composed (Unicode normalisation form C), without characters that show nothing (soft
+/// UTF-8 text composed (Unicode normalization form C), without characters that show nothing (soft
 /// hyphens, zero width spaces, marks of direction), its blanks of any kind single ones, and none of
 /// them at its ends. `text` must be well formed.
 std::string tidied(const std::string& text);

@@ -8,7 +8,7 @@
 
 namespace place_recognition {
 
-/// Of an image (CV_16U), without the extreme half percent of its channels at each side.
+/// The range of an image (CV_16U), without the extreme half percent of its channels at each side.
 DepthExtent depthExtentOf(const cv::Mat& image);
 
 /// Brings images of 16 bits a channel to 8 bits. The range that becomes 0 .. 255 is a power of two

@@ -14,7 +14,7 @@
 namespace place_recognition {
 
 /// Many composed receptive field histograms of one picture, the same as CrfhExtractor's: each
-/// response is computed once and quantised once for each number of bins, however many histograms
+/// response is computed once and quantized once for each number of bins, however many histograms
 /// use it. One bank a thread.
 class CrfhBank {
  public:
@@ -39,7 +39,7 @@ class CrfhBank {
 
   std::size_t digitsOf(const CrfhDescriptor& descriptor, double t, int bins,
                        const CrfhOptions& options);
-  void quantise(const cv::Mat& image, int columns, int rows);
+  void quantize(const cv::Mat& image, int columns, int rows);
   void count(const std::vector<Dimension>& histogram, std::size_t pixels, Feature& feature);
 
   CrfhResponses responses_;

@@ -204,8 +204,8 @@ Json HistogramExperiment::rates(const std::vector<Feature>& features,
     const Fold split = samples_.split(static_cast<int>(set));
     const Kernel kernel = kernelOf(all_gammas[g]);
     const Eigen::MatrixXd gram = gramMatrix(kernel, submatrix(measures, split.train, split.train));
-    const Machines machines = trainMachines(gram, pick(samples_.places, split.train),
-                                            static_cast<std::size_t>(samples_.place_count), svm);
+    const BinarySvms machines = trainMachines(gram, pick(samples_.places, split.train),
+                                              static_cast<std::size_t>(samples_.place_count), svm);
     const Eigen::MatrixXd values = gramMatrix(kernel, submatrix(measures, split.test, split.train));
     rates[set][g] = meanRate(testCounts(samples_, split.test, answersOf(machines, values)));
   });

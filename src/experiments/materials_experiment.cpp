@@ -83,7 +83,7 @@ SetSamples setSamplesOf(const Samples& samples, std::size_t set_count) {
 /// Mean rate on `test` of machines trained on `train`, both samples.
 double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
               const SvmOptions& svm) {
-  const Machines machines =
+  const BinarySvms machines =
       trainMachines(submatrix(gram, fold.train, fold.train), pick(samples.places, fold.train),
                     static_cast<std::size_t>(samples.place_count), svm);
   const auto answers = answersOf(machines, submatrix(gram, fold.test, fold.train));
@@ -107,7 +107,7 @@ double validate(const Eigen::MatrixXd& gram, const SetSamples& samples,
   return sum / count;
 }
 
-Json tauCurve(const Machines& machines, const Eigen::MatrixXd& kernel_values) {
+Json tauCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values) {
   ReductionOptions options;
   options.method = "qr";
   options.normalise = false;
@@ -210,7 +210,7 @@ Json MaterialsExperiment::evaluate(const MaterialClassifier& classifier, int tes
   const Eigen::MatrixXd gram = gramMatrix(Kernel(classifier.kernel), measures);
   Fold fold = samples.split(tested);
   std::swap(fold.train, fold.test);  // here one set is tested and all others are trained on
-  Machines machines =
+  BinarySvms machines =
       trainMachines(submatrix(gram, fold.train, fold.train), pick(samples.places, fold.train),
                     static_cast<std::size_t>(samples.place_count), classifier.svm);
   const std::vector<int> vectors = supportVectors(machines);
@@ -222,14 +222,14 @@ Json MaterialsExperiment::evaluate(const MaterialClassifier& classifier, int tes
   const std::vector<int> columns = pick(fold.train, vectors);
   const Eigen::MatrixXd kernel_values = submatrix(gram, fold.train, columns);
   const Eigen::MatrixXd test_values = submatrix(gram, fold.test, columns);
-  const RateOf rate = [&](const Machines& reduced) {
+  const RateOf rate = [&](const BinarySvms& reduced) {
     return meanRate(testCounts(samples, fold.test, answersOf(reduced, test_values)));
   };
 
   Json result = {{"validation", validate(gram, samples, fold.train, classifier.svm)}};
   for (const bool normalise : {true, false}) {
     result["curves"].push_back(
-        toJson(reductionCurve(machines, kernel_values, "qr", normalise, rate)));
+        toJson(reductionCurve(machines, kernel_values, "qr", normalize, rate)));
   }
   const bool in_figure_7_2 =
       classifier.svm.multiclass == "one-against-one" && classifier.kernel.type != "gaussian";

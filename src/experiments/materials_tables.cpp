@@ -107,7 +107,7 @@ Table materialTable(const std::vector<MaterialResult>& results, const ThesisMate
   return table;
 }
 
-/// Rate against vectors left, mean over the tested samples, normalised.
+/// Rate against vectors left, mean over the tested samples, normalized.
 Curve rateCurve(const std::string& name, const MaterialResult& result) {
   std::vector<ReductionCurve> curves;
   for (const auto& both : result.curves) curves.push_back(both[0]);
@@ -131,7 +131,7 @@ Curve tauCurve(const std::string& name, const MaterialResult& result) {
 /// Vectors left by tau as text, for what a plot does not tell near 0.
 Table tauTable(const std::vector<Curve>& curves) {
   Table table{"figure_7_2_tau",
-              "Figure 7.2, right: per cent of the vectors dropped by tau, normalisation off",
+              "Figure 7.2, right: per cent of the vectors dropped by tau, normalization off",
               {{"tau"}}};
   for (const auto& point : curves.front().points) {
     char tau[32];

@@ -18,8 +18,8 @@ struct TauPoint {
 struct MaterialResult {
   MaterialClassifier classifier;
   double validation = 0;  ///< mean rate on samples left out of the training samples
-  std::vector<std::vector<ReductionCurve>> curves;  ///< normalised, not normalised
-  std::vector<std::vector<TauPoint>> taus;          ///< not normalised; empty if not measured
+  std::vector<std::vector<ReductionCurve>> curves;  ///< normalized, not normalized
+  std::vector<std::vector<TauPoint>> taus;          ///< not normalized; empty if not measured
 };
 
 /// Tables 7.1 to 7.6 and the curves of figures 7.2 to 7.4. Tables 7.3 to 7.6 and figure 7.2 show

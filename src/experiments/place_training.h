@@ -6,7 +6,7 @@
 
 #include "datasets/picture_set.h"
 #include "experiments/test_sets.h"
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "place_recognition/progress.h"
 #include "place_recognition/training_options.h"
 #include "recognition/training/samples.h"
@@ -25,12 +25,12 @@ TrainingOptions trainingOptions(PlaceFeatures features);
 /// A classifier trained on one set, before any reduction, and what it is tested on.
 struct PlaceTraining {
   double gamma = 0;  ///< found by cross-validation on blocks of the training set
-  Machines machines;
+  BinarySvms machines;
   Eigen::MatrixXd training_values;  ///< kernel values: training pictures x support vectors
   Eigen::MatrixXd test_values;      ///< test pictures x support vectors
   std::vector<int> test;            ///< samples tested
 
-  double rate(const Machines& tested, const SetSamples& samples) const {
+  double rate(const BinarySvms& tested, const SetSamples& samples) const {
     return meanRate(testCounts(samples, test, answersOf(tested, test_values)));
   }
 };

@@ -13,20 +13,20 @@ constexpr double kLowestShare = 0.7;
 
 }  // namespace
 
-ReductionCurve reductionCurve(const Machines& machines, const Eigen::MatrixXd& kernel_values,
+ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
                               const std::string& method, bool normalise, const RateOf& rate) {
   const int all = static_cast<int>(supportVectors(machines).size());
   ReductionCurve curve{{all, rate(machines)}};
   if (all == 0) return curve;
   ReductionOptions options;
   options.method = method;
-  options.normalise = normalise;
+  options.normalise = normalize;
   options.support_vectors = all;
-  const auto reduction = factorise(machines, kernel_values, options);
+  const auto reduction = factorize(machines, kernel_values, options);
   for (int step = 1; step < kSteps; ++step) {
     const int count = all - all * step / kSteps;
     if (count == curve.back().vectors) continue;
-    const Machines reduced = reduction->withVectors(count);
+    const BinarySvms reduced = reduction->withVectors(count);
     curve.push_back({static_cast<int>(supportVectors(reduced).size()), rate(reduced)});
     if (curve.back().rate < kLowestShare * curve.front().rate) break;
   }

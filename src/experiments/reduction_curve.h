@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "place_recognition/learning_options.h"
 
 namespace place_recognition {
@@ -23,10 +23,10 @@ struct CurvePoint {
 using ReductionCurve = std::vector<CurvePoint>;
 
 /// The rate of machines on the test sets, 0..1.
-using RateOf = std::function<double(const Machines&)>;
+using RateOf = std::function<double(const BinarySvms&)>;
 
 /// `kernel_values`: of all training vectors (rows) and those of `machines`.
-ReductionCurve reductionCurve(const Machines& machines, const Eigen::MatrixXd& kernel_values,
+ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
                               const std::string& method, bool normalise, const RateOf& rate);
 
 /// The fewest vectors of any point that keeps `share` (0..1) of the rate of the first one.

@@ -131,7 +131,7 @@ void ReductionExperiment::compute(const std::vector<Json>& cells, const CellSink
         samples = std::make_unique<PlaceSamples>(sets_, features, threads_, progress);
       }
       const PlaceTraining training = samples->train(static_cast<int>(set), progress);
-      const RateOf rate = [&](const Machines& machines) {
+      const RateOf rate = [&](const BinarySvms& machines) {
         return training.rate(machines, samples->samples());
       };
       std::vector<ReductionCurve> curves(wanted.size());

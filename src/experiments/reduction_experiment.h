@@ -9,8 +9,8 @@
 namespace place_recognition {
 
 /// Tables 8.3 and 8.7: support vector reduction of the classifiers of Tables 8.2 and 8.6 by the
-/// thesis' method, with normalisation on and off, and by the two methods with one basis for all
-/// machines. One cell a kind of features, training set, method and normalisation.
+/// thesis' method, with normalization on and off, and by the two methods with one basis for all
+/// machines. One cell a kind of features, training set, method and normalization.
 class ReductionExperiment : public Experiment {
  public:
   /// Each of `sets` is trained on in turn. `threads`: 0: one per core.

@@ -55,7 +55,7 @@ double meanRate(const std::vector<TestCount>& counts) {
   return counts.empty() ? 0 : sum / static_cast<double>(counts.size());
 }
 
-std::vector<int> answersOf(const Machines& machines, const Eigen::MatrixXd& kernel_values) {
+std::vector<int> answersOf(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values) {
   const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));
   std::vector<int> answers;
   for (Eigen::Index i = 0; i < margins.rows(); ++i) answers.push_back(largest(margins.row(i)));

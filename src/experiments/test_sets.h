@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "datasets/picture_set.h"
+#include "learning/binary_svms.h"
 #include "learning/folds.h"
-#include "learning/machines.h"
 
 namespace place_recognition {
 
@@ -41,7 +41,7 @@ std::vector<TestCount> testCounts(const SetSamples& samples, const std::vector<i
 double meanRate(const std::vector<TestCount>& counts);
 
 /// The place of the largest margin for each row of `kernel_values`.
-std::vector<int> answersOf(const Machines& machines, const Eigen::MatrixXd& kernel_values);
+std::vector<int> answersOf(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values);
 
 /// The elements of `matrix` in some rows and columns.
 Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>& rows,

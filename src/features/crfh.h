@@ -14,7 +14,7 @@ namespace place_recognition {
 /// descriptors occur together in a pixel. Gives a SparseVector that sums to 1.
 ///
 /// A bin's index is a mixed radix number, first digit fastest (eq. 4.24). Its digits are the
-/// quantised responses of the first descriptor at the first scale, the second descriptor at the
+/// quantized responses of the first descriptor at the first scale, the second descriptor at the
 /// first scale, and so on; then those at the second scale.
 class CrfhExtractor : public FeatureExtractor {
  public:

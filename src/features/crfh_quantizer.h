@@ -7,7 +7,7 @@
 
 namespace place_recognition {
 
-/// The digit floor((v - low) * bins / (high - low)) of the normalised response v of a descriptor at
+/// The digit floor((v - low) * bins / (high - low)) of the normalized response v of a descriptor at
 /// scale t, from responses as ResponseFilter has them, times `weight`.
 Quantizer crfhQuantizer(const CrfhDescriptor& descriptor, double t, double derivative_range,
                         int bins, std::uint64_t weight);

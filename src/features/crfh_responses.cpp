@@ -41,7 +41,7 @@ void CrfhResponses::start(cv::Size size, int border) {
   border_ = border;
   next_row_ = border;
   next_taken_ = border - margin_;
-  strands_ = Strands(size.width - 2 * (border - margin_));
+  strands_ = StripedRows(size.width - 2 * (border - margin_));
   row_.assign(strands_.size(), 0);
   for (Plane& plane : planes_) {
     plane.rows.start(2 * margin_ + ResponseFilter::kRows, strands_.size());

@@ -7,12 +7,12 @@
 #include "features/crfh_descriptor.h"
 #include "features/response_filter.h"
 #include "features/row_ring.h"
-#include "features/strands.h"
+#include "features/striped_rows.h"
 #include "place_recognition/feature_options.h"
 
 namespace place_recognition {
 
-/// Responses of CRFH descriptors, not normalised by scale, a few rows of a picture after the other.
+/// Responses of CRFH descriptors, not normalized by scale, a few rows of a picture after the other.
 /// A channel is taken from the picture once, and what is asked of one channel at one scale shares a
 /// filter. Keeps its buffers: one per thread.
 class CrfhResponses {
@@ -46,7 +46,7 @@ class CrfhResponses {
   const float* row(const Response& response, int r) const {
     return planes_[response.plane].filters[response.filter].responses.row(response.op, r);
   }
-  const Strands& strands() const { return strands_; }
+  const StripedRows& strands() const { return strands_; }
 
  private:
   /// All operators that are asked of one channel at one scale.
@@ -72,7 +72,7 @@ class CrfhResponses {
   int border_ = 0;
   int next_row_ = 0;        ///< of the image, whose responses are the next
   int next_taken_ = 0;      ///< row of the image into the planes
-  Strands strands_;         ///< of all columns that the responses rest on
+  StripedRows strands_;     ///< of all columns that the responses rest on
   std::vector<float> row_;  ///< of these, as they stand in the image
 };
 

@@ -111,7 +111,7 @@ void EmbeddingExtractor::extract(const cv::Mat& image, Feature& feature) {
   std::vector<float>& values = std::get<DenseVector>(feature).values;
   try {
     pool(runner_->run(blob_), values);
-    if (normalise(values)) return;
+    if (normalize(values)) return;
     missing_reason_ = "the network answers the image with nothing but zeros";
   } catch (const cv::Exception& e) {
     missing_reason_ = "OpenCV " CV_VERSION " does not run the network on the image: " + e.err;

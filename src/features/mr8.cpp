@@ -14,7 +14,7 @@ constexpr float kWeberContrast = 0.03f;
 constexpr int kSigned = 2 * Mr8FilterBank::kScales;  ///< the first response that may be negative
 
 /// Zero mean and unit variance, against brightness and contrast; a blank image becomes zero.
-void normalise(const cv::Mat& grey, cv::Mat1f& image) {
+void normalize(const cv::Mat& grey, cv::Mat1f& image) {
   cv::Scalar mean, deviation;
   cv::meanStdDev(grey, mean, deviation);
   const double scale = deviation[0] > 0 ? 1 / deviation[0] : 0;
@@ -38,7 +38,7 @@ void Mr8Extractor::extract(const cv::Mat& image, Feature& feature) {
   } else {
     grey_ = image;
   }
-  normalise(grey_, image_);
+  normalize(grey_, image_);
   filters_.apply(image_, responses_);
   bins_.resize(image.cols);
   counter_.clear();

@@ -35,9 +35,9 @@ void ResponseFilter::request(Operator op) {
 }
 
 void ResponseFilter::computeRows(const RowRing& rows, int count, int margin,
-                                 const Strands& strands) {
+                                 const StripedRows& strands) {
   assert(margin >= margin_ && count <= kRows);
-  column_sums_.create(3, strands.size() + 2 * margin * Strands::kStrands);
+  column_sums_.create(3, strands.size() + 2 * margin * StripedRows::kStrands);
   responses_.create(kRows * kOperators, strands.size());
   for (int r = 0; r < count; ++r) {
     computeDerivatives(rows.row(margin + count - 1 - r), rows.step(), margin, strands, r);
@@ -46,7 +46,7 @@ void ResponseFilter::computeRows(const RowRing& rows, int count, int margin,
 }
 
 void ResponseFilter::computeDerivatives(const float* in, std::ptrdiff_t step, int margin,
-                                        const Strands& strands, int r) {
+                                        const StripedRows& strands, int r) {
   std::array<float*, 3> sums{};  // null: not wanted
   std::array<std::array<float*, 3>, 3> responses{};
   for (const auto& [op, x_order, y_order] : kDerivatives) {
@@ -58,8 +58,8 @@ void ResponseFilter::computeDerivatives(const float* in, std::ptrdiff_t step, in
   for (int order = 0; order < 3; ++order) {
     if (!sums[order]) continue;
     strands.lengthen(2 * margin, sums[order]);
-    correlate(sums[order] + margin * Strands::kStrands, Strands::kStrands, kernels_, strands.size(),
-              responses[order]);
+    correlate(sums[order] + margin * StripedRows::kStrands, StripedRows::kStrands, kernels_,
+              strands.size(), responses[order]);
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "features/gaussian.h"
 #include "features/row_ring.h"
-#include "features/strands.h"
+#include "features/striped_rows.h"
 
 namespace place_recognition {
 
@@ -15,7 +15,7 @@ namespace place_recognition {
 enum class Operator { kValue, kX, kY, kXX, kXY, kYY, kGradient, kLaplacian, kDeterminant };
 constexpr int kOperators = 9;
 
-/// Responses of operators on one channel at one scale, not normalised by it. Works a few rows at a
+/// Responses of operators on one channel at one scale, not normalized by it. Works a few rows at a
 /// time, so that all it touches stays in the processor's cache. Each derivative is correlated with
 /// its own kernel down the columns and along the row, rather than taken as the difference of
 /// smoothed values: there rounding would drown the small ones, and zero would not stay zero.
@@ -33,7 +33,7 @@ class ResponseFilter {
   static constexpr int kRows = 2;
   /// Computes the responses in `count` rows that stand in strands, the last of them pushed `margin`
   /// >= margin() rows ago.
-  void computeRows(const RowRing& rows, int count, int margin, const Strands& strands);
+  void computeRows(const RowRing& rows, int count, int margin, const StripedRows& strands);
   /// The responses of a requested operator in row r of those, in strands: of pixel margin,
   /// margin + 1 and so on; the last 2 margin pixels have none.
   const float* row(Operator op, int r) const { return responses_[r * kOperators + index(op)]; }
@@ -42,8 +42,8 @@ class ResponseFilter {
   static int index(Operator op) { return static_cast<int>(op); }
   bool requested(Operator op) const { return requested_[index(op)]; }
   float* buffer(Operator op, int r) { return responses_[r * kOperators + index(op)]; }
-  void computeDerivatives(const float* in, std::ptrdiff_t step, int margin, const Strands& strands,
-                          int r);
+  void computeDerivatives(const float* in, std::ptrdiff_t step, int margin,
+                          const StripedRows& strands, int r);
   void combineDerivatives(int r);
 
   int margin_;

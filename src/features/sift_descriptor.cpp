@@ -15,7 +15,7 @@ constexpr int kPeakBins = 36;
 constexpr float kPeakRatio = 0.8f;
 constexpr float kPeakWindow = 1.5f;    ///< sigma of the window, in scales
 constexpr float kBinWidth = 3;         ///< width of one of the 4 x 4 histograms, in scales
-constexpr float kLargestValue = 0.2f;  ///< of the normalised descriptor, against glare
+constexpr float kLargestValue = 0.2f;  ///< of the normalized descriptor, against glare
 
 // The histograms have a cell more at each side and two directions more, so that a sample can be
 // shared without looking where it is; the rim is dropped, the directions wrap.
@@ -106,7 +106,7 @@ std::array<float, kPeakBins> smoothed(const std::array<float, kPeakBins>& h) {
   return out;
 }
 
-void normalise(const float* cells, std::uint8_t* descriptor) {
+void normalize(const float* cells, std::uint8_t* descriptor) {
   std::array<float, SiftDescriptor::kDimension> values;
   float square = 0;
   for (int r = 0, i = 0; r < kGrid; ++r) {
@@ -237,7 +237,7 @@ void SiftDescriptor::describe(const cv::Mat1f& level, float x, float y, float si
       bin[kCellRow + kCell + 1] += lower_right * next;
     }
   }
-  normalise(cells.data(), descriptor);
+  normalize(cells.data(), descriptor);
 }
 
 }  // namespace place_recognition

@@ -2,13 +2,13 @@
 
 #include <cassert>
 
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "learning/support_set.h"
 
 namespace place_recognition {
 
-Classifier::Classifier(const KernelOptions& kernel, Machines machines, std::vector<Feature> vectors,
-                       const std::vector<int>& vector_places) {
+Classifier::Classifier(const KernelOptions& kernel, BinarySvms machines,
+                       std::vector<Feature> vectors, const std::vector<int>& vector_places) {
   assert(machines.weights.rows() == static_cast<Eigen::Index>(vectors.size()));
   assert(vector_places.size() == vectors.size());
   const std::vector<int> used = supportVectors(machines);
@@ -22,12 +22,12 @@ Classifier::Classifier(const KernelOptions& kernel, Machines machines, std::vect
   }
   machines.weights = std::move(weights);
   support_set_ = std::make_unique<SupportSet>(Kernel(kernel), kept);
-  machines_ = std::make_unique<Machines>(std::move(machines));
+  machines_ = std::make_unique<BinarySvms>(std::move(machines));
 }
 
-Classifier::Classifier(Machines machines, SupportSet support_set, std::vector<int> vector_places)
+Classifier::Classifier(BinarySvms machines, SupportSet support_set, std::vector<int> vector_places)
     : support_set_(std::make_unique<SupportSet>(std::move(support_set))),
-      machines_(std::make_unique<Machines>(std::move(machines))),
+      machines_(std::make_unique<BinarySvms>(std::move(machines))),
       vector_places_(std::move(vector_places)) {
   assert(supportVectors(*machines_).size() == support_set_->size());
   assert(vector_places_.size() == support_set_->size());

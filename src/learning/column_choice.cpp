@@ -12,16 +12,16 @@ double roundingError(Eigen::Index rows) {
   return static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
 }
 
-/// The first candidate of the largest norm (eq. 6.18); after normalisation all are equal but for
+/// The first candidate of the largest norm (eq. 6.18); after normalization all are equal but for
 /// rounding. Settles as few as it can: what is left of a column can only have become less.
-Eigen::Index findPivot(ColumnElimination& elimination) {
+Eigen::Index findPivot(PivotedQr& elimination) {
   const auto norms = elimination.squaredNorms().head(elimination.candidates());
   while (true) {
     const double equal = (1 - roundingError(elimination.rows())) * norms.maxCoeff();
     Eigen::Index first = 0;
     while (norms[first] < equal) ++first;
-    if (elimination.isSettled(first)) return first;
-    elimination.settle(first);
+    if (elimination.isUpToDate(first)) return first;
+    elimination.update(first);
   }
 }
 
@@ -34,27 +34,27 @@ void reportChoice(const Progress& progress, Eigen::Index chosen, Eigen::Index ma
 
 }  // namespace
 
-Eigen::VectorXd chooseByPivot(ColumnElimination& elimination, const ChoiceLimits& limits,
+Eigen::VectorXd chooseByPivot(PivotedQr& elimination, const ChoiceLimits& limits,
                               const Progress& progress) {
   const double least = std::max(limits.tau, roundingError(elimination.rows()));
   std::vector<double> pivots;
   for (Eigen::Index count = 0; count < limits.max_count; ++count) {
     reportChoice(progress, count, limits.max_count);
-    if (count % kChoicesOfTeams == 0) elimination.settleAll();
+    if (count % kChoicesOfTeams == 0) elimination.updateAll();
     const Eigen::Index best = findPivot(elimination);
     const double pivot = std::sqrt(elimination.squaredNorms()[best]);
     if (!(pivot > 0) || (count > 0 && !(pivot > least * pivots.front()))) break;
     pivots.push_back(pivot);
     elimination.choose(best);
   }
-  elimination.settleAll();
+  elimination.updateAll();
   Eigen::VectorXd relative = Eigen::Map<Eigen::VectorXd>(pivots.data(), pivots.size());
   if (relative.size() > 0) relative /= relative[0];
   return relative;
 }
 
-void chooseByFit(ColumnElimination& elimination, const ChoiceLimits& limits,
-                 const Progress& progress) {
+void orthogonalMatchingPursuit(PivotedQr& elimination, const ChoiceLimits& limits,
+                               const Progress& progress) {
   const Eigen::Index m = elimination.candidates();
   const Eigen::Index targets = elimination.squaredNorms().size() - m;
   const auto columnNorms = [&] { return elimination.squaredNorms().head(m).array(); };
@@ -73,7 +73,7 @@ void chooseByFit(ColumnElimination& elimination, const ChoiceLimits& limits,
     Eigen::Index best = 0;
     if (!(gains.maxCoeff(&best) > 0)) break;
     elimination.choose(best);
-    elimination.settleAll();
+    elimination.updateAll();
     const auto row = elimination.r().row(count);
     products.noalias() -= row.head(m).transpose() * row.tail(targets);
   }

@@ -12,11 +12,11 @@ namespace {
 /// The machines as they are.
 class NoReduction : public Reduction {
  public:
-  explicit NoReduction(const Machines& machines) : machines_(machines) {}
-  Machines withVectors(int) const override { return machines_; }
+  explicit NoReduction(const BinarySvms& machines) : machines_(machines) {}
+  BinarySvms withVectors(int) const override { return machines_; }
 
  private:
-  Machines machines_;
+  BinarySvms machines_;
 };
 
 /// Where the variants of each method begin, and where the last one ends.
@@ -31,7 +31,7 @@ std::vector<std::size_t> methodBounds(const std::vector<ReductionOptions>& varia
 
 }  // namespace
 
-std::unique_ptr<const Reduction> factorise(const Machines& machines,
+std::unique_ptr<const Reduction> factorize(const BinarySvms& machines,
                                            const Eigen::MatrixXd& kernel_values,
                                            const ReductionOptions& options,
                                            const Progress& progress) {
@@ -47,18 +47,19 @@ std::unique_ptr<const Reduction> factorise(const Machines& machines,
   return options.method == "qr" ? factoriseEach(task) : factoriseShared(task);
 }
 
-Machines reduce(const Machines& machines, const Eigen::MatrixXd& kernel_values,
-                const ReductionOptions& options, const Progress& progress) {
-  return factorise(machines, kernel_values, options, progress)
+BinarySvms reduce(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
+                  const ReductionOptions& options, const Progress& progress) {
+  return factorize(machines, kernel_values, options, progress)
       ->withVectors(vectorLimit(options, machines));
 }
 
-std::vector<Machines> reduceEach(const Machines& machines, const Eigen::MatrixXd& kernel_values,
-                                 const std::vector<ReductionOptions>& variants, unsigned threads) {
-  std::vector<Machines> reduced(variants.size());
+std::vector<BinarySvms> reduceEach(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
+                                   const std::vector<ReductionOptions>& variants,
+                                   unsigned threads) {
+  std::vector<BinarySvms> reduced(variants.size());
   const std::vector<std::size_t> bounds = methodBounds(variants);
   parallelFor(bounds.size() - 1, threads, [&](std::size_t method, unsigned) {
-    const auto reduction = factorise(machines, kernel_values, variants[bounds[method]]);
+    const auto reduction = factorize(machines, kernel_values, variants[bounds[method]]);
     for (std::size_t i = bounds[method]; i < bounds[method + 1]; ++i) {
       reduced[i] = reduction->withVectors(vectorLimit(variants[i], machines));
     }
@@ -66,7 +67,7 @@ std::vector<Machines> reduceEach(const Machines& machines, const Eigen::MatrixXd
   return reduced;
 }
 
-int vectorLimit(const ReductionOptions& options, const Machines& machines) {
+int vectorLimit(const ReductionOptions& options, const BinarySvms& machines) {
   const int all = static_cast<int>(supportVectors(machines).size());
   if (options.support_vectors > 0) return std::min(all, options.support_vectors);
   if (options.share > 0) return static_cast<int>(std::ceil(options.share * all));

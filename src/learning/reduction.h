@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "place_recognition/learning_options.h"
 #include "place_recognition/progress.h"
 
@@ -24,29 +24,29 @@ class Reduction {
  public:
   virtual ~Reduction() = default;
 
-  /// Machines over the vectors of those reduced, where weights of at most `count` vectors are not
+  /// Binary SVMs over the vectors of those reduced, where weights of at most `count` vectors are not
   /// zero: the same as with options that ask for `count`.
-  virtual Machines withVectors(int count) const = 0;
+  virtual BinarySvms withVectors(int count) const = 0;
 };
 
-/// Factorises as far as `options`, whose method is not auto, ask for. `kernel_values` is the n x m
+/// Factorizes as far as `options`, whose method is not auto, ask for. `kernel_values` is the n x m
 /// matrix K of eq. 6.19, K(y_i, x_j) of n training vectors and the m vectors of `machines`.
-std::unique_ptr<const Reduction> factorise(const Machines& machines,
+std::unique_ptr<const Reduction> factorize(const BinarySvms& machines,
                                            const Eigen::MatrixXd& kernel_values,
                                            const ReductionOptions& options,
                                            const Progress& progress = {});
 
 /// The reduced machines that `options` ask for: never more vectors than before.
-Machines reduce(const Machines& machines, const Eigen::MatrixXd& kernel_values,
-                const ReductionOptions& options, const Progress& progress = {});
+BinarySvms reduce(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
+                  const ReductionOptions& options, const Progress& progress = {});
 
 /// The same for several options. Neighbours that differ only in the number of vectors, the one of
-/// the most first, share one factorisation; different methods run in parallel.
-std::vector<Machines> reduceEach(const Machines& machines, const Eigen::MatrixXd& kernel_values,
-                                 const std::vector<ReductionOptions>& variants, unsigned threads);
+/// the most first, share one factorization; different methods run in parallel.
+std::vector<BinarySvms> reduceEach(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
+                                   const std::vector<ReductionOptions>& variants, unsigned threads);
 
 /// How many of the support vectors of `machines` the options keep at most; as many as there are
 /// where tau decides.
-int vectorLimit(const ReductionOptions& options, const Machines& machines);
+int vectorLimit(const ReductionOptions& options, const BinarySvms& machines);
 
 }  // namespace place_recognition

@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// One machine's support vectors, factorised as far as its reduction may need them.
+/// One machine's support vectors, factorized as far as its reduction may need them.
 struct MachineFactors {
   std::vector<int> vectors;
   std::vector<Eigen::Index> chosen;  ///< places in `vectors`, in the order of the pivots
@@ -23,7 +23,7 @@ MachineFactors factoriseMachine(const ReductionTask& task, Eigen::Index machine)
     if (task.machines.weights(i, machine) != 0) factors.vectors.push_back(static_cast<int>(i));
   }
   const auto m = static_cast<Eigen::Index>(factors.vectors.size());
-  ColumnElimination elimination(task.kernel_values.rows(), m, 0);
+  PivotedQr elimination(task.kernel_values.rows(), m, 0);
   for (Eigen::Index i = 0; i < m; ++i) {
     const int vector = factors.vectors[static_cast<std::size_t>(i)];
     elimination.set(i, task.kernel_values.col(vector), task.scales[vector]);
@@ -96,9 +96,9 @@ class EachReduction : public Reduction {
     }
   }
 
-  Machines withVectors(int count) const override {
+  BinarySvms withVectors(int count) const override {
     const std::vector<Eigen::Index> ranks = ranksFor(factors_, count);
-    Machines reduced = machines_;
+    BinarySvms reduced = machines_;
     for (Eigen::Index m = 0; m < reduced.weights.cols(); ++m) {
       const auto i = static_cast<std::size_t>(m);
       reduced.weights.col(m) =
@@ -108,7 +108,7 @@ class EachReduction : public Reduction {
   }
 
  private:
-  Machines machines_;
+  BinarySvms machines_;
   Eigen::RowVectorXd scales_;
   std::vector<MachineFactors> factors_;
 };

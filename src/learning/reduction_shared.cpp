@@ -4,10 +4,10 @@ namespace place_recognition {
 namespace {
 
 /// The columns of the support vectors, with the margins as targets.
-ColumnElimination eliminationOf(const ReductionTask& task, const std::vector<int>& vectors) {
+PivotedQr eliminationOf(const ReductionTask& task, const std::vector<int>& vectors) {
   const Eigen::MatrixXd& weights = task.machines.weights;
   const auto m = static_cast<Eigen::Index>(vectors.size());
-  ColumnElimination elimination(task.kernel_values.rows(), m, weights.cols());
+  PivotedQr elimination(task.kernel_values.rows(), m, weights.cols());
   for (Eigen::Index i = 0; i < m; ++i) {
     const int vector = vectors[static_cast<std::size_t>(i)];
     elimination.set(i, task.kernel_values.col(vector), task.scales[vector]);
@@ -22,12 +22,12 @@ class SharedReduction : public Reduction {
   explicit SharedReduction(const ReductionTask& task)
       : machines_(task.machines), scales_(task.scales) {
     const std::vector<int> vectors = supportVectors(machines_);
-    ColumnElimination elimination = eliminationOf(task, vectors);
+    PivotedQr elimination = eliminationOf(task, vectors);
     const ChoiceLimits limits = task.limitsFor(elimination);
     if (task.options.method == "shared-qr") {
       chooseByPivot(elimination, limits, task.progress);
     } else {
-      chooseByFit(elimination, limits, task.progress);
+      orthogonalMatchingPursuit(elimination, limits, task.progress);
     }
     r11_.resize(elimination.rank(), elimination.rank());
     for (const Eigen::Index column : elimination.chosen()) {
@@ -37,11 +37,11 @@ class SharedReduction : public Reduction {
     targets_ = elimination.r().rightCols(machines_.weights.cols());
   }
 
-  Machines withVectors(int count) const override {
+  BinarySvms withVectors(int count) const override {
     const Eigen::Index rank = std::min<Eigen::Index>(count, r11_.cols());
     const Eigen::MatrixXd fitted =  // least squares: R11 X = Q'F
         r11_.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(targets_.topRows(rank));
-    Machines reduced = machines_;
+    BinarySvms reduced = machines_;
     reduced.weights.setZero();
     for (Eigen::Index k = 0; k < rank; ++k) {
       const int vector = basis_[static_cast<std::size_t>(k)];
@@ -51,7 +51,7 @@ class SharedReduction : public Reduction {
   }
 
  private:
-  Machines machines_;
+  BinarySvms machines_;
   Eigen::RowVectorXd scales_;
   std::vector<int> basis_;   ///< in the order of the choice
   Eigen::MatrixXd r11_;      ///< of the basis

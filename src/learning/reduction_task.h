@@ -5,21 +5,21 @@
 #include <memory>
 
 #include "learning/column_choice.h"
-#include "learning/column_elimination.h"
+#include "learning/pivoted_qr.h"
 #include "learning/reduction.h"
 
 namespace place_recognition {
 
-/// What factorise() is asked, see reduction.h, and what its methods have in common.
+/// What factorize() is asked, see reduction.h, and what its methods have in common.
 struct ReductionTask {
-  const Machines& machines;
+  const BinarySvms& machines;
   const Eigen::MatrixXd& kernel_values;
   const ReductionOptions& options;
   const Progress& progress;
-  /// What each column of `kernel_values` is divided by before it is factorised; never 0.
+  /// What each column of `kernel_values` is divided by before it is factorized; never 0.
   Eigen::RowVectorXd scales;
 
-  ChoiceLimits limitsFor(const ColumnElimination& elimination) const {
+  ChoiceLimits limitsFor(const PivotedQr& elimination) const {
     const bool counted = options.share > 0 || options.support_vectors > 0;
     const Eigen::Index most = std::min(elimination.candidates(), elimination.rows());
     return {counted ? 0 : options.tau,

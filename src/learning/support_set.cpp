@@ -9,12 +9,12 @@ SupportSet::Index makeIndex(const Kernel& kernel, const std::vector<Feature>& ve
   for (const Feature& vector : vectors) kernel.requireMeaningFor(vector);
   const Measure measure = kernel.type().measure;
   if (measure == Measure::kLocalMatch) return LocalMatchIndex(kernel.options().gamma, vectors);
-  return VectorIndex(measure, postingLists(measure, vectors));
+  return InvertedIndex(measure, postingLists(measure, vectors));
 }
 
 SupportSet::Index makeIndex(const Kernel& kernel, PostingLists lists) {
   kernel.requireMeaningFor(lists);
-  return VectorIndex(kernel.type().measure, std::move(lists));
+  return InvertedIndex(kernel.type().measure, std::move(lists));
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
+#include "learning/inverted_index.h"
 #include "learning/kernel.h"
 #include "learning/local_match_index.h"
-#include "learning/vector_index.h"
 #include "place_recognition/feature.h"
 
 namespace place_recognition {
@@ -16,12 +16,12 @@ namespace place_recognition {
 /// products). Immutable; safe to share between threads.
 class SupportSet {
  public:
-  using Index = std::variant<VectorIndex, LocalMatchIndex>;
+  using Index = std::variant<InvertedIndex, LocalMatchIndex>;
 
   /// All features must be of one kind (and not missing) that the kernel has a meaning for, else
   /// Error. May be empty.
   SupportSet(const Kernel& kernel, const std::vector<Feature>& vectors);
-  /// Vectors that are laid out already; see VectorIndex.
+  /// Vectors that are laid out already; see InvertedIndex.
   SupportSet(const Kernel& kernel, PostingLists lists);
 
   /// kernel.measure(x, vector i) for the first vectors, as many as `out` has elements.

@@ -10,7 +10,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/progress.h"
 #include "tool/command_line.h"
-#include "tool/stop.h"
+#include "tool/signals.h"
 #include "tool/verbs.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tool/stop.h"
+#include "tool/signals.h"
 
 namespace place_recognition::tool {
 namespace {

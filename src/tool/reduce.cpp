@@ -63,7 +63,7 @@ class Reducer {
       }
       if (!options_.report.empty()) curve = sweep.curve();
     }
-    std::vector<Machines> machines = reduction_.reduce(chosen, progress_);
+    std::vector<BinarySvms> machines = reduction_.reduce(chosen, progress_);
     const MarginChange change = reduction_.change(machines);
     std::optional<double> rate;
     if (rate_) rate = (*rate_)(machines);
@@ -163,10 +163,10 @@ void addReduce(CommandLine& tool) {
               "shared-greedy (default), shared-qr: one basis for all machines; qr: each machine "
               "by itself")
       .oneOf({"qr", "shared-qr", "shared-greedy"});
-  verb.flag("--normalise", options->reduction.normalise,
+  verb.flag("--normalize", options->reduction.normalise,
             "Scale the columns of the kernel matrix to norm one first (default)");
   verb.flag("--no-normalise", options->reduction.normalise, "Do not", false)
-      .excludes("--normalise");
+      .excludes("--normalize");
   verb.option("--tau", "T", options->reduction.tau, "Rank threshold, 0..1 (default 0.01)");
   verb.option("--support-vectors", "N", options->reduction.support_vectors,
               "Number of vectors to keep, of each cue")

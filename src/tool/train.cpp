@@ -110,8 +110,8 @@ Training learn(const TrainOptions& options, const std::vector<RunOpener>& runs,
   if (options.add_to.empty()) {
     return place_recognition::train(runs, training_options, options.threads, progress);
   }
-  return learnOn(loadModel(modelPath(options.add_to)), runs, options.limit, options.threads,
-                 progress);
+  return trainIncrementally(loadModel(modelPath(options.add_to)), runs, options.limit,
+                            options.threads, progress);
 }
 
 void train(const TrainOptions& options) {

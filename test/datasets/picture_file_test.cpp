@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(All, Jpegs,
                          testing::Values(JpegKind{"baseline", {}},
                                          JpegKind{"progressive", {cv::IMWRITE_JPEG_PROGRESSIVE, 1}},
                                          JpegKind{"restart", {cv::IMWRITE_JPEG_RST_INTERVAL, 4}},
-                                         JpegKind{"optimised", {cv::IMWRITE_JPEG_OPTIMIZE, 1}}),
+                                         JpegKind{"optimized", {cv::IMWRITE_JPEG_OPTIMIZE, 1}}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(WebpInABufferOfZeros, IsUnusable) {

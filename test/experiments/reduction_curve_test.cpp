@@ -27,7 +27,7 @@ TEST(MeanCurve, EndsWithTheShortest) {
 TEST(ReductionCurve, DropsCopiesForNothing) {
   // Eight vectors that are two, four times over, under a linear kernel: K has rank two.
   Eigen::MatrixXd vectors(8, 2);
-  Machines machines;
+  BinarySvms machines;
   machines.places = 2;
   machines.weights.resize(8, 2);
   machines.biases = Eigen::RowVectorXd::Zero(2);
@@ -36,7 +36,7 @@ TEST(ReductionCurve, DropsCopiesForNothing) {
     machines.weights.row(i) << (i % 2 == 0 ? 1 : -1), (i % 2 == 0 ? -1 : 1);
   }
   const Eigen::MatrixXd gram = vectors * vectors.transpose();
-  const auto rate = [&](const Machines& reduced) {
+  const auto rate = [&](const BinarySvms& reduced) {
     const Eigen::MatrixXd change = reduced.margins(gram) - machines.margins(gram);
     return change.cwiseAbs().maxCoeff() < 1e-9 ? 1.0 : 0.0;
   };

@@ -75,7 +75,7 @@ def channel(image, name):
 
 
 def response(image, descriptor, t, options):
-    """The normalised response and its range."""
+    """The normalized response and its range."""
     limit = options["derivative_range"]
     if descriptor.endswith(")"):
         function, name = descriptor[:-1].split("(")

@@ -20,7 +20,7 @@ from scipy.signal import fftconvolve
 SIDE, BINS, RANGE = 49, 4, 1.0
 
 
-def normalised(f, zero_mean=True):
+def normalized(f, zero_mean=True):
     f = f - f.mean() if zero_mean else f
     return f / np.abs(f).sum()
 
@@ -34,12 +34,12 @@ def filters():
         for angle in np.arange(6) * np.pi / 6:
             u, v = x * np.cos(angle) + y * np.sin(angle), y * np.cos(angle) - x * np.sin(angle)
             envelope = np.exp(-u ** 2 / (18 * s * s) - v ** 2 / (2 * s * s))
-            edges.append(normalised(-v * envelope))
-            bars.append(normalised((v ** 2 - s * s) * envelope))
+            edges.append(normalized(-v * envelope))
+            bars.append(normalized((v ** 2 - s * s) * envelope))
         bank += edges + bars
     square = x ** 2 + y ** 2
     gaussian = np.exp(-square / 200)
-    return bank + [normalised(gaussian, False), normalised((square - 200) * gaussian)]
+    return bank + [normalized(gaussian, False), normalized((square - 200) * gaussian)]
 
 
 def bins(image):

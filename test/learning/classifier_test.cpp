@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "learning/random_features.h"
 #include "learning/support_set.h"
 
@@ -14,7 +14,7 @@ TEST(Classifier, MarginsAreTheDirectSum) {
   const Kernel kernel(kernelOptions("chi-squared", 2));
   std::vector<Feature> vectors;
   for (int i = 0; i < 30; ++i) vectors.push_back(random.histogram(500));
-  Machines machines;
+  BinarySvms machines;
   machines.places = 3;
   machines.weights = Eigen::MatrixXd::Random(30, 3);
   machines.weights.row(4).setZero();
@@ -38,7 +38,7 @@ TEST(Classifier, MarginsAreTheDirectSum) {
 
 TEST(Classifier, WithoutAnyVectorAnswersItsBias) {
   RandomFeatures random(8);
-  Machines machines;
+  BinarySvms machines;
   machines.places = 2;
   machines.weights = Eigen::MatrixXd::Zero(1, 2);
   machines.biases = Eigen::RowVector2d(1, -1);

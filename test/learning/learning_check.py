@@ -71,12 +71,12 @@ def check_machines(case):
         assert 0 <= primal - dual < 1e-2 * primal, (primal, dual)
 
 
-def thesis_reduction(gram, alpha, tau, normalise):
+def thesis_reduction(gram, alpha, tau, normalize):
     """Eq. 6.19-6.21 for one machine."""
     vectors = np.flatnonzero(alpha)
     k = gram[:, vectors]
-    scales = np.linalg.norm(k, axis=0) if normalise else np.ones(len(vectors))
-    scales[0] *= 1 - 1e-9 * normalise  # the first of equal norms is the first pivot
+    scales = np.linalg.norm(k, axis=0) if normalize else np.ones(len(vectors))
+    scales[0] *= 1 - 1e-9 * normalize  # the first of equal norms is the first pivot
     _, r, order = qr(k / scales, mode="economic", pivoting=True)
     rank = int((np.abs(np.diag(r)) > tau * abs(r[0, 0])).sum())
     scaled = (alpha[vectors] * scales)[order]
@@ -86,11 +86,11 @@ def thesis_reduction(gram, alpha, tau, normalise):
     return reduced
 
 
-def pivots_of_all(gram, weights, tau, normalise):
+def pivots_of_all(gram, weights, tau, normalize):
     vectors = np.flatnonzero(weights.any(axis=1))
     k = gram[:, vectors]
-    scales = np.linalg.norm(k, axis=0) if normalise else np.ones(len(vectors))
-    scales[0] *= 1 - 1e-9 * normalise
+    scales = np.linalg.norm(k, axis=0) if normalize else np.ones(len(vectors))
+    scales[0] *= 1 - 1e-9 * normalize
     _, r, order = qr(k / scales, mode="economic", pivoting=True)
     return vectors[order[np.abs(np.diag(r)) > tau * abs(r[0, 0])]]
 
@@ -114,10 +114,10 @@ def check_reduction(case):
     gram, weights, reduced = (np.array(case[key]) for key in ("gram", "weights", "reduced"))
     tau, normalise = case["tau"], case["normalise"]
     if case["method"] == "qr":
-        expected = np.stack([thesis_reduction(gram, a, tau, normalise) for a in weights.T], axis=1)
+        expected = np.stack([thesis_reduction(gram, a, tau, normalize) for a in weights.T], axis=1)
     else:
         choose = pivots_of_all if case["method"] == "shared-qr" else greedy_basis
-        basis = choose(gram, weights, tau, normalise)
+        basis = choose(gram, weights, tau, normalize)
         expected = np.zeros_like(weights)
         expected[basis] = np.linalg.lstsq(gram[:, basis], gram @ weights, rcond=None)[0]
     assert (expected.any(axis=1) == reduced.any(axis=1)).all(), "other vectors are kept"

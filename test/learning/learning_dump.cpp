@@ -2,8 +2,8 @@
 #include <iostream>
 #include <limits>
 
+#include "learning/binary_svms.h"
 #include "learning/gram.h"
-#include "learning/machines.h"
 #include "learning/random_features.h"
 #include "learning/reduction.h"
 #include "place_recognition/calibration.h"
@@ -99,7 +99,7 @@ void printReductions() {
   const Kernel kernel(kernelOptions("gaussian", 2));
   const Eigen::MatrixXd gram = gramMatrix(kernel, measureMatrix(kernel, features, 1, {}));
   SvmOptions svm;
-  const Machines machines = trainMachines(gram, labels, 3, svm);
+  const BinarySvms machines = trainMachines(gram, labels, 3, svm);
   std::cout << "{\"check\":\"machines\",\"c\":" << svm.c << ",\"labels\":";
   printList(labels);
   std::cout << ",\"gram\":";
@@ -115,10 +115,10 @@ void printReductions() {
       for (const double tau : {1e-3, 0.03}) {
         ReductionOptions options;
         options.method = method;
-        options.normalise = normalise;
+        options.normalise = normalize;
         options.tau = tau;
         std::cout << "{\"check\":\"reduction\",\"method\":\"" << method
-                  << "\",\"normalise\":" << normalise << ",\"tau\":" << tau << ",\"gram\":";
+                  << "\",\"normalize\":" << normalize << ",\"tau\":" << tau << ",\"gram\":";
         print(gram);
         std::cout << ",\"weights\":";
         print(machines.weights);

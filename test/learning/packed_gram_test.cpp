@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <svm.h>
 
+#include "learning/binary_svms.h"
 #include "learning/gram.h"
-#include "learning/machines.h"
 #include "learning/random_features.h"
 
 namespace place_recognition {
@@ -65,8 +65,8 @@ TEST(PackedGram, TrainsOnSomeVectorsAsOnAMatrixOfThem) {
   for (const char* multiclass : {"one-against-all", "one-against-one"}) {
     SvmOptions options;
     options.multiclass = multiclass;
-    const Machines part = trainMachines(gram, vectors, labels, 3, options);
-    const Machines alone = trainMachines(gram.values(vectors, vectors), labels, 3, options);
+    const BinarySvms part = trainMachines(gram, vectors, labels, 3, options);
+    const BinarySvms alone = trainMachines(gram.values(vectors, vectors), labels, 3, options);
     EXPECT_EQ(part.weights, alone.weights);
     EXPECT_EQ(part.biases, alone.biases);
     EXPECT_FALSE(supportVectors(part).empty());

@@ -19,7 +19,7 @@ class RandomFeatures {
     return low + (high - low) * static_cast<double>(generator_()) / 4294967296.0;
   }
 
-  /// A normalised histogram in which bin i of `bins` is not empty with a chance that falls with i,
+  /// A normalized histogram in which bin i of `bins` is not empty with a chance that falls with i,
   /// so that some bins are common to most histograms and others to hardly any.
   SparseVector histogram(std::size_t bins) {
     SparseVector histogram;

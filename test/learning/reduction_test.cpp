@@ -12,12 +12,12 @@
 namespace place_recognition {
 namespace {
 
-/// Machines trained on points of the plane, place 0 within a band and place 1 around it, with
+/// BinarySvms trained on points of the plane, place 0 within a band and place 1 around it, with
 /// noise.
 struct Plane {
   std::vector<Feature> points;
   Eigen::MatrixXd gram;
-  Machines machines;
+  BinarySvms machines;
 
   Plane(const std::string& kernel_type, int places, const std::string& multiclass) {
     RandomFeatures random(10);
@@ -37,7 +37,7 @@ struct Plane {
     machines = trainMachines(gram, labels, static_cast<std::size_t>(places), options);
   }
 
-  double changeOf(const Machines& reduced) const {
+  double changeOf(const BinarySvms& reduced) const {
     return (reduced.margins(gram) - machines.margins(gram)).cwiseAbs().maxCoeff();
   }
 };
@@ -47,12 +47,12 @@ ReductionOptions reduction(const std::string& method, double tau, bool normalise
   ReductionOptions options;
   options.method = method;
   options.tau = tau;
-  options.normalise = normalise;
+  options.normalise = normalize;
   options.support_vectors = support_vectors;
   return options;
 }
 
-std::size_t count(const Machines& machines) { return supportVectors(machines).size(); }
+std::size_t count(const BinarySvms& machines) { return supportVectors(machines).size(); }
 
 class Method : public testing::TestWithParam<const char*> {};
 
@@ -60,8 +60,8 @@ TEST_P(Method, LeavesTwoVectorsOfALinearKernelInThePlane) {
   const Plane plane("linear", 2, "one-against-one");
   ASSERT_GT(count(plane.machines), 20u);
   for (const bool normalise : {true, false}) {
-    const Machines reduced =
-        reduce(plane.machines, plane.gram, reduction(GetParam(), 1e-8, normalise));
+    const BinarySvms reduced =
+        reduce(plane.machines, plane.gram, reduction(GetParam(), 1e-8, normalize));
     EXPECT_EQ(count(reduced), 2u);
     EXPECT_LT(plane.changeOf(reduced), 1e-9);
   }
@@ -72,8 +72,8 @@ TEST_P(Method, KeepsTheDecisionsOfAPolynomialKernel) {
     const Plane plane("polynomial", 3, multiclass);
     ASSERT_GT(count(plane.machines), 50u);
     for (const bool normalise : {true, false}) {
-      const Machines reduced =
-          reduce(plane.machines, plane.gram, reduction(GetParam(), 1e-10, normalise));
+      const BinarySvms reduced =
+          reduce(plane.machines, plane.gram, reduction(GetParam(), 1e-10, normalize));
       // Ten monomials of degree up to 3 in two variables, for each machine or for all.
       EXPECT_LE(count(reduced), GetParam() == std::string("qr") ? 30u : 10u);
       EXPECT_LT(plane.changeOf(reduced), 1e-6);
@@ -89,7 +89,7 @@ TEST_P(Method, NeverAddsVectors) {
   const std::vector<int> before = supportVectors(plane.machines);
   std::size_t last = before.size();
   for (const double tau : {0.0, 1e-12, 1e-6, 1e-3, 0.1, 1.0}) {
-    const Machines reduced = reduce(plane.machines, plane.gram, reduction(GetParam(), tau));
+    const BinarySvms reduced = reduce(plane.machines, plane.gram, reduction(GetParam(), tau));
     const std::vector<int> after = supportVectors(reduced);
     EXPECT_LE(after.size(), last) << tau;
     EXPECT_TRUE(std::includes(before.begin(), before.end(), after.begin(), after.end()));
@@ -103,7 +103,7 @@ TEST_P(Method, KeepsAsManyVectorsAsAsked) {
   const int before = static_cast<int>(count(plane.machines));
   double change = 1e9;
   for (const int wanted : {1, 2, 5, 10, 20, before, before + 5}) {
-    const Machines reduced =
+    const BinarySvms reduced =
         reduce(plane.machines, plane.gram, reduction(GetParam(), 0.5, true, wanted));
     const int kept = static_cast<int>(count(reduced));
     EXPECT_LE(kept, wanted);
@@ -117,9 +117,9 @@ TEST_P(Method, KeepsAsManyVectorsAsAsked) {
 
 TEST_P(Method, HoldsEveryReductionToFewerVectors) {
   const Plane plane("gaussian", 3, "one-against-one");
-  const auto all = factorise(plane.machines, plane.gram, reduction(GetParam(), 0.5, true, 60));
+  const auto all = factorize(plane.machines, plane.gram, reduction(GetParam(), 0.5, true, 60));
   for (const int vectors : {1, 3, 17, 40, 60}) {
-    const Machines alone =
+    const BinarySvms alone =
         reduce(plane.machines, plane.gram, reduction(GetParam(), 0.5, true, vectors));
     EXPECT_TRUE(all->withVectors(vectors).weights == alone.weights) << vectors;
   }
@@ -173,8 +173,8 @@ Eigen::VectorXd thesisReduction(const Eigen::MatrixXd& gram, const Eigen::Vector
     alpha[j] = weights[vectors[static_cast<std::size_t>(j)]];
   }
   Eigen::RowVectorXd scales = Eigen::RowVectorXd::Ones(m);
-  if (normalise) scales = k.colwise().norm();
-  if (normalise) scales[0] *= 1 - 1e-9;  // settles the tie of all norms for the first
+  if (normalize) scales = k.colwise().norm();
+  if (normalize) scales[0] *= 1 - 1e-9;  // settles the tie of all norms for the first
   k.array().rowwise() /= scales.array();
   alpha.array() *= scales.transpose().array();
 
@@ -198,13 +198,13 @@ TEST(Reduction, QrIsThatOfTheThesis) {
     const Plane plane(kernel, 3, "one-against-all");
     for (const double tau : {1e-6, 1e-3, 0.05}) {
       for (const bool normalise : {true, false}) {
-        const Machines reduced =
-            reduce(plane.machines, plane.gram, reduction("qr", tau, normalise));
+        const BinarySvms reduced =
+            reduce(plane.machines, plane.gram, reduction("qr", tau, normalize));
         for (Eigen::Index m = 0; m < 3; ++m) {
           const Eigen::VectorXd expected =
-              thesisReduction(plane.gram, plane.machines.weights.col(m), tau, normalise);
+              thesisReduction(plane.gram, plane.machines.weights.col(m), tau, normalize);
           EXPECT_LT((reduced.weights.col(m) - expected).norm(), 1e-6 * expected.norm())
-              << kernel << " " << tau << " " << normalise;
+              << kernel << " " << tau << " " << normalize;
         }
       }
     }
@@ -214,7 +214,7 @@ TEST(Reduction, QrIsThatOfTheThesis) {
 TEST(Reduction, SharedWeightsAreLeastSquares) {
   const Plane plane("gaussian", 4, "one-against-one");
   for (const char* method : {"shared-qr", "shared-greedy"}) {
-    const Machines reduced = reduce(plane.machines, plane.gram, reduction(method, 0, true, 6));
+    const BinarySvms reduced = reduce(plane.machines, plane.gram, reduction(method, 0, true, 6));
     const Eigen::MatrixXd residual = plane.gram * (plane.machines.weights - reduced.weights);
     for (const int vector : supportVectors(reduced)) {
       const Eigen::RowVectorXd products = plane.gram.col(vector).transpose() * residual;
@@ -227,10 +227,10 @@ TEST(Reduction, GreedyStopsAtTheResidualOfTau) {
   const Plane plane("gaussian", 3, "one-against-all");
   const Eigen::MatrixXd margins = plane.gram * plane.machines.weights;
   const double tau = 0.02;
-  const auto gap = [&](const Machines& reduced) {
+  const auto gap = [&](const BinarySvms& reduced) {
     return (margins - plane.gram * reduced.weights).norm() / margins.norm();
   };
-  const Machines reduced = reduce(plane.machines, plane.gram, reduction("shared-greedy", tau));
+  const BinarySvms reduced = reduce(plane.machines, plane.gram, reduction("shared-greedy", tau));
   const int kept = static_cast<int>(count(reduced));
   EXPECT_LE(gap(reduced), tau);
   EXPECT_GT(
@@ -247,10 +247,11 @@ TEST(Reduction, OfSeveralVariantsIsThatOfEach) {
     }
   }
   for (const unsigned threads : {1u, 3u}) {
-    const std::vector<Machines> reduced = reduceEach(plane.machines, plane.gram, variants, threads);
+    const std::vector<BinarySvms> reduced =
+        reduceEach(plane.machines, plane.gram, variants, threads);
     ASSERT_EQ(reduced.size(), variants.size());
     for (std::size_t i = 0; i < variants.size(); ++i) {
-      const Machines alone = reduce(plane.machines, plane.gram, variants[i]);
+      const BinarySvms alone = reduce(plane.machines, plane.gram, variants[i]);
       EXPECT_TRUE(reduced[i].weights == alone.weights) << i;
     }
   }
@@ -258,23 +259,25 @@ TEST(Reduction, OfSeveralVariantsIsThatOfEach) {
 
 TEST(Reduction, NoneKeepsTheMachines) {
   const Plane plane("gaussian", 2, "one-against-all");
-  const Machines same = reduce(plane.machines, plane.gram, reduction("none", 0.5, true, 1));
+  const BinarySvms same = reduce(plane.machines, plane.gram, reduction("none", 0.5, true, 1));
   EXPECT_TRUE(same.weights == plane.machines.weights);
 }
 
 TEST(Reduction, TakesMachinesWithoutVectors) {
-  Machines machines;
+  BinarySvms machines;
   machines.places = 2;
   machines.weights = Eigen::MatrixXd::Zero(3, 2);
   machines.biases = Eigen::RowVector2d(1, -1);
   for (const char* method : {"qr", "shared-qr", "shared-greedy"}) {
-    const Machines reduced = reduce(machines, Eigen::MatrixXd::Ones(3, 3), reduction(method, 0.1));
+    const BinarySvms reduced =
+        reduce(machines, Eigen::MatrixXd::Ones(3, 3), reduction(method, 0.1));
     EXPECT_TRUE(reduced.weights.isZero(0));
   }
   // One machine of two has vectors, all of them the same.
   machines.weights.col(0) << 1, 2, -4;
   for (const char* method : {"qr", "shared-qr", "shared-greedy"}) {
-    const Machines reduced = reduce(machines, Eigen::MatrixXd::Ones(3, 3), reduction(method, 0.1));
+    const BinarySvms reduced =
+        reduce(machines, Eigen::MatrixXd::Ones(3, 3), reduction(method, 0.1));
     EXPECT_EQ(count(reduced), 1u);
     EXPECT_NEAR(reduced.weights.col(0).sum(), -1, 1e-12);
   }

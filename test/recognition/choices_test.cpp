@@ -4,7 +4,7 @@
 #include "recognition/model/scores.h"
 #include "recognition/training/combination.h"
 #include "recognition/training/gamma_choice.h"
-#include "recognition/training/model_validation.h"
+#include "recognition/training/model_calibration.h"
 
 namespace place_recognition {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "place_recognition/error.h"
-#include "recognition/over_time/room_chain.h"
+#include "recognition/over_time/transition_model.h"
 
 namespace place_recognition {
 namespace {
@@ -60,7 +60,7 @@ std::vector<FilteredAnswer> smoothed(const std::vector<Recognition>& frames, dou
 /// sequences of states.
 Eigen::RowVectorXd bySummation(const std::vector<Recognition>& frames, std::size_t index) {
   const TemporalFilterOptions options;
-  RoomChain chain(row(), options.unknown_share, options.jump_share);
+  TransitionModel chain(row(), options.unknown_share, options.jump_share);
   Eigen::MatrixXd move(kStates, kStates);
   for (int state = 0; state < kStates; ++state) {
     Eigen::RowVectorXd belief = Eigen::RowVectorXd::Unit(kStates, state);

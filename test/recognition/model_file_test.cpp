@@ -11,7 +11,7 @@
 #include <random>
 
 #include "base/atomic_file.h"
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "learning/support_set.h"
 #include "place_recognition/error.h"
 #include "recognition/drawn_run.h"
@@ -134,7 +134,7 @@ TEST(ModelFile, ReadsFilesOfEarlierVersions) {
   EXPECT_EQ(read.asked.validation.folds, 4);
   EXPECT_EQ(read.asked.validation.gap, 0);  // it was a number of frames
   EXPECT_TRUE(read.validatedPlaces().empty());
-  EXPECT_NO_THROW(learnOn(read, {opener(drawFrames(3, 6, 700))}, 0));
+  EXPECT_NO_THROW(trainIncrementally(read, {opener(drawFrames(3, 6, 700))}, 0));
 }
 
 TEST(ModelFile, KeepsWhichRoomsAdjoin) {

@@ -74,7 +74,8 @@ TEST(LearnOn, KeepsTheLightOfTheTraining) {
   TrainingOptions options = twoCueOptions();
   for (CueOptions& cue : options.cues) cue.normalize = "run";
   const Model model = train({opener(drawFrames(3, 30))}, options).model;
-  const Model after = learnOn(model, {opener(inDimLight(drawFrames(3, 30, 800)))}, 0).model;
+  const Model after =
+      trainIncrementally(model, {opener(inDimLight(drawFrames(3, 30, 800)))}, 0).model;
   EXPECT_LT((after.colors.means - model.colors.means).cwiseAbs().maxCoeff(), 0.1);
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "place_recognition/error.h"
-#include "recognition/over_time/room_chain.h"
+#include "recognition/over_time/transition_model.h"
 
 namespace place_recognition {
 namespace {
@@ -85,7 +85,7 @@ TEST(TemporalFilter, IsTheForwardAlgorithm) {
                                     : tempered(f.evidence / kThreshold) * by_room[state] / best;
     return std::pow(whole, frame == 0 ? 1.0 : kStep / options.decorrelation_time);
   };
-  RoomChain chain(adjacency, options.unknown_share, options.jump_share);
+  TransitionModel chain(adjacency, options.unknown_share, options.jump_share);
   Eigen::MatrixXd step(4, 4);
   for (int state = 0; state < 4; ++state) {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Unit(4, state);

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "base/require.h"
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "learning/support_set.h"
 #include "place_recognition/error.h"
 
@@ -33,7 +33,9 @@ std::size_t dimensionOf(const FeatureOptions& options) {
 }
 
 // One overload for each alternative of SupportSet::Index.
-void write(const VectorIndex& index, ClassifierNumbers& numbers) { numbers.lists = index.lists(); }
+void write(const InvertedIndex& index, ClassifierNumbers& numbers) {
+  numbers.lists = index.lists();
+}
 void write(const LocalMatchIndex& index, ClassifierNumbers& numbers) {
   for (const Feature& feature : index.vectors()) {
     const auto& set = std::get<DescriptorSet>(feature);
@@ -43,8 +45,8 @@ void write(const LocalMatchIndex& index, ClassifierNumbers& numbers) {
   }
 }
 
-Machines machinesOf(const ClassifierNumbers& numbers, const Model& model) {
-  Machines machines;
+BinarySvms machinesOf(const ClassifierNumbers& numbers, const Model& model) {
+  BinarySvms machines;
   machines.places = model.places.size();
   machines.one_against_one = model.options.svm.multiclass == "one-against-one";
   const std::size_t vectors = numbers.vector_places.size();
@@ -119,7 +121,7 @@ ClassifierNumbers numbersOf(const Classifier& classifier) {
 }
 
 Classifier classifierOf(ClassifierNumbers numbers, const Model& model, std::size_t cue) {
-  Machines machines = machinesOf(numbers, model);
+  BinarySvms machines = machinesOf(numbers, model);
   std::vector<int> places = placesOf(numbers, model);
   return Classifier(std::move(machines), supportSetOf(numbers, model.options.cues[cue]),
                     std::move(places));

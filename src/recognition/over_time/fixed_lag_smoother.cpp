@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "recognition/over_time/room_chain.h"
+#include "recognition/over_time/transition_model.h"
 
 namespace place_recognition {
 
@@ -12,7 +12,7 @@ FixedLagSmoother::FixedLagSmoother(const Adjacency& adjacency, const TemporalFil
     : minimum_confidence_(options.minimum_confidence), lag_(lag) {
   assert(lag >= 0);
   options.check();
-  chain_ = std::make_unique<RoomChain>(adjacency, options.unknown_share, options.jump_share);
+  chain_ = std::make_unique<TransitionModel>(adjacency, options.unknown_share, options.jump_share);
 }
 
 FixedLagSmoother::~FixedLagSmoother() = default;

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "recognition/over_time/room_chain.h"
+#include "recognition/over_time/transition_model.h"
 
 namespace place_recognition {
 namespace {
@@ -29,7 +29,8 @@ TemporalFilter::TemporalFilter(const Model& model, const Adjacency& adjacency,
     : options_(options), room_shares_(trainingShares(model)) {
   assert(adjacency.places() == model.places.size());
   options_.check();
-  chain_ = std::make_unique<RoomChain>(adjacency, options_.unknown_share, options_.jump_share);
+  chain_ =
+      std::make_unique<TransitionModel>(adjacency, options_.unknown_share, options_.jump_share);
   setUnknownThreshold(model.unknown_threshold);
   step_.likelihoods = answer_.probabilities = chain_->prior();
 }

@@ -8,7 +8,7 @@
 
 namespace place_recognition {
 
-/// The model in use, exchanged as a whole while others recognise with it. Thread-safe: loading
+/// The model in use, exchanged as a whole while others recognize with it. Thread-safe: loading
 /// happens in the thread that asks for it, and nobody waits for that to take the model in use.
 class ModelSlot {
  public:

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/training_options.h"
 #include "recognition/training/held_out.h"
@@ -11,11 +11,11 @@ namespace place_recognition {
 
 /// What is learned for one cue, for each of the reductions in question.
 struct TrainedCue {
-  double gamma;                    ///< of the kernel; as given, or as found by cross-validation
-  std::vector<Feature> vectors;    ///< the support vectors before reduction
-  std::vector<int> vector_places;  ///< where each of them was recorded
-  std::vector<Machines> machines;  ///< over `vectors`, trained on all samples
-  std::vector<HeldOut> held_out;   ///< margins of each sample by cross-validation
+  double gamma;                      ///< of the kernel; as given, or as found by cross-validation
+  std::vector<Feature> vectors;      ///< the support vectors before reduction
+  std::vector<int> vector_places;    ///< where each of them was recorded
+  std::vector<BinarySvms> machines;  ///< over `vectors`, trained on all samples
+  std::vector<HeldOut> held_out;     ///< margins of each sample by cross-validation
 };
 
 /// Learns one cue from the features of all samples of `task`, some of which may be missing (at

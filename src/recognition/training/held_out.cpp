@@ -70,10 +70,10 @@ HeldOut noneHeldOut(const TrainingTask& task) {
 ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const PackedGram& gram,
                                const std::vector<int>& labels, const TrainingTask& task,
                                const std::vector<ReductionOptions>& reductions) {
-  const Machines machines =
+  const BinarySvms machines =
       trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
   const std::vector<int> vectors = supportVectors(machines);
-  Machines supported = machines;
+  BinarySvms supported = machines;
   supported.weights = rows(machines.weights, vectors);
   return {vectors, reduceEach(supported, gram.values(train_rows, pick(train_rows, vectors)),
                               reductions, task.threads)};
@@ -109,7 +109,7 @@ std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<in
     const Eigen::MatrixXd kernel_values =
         gram.values(pick(cue_rows, test), pick(train_rows, reduced.vectors));
     for (std::size_t r = 0; r < reductions.size(); ++r) {
-      const Machines& machines = reduced.machines[r];
+      const BinarySvms& machines = reduced.machines[r];
       const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));
       const Eigen::VectorXd familiarity = largestValues(kernel_values, supportVectors(machines));
       for (std::size_t i = 0; i < test.size(); ++i) {

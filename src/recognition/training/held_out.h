@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "learning/binary_svms.h"
 #include "learning/folds.h"
-#include "learning/machines.h"
 #include "learning/packed_gram.h"
 #include "place_recognition/learning_options.h"
 #include "place_recognition/progress.h"
@@ -30,10 +30,11 @@ struct HeldOut {
   Eigen::VectorXd familiarity = {};  ///< of each sample: the largest kernel value
 };
 
-/// Machines over the support vectors that they were trained to have, after each of some reductions.
+/// Binary SVMs over the support vectors that they were trained to have, after each of some
+/// reductions.
 struct ReducedMachines {
-  std::vector<int> vectors;        ///< ascending, among those trained on
-  std::vector<Machines> machines;  ///< over `vectors`, one for each reduction
+  std::vector<int> vectors;          ///< ascending, among those trained on
+  std::vector<BinarySvms> machines;  ///< over `vectors`, one for each reduction
 };
 
 /// Trains on the Gram matrix of the training vectors and reduces; see reduceEach() for the order of

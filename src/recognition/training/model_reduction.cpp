@@ -58,7 +58,7 @@ double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<i
 }
 
 /// How much less familiar frames look to the vectors that `machines` use than to all.
-double familiarityLost(const Classifier& classifier, const Machines& machines) {
+double familiarityLost(const Classifier& classifier, const BinarySvms& machines) {
   const SupportSet& support_set = classifier.supportSet();
   const Eigen::MatrixXd values =
       kernelValues(pointers(support_set.vectors()), support_set, Progress());
@@ -79,9 +79,9 @@ ModelReduction::ModelReduction(const Model& model, const Samples* training,
   }
 }
 
-std::vector<Machines> ModelReduction::reduce(const ReductionOptions& options,
-                                             const Progress& progress) const {
-  std::vector<Machines> reduced;
+std::vector<BinarySvms> ModelReduction::reduce(const ReductionOptions& options,
+                                               const Progress& progress) const {
+  std::vector<BinarySvms> reduced;
   for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
     reduced.push_back(place_recognition::reduce(model_.classifiers[c].machines(), kernel_values_[c],
                                                 options, progress));
@@ -89,17 +89,17 @@ std::vector<Machines> ModelReduction::reduce(const ReductionOptions& options,
   return reduced;
 }
 
-std::vector<std::unique_ptr<const Reduction>> ModelReduction::factorise(
+std::vector<std::unique_ptr<const Reduction>> ModelReduction::factorize(
     const ReductionOptions& options, const Progress& progress) const {
   std::vector<std::unique_ptr<const Reduction>> reductions;
   for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
-    reductions.push_back(place_recognition::factorise(model_.classifiers[c].machines(),
+    reductions.push_back(place_recognition::factorize(model_.classifiers[c].machines(),
                                                       kernel_values_[c], options, progress));
   }
   return reductions;
 }
 
-MarginChange ModelReduction::change(const std::vector<Machines>& machines) const {
+MarginChange ModelReduction::change(const std::vector<BinarySvms>& machines) const {
   MarginChange result;
   double sum = 0;
   double count = 0;
@@ -134,7 +134,7 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
   }
 }
 
-double RateOnSamples::operator()(const std::vector<Machines>& machines) const {
+double RateOnSamples::operator()(const std::vector<BinarySvms>& machines) const {
   const Eigen::Index frames = static_cast<Eigen::Index>(truth_.size());
   const Eigen::Index places = static_cast<Eigen::Index>(model_.places.size());
   std::vector<HeldOut> cues;
@@ -158,13 +158,13 @@ double RateOnSamples::operator()(const std::vector<Machines>& machines) const {
   return averageRate(truth_, answers, model_.places.size());
 }
 
-std::vector<Machines> machinesOf(const Model& model) {
-  std::vector<Machines> machines;
+std::vector<BinarySvms> machinesOf(const Model& model) {
+  std::vector<BinarySvms> machines;
   for (const Classifier& classifier : model.classifiers) machines.push_back(classifier.machines());
   return machines;
 }
 
-Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options) {
+Model withMachines(Model model, std::vector<BinarySvms> machines, const ReductionOptions& options) {
   model.options.reduction = options;
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     model.calibration.weights.offset += model.calibration.weights.familiarity *

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 #include "learning/reduction.h"
 #include "place_recognition/model.h"
 #include "place_recognition/progress.h"
@@ -26,13 +26,13 @@ class ModelReduction {
   ModelReduction(const Model& model, const Samples* training, const Progress& progress);
 
   /// The machines that `options` ask for, one set a cue, over the vectors they had before.
-  std::vector<Machines> reduce(const ReductionOptions& options, const Progress& progress) const;
+  std::vector<BinarySvms> reduce(const ReductionOptions& options, const Progress& progress) const;
 
   /// The same for any number of vectors that the options allow, one per cue.
-  std::vector<std::unique_ptr<const Reduction>> factorise(const ReductionOptions& options,
+  std::vector<std::unique_ptr<const Reduction>> factorize(const ReductionOptions& options,
                                                           const Progress& progress) const;
 
-  MarginChange change(const std::vector<Machines>& machines) const;
+  MarginChange change(const std::vector<BinarySvms>& machines) const;
 
  private:
   const Model& model_;
@@ -46,7 +46,7 @@ class RateOnSamples {
   RateOnSamples(const Model& model, const Samples& samples, const Progress& progress);
 
   /// Mean of the places' rates, 0..1, with `machines` (one set a cue) instead of the model's own.
-  double operator()(const std::vector<Machines>& machines) const;
+  double operator()(const std::vector<BinarySvms>& machines) const;
 
  private:
   const Model& model_;
@@ -56,12 +56,12 @@ class RateOnSamples {
 };
 
 /// The model's own machines, one set a cue.
-std::vector<Machines> machinesOf(const Model& model);
+std::vector<BinarySvms> machinesOf(const Model& model);
 
 /// `model` with `machines`, one set a cue, in place of its own and `options` among its options.
 /// Calibration and threshold stay as they were fitted, but frames look less familiar to fewer
 /// vectors: the evidence is shifted by what the support vectors themselves lose on average.
-Model withMachines(Model model, std::vector<Machines> machines, const ReductionOptions& options);
+Model withMachines(Model model, std::vector<BinarySvms> machines, const ReductionOptions& options);
 
 /// Milliseconds to compare the features of one picture with all support vectors of all cues: the
 /// median over some of the pictures of `features` ([cue][picture]). What remains of a frame's time,

@@ -8,7 +8,7 @@
 #include "recognition/model/scores.h"
 #include "recognition/training/combination.h"
 #include "recognition/training/held_out_frames.h"
-#include "recognition/training/model_validation.h"
+#include "recognition/training/model_calibration.h"
 #include "recognition/training/samples.h"
 
 namespace place_recognition {

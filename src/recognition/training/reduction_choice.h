@@ -9,7 +9,7 @@ namespace place_recognition {
 
 /// The reductions that `options` leave to choose from: themselves alone or, for the method auto,
 /// none at all, then each method with falling shares of the support vectors, as reduceEach() likes
-/// them. Of more than 4000 samples, auto keeps every vector: factorising their Gram matrices in
+/// them. Of more than 4000 samples, auto keeps every vector: factorizing their Gram matrices in
 /// every fold would take far longer than the training itself.
 std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& options,
                                                    std::size_t samples);

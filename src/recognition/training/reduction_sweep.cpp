@@ -27,10 +27,10 @@ ReductionSweep::ReductionSweep(const Model& model, const ModelReduction& reducti
                                const Progress& progress)
     : rate_(rate),
       most_(mostVectors(model)),
-      reductions_(reduction.factorise(unlimited(std::move(options)), progress)) {}
+      reductions_(reduction.factorize(unlimited(std::move(options)), progress)) {}
 
 double ReductionSweep::rate(int vectors) const {
-  std::vector<Machines> machines;
+  std::vector<BinarySvms> machines;
   for (const auto& cue : reductions_) machines.push_back(cue->withVectors(vectors));
   return rate_(machines);
 }

@@ -12,7 +12,7 @@ namespace place_recognition {
 /// validation samples.
 class ReductionSweep {
  public:
-  /// `options`: method and normalisation. `rate` must outlive this.
+  /// `options`: method and normalization. `rate` must outlive this.
   ReductionSweep(const Model& model, const ModelReduction& reduction, const RateOnSamples& rate,
                  ReductionOptions options, const Progress& progress);
 

@@ -12,7 +12,7 @@
 #include "recognition/training/combination.h"
 #include "recognition/training/cue_training.h"
 #include "recognition/training/held_out_frames.h"
-#include "recognition/training/model_validation.h"
+#include "recognition/training/model_calibration.h"
 #include "recognition/training/reduction_choice.h"
 #include "recognition/training/remembered_samples.h"
 #include "recognition/training/samples.h"
@@ -194,8 +194,8 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
   });
 }
 
-Training learnOn(const Model& model, const std::vector<RunOpener>& runs, int vector_limit,
-                 unsigned threads, const Progress& progress) {
+Training trainIncrementally(const Model& model, const std::vector<RunOpener>& runs,
+                            int vector_limit, unsigned threads, const Progress& progress) {
   TrainingOptions options = model.asked;
   options.cues = model.options.cues;
   options.reduction = learningOnReduction(options.reduction, vector_limit);

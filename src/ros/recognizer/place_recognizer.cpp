@@ -76,7 +76,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       diagnostics_(node, private_node, parameters, name, model_slot_, input_),
       image_timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
       lazy_(parameters.flag("lazy", true)),
-      place_over_time_(node, parameters) {
+      place_tracker_(node, parameters) {
   const std::string model = parameters.text("model");
   const int threads = parameters.integer("threads", 0, 0);
   if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
@@ -319,14 +319,14 @@ bool PlaceRecognizer::followModel() {
     guard_.emplace(*model);
     depth_scale_ = DepthScale(model->images.depth);
     depth_text_.clear();
-    place_over_time_.setModel(model, config_.smoothing);
+    place_tracker_.setModel(model, config_.smoothing);
   }
   const double wanted = config_.unknown_threshold;
   const double threshold = wanted < 0 ? model->unknown_threshold : wanted;
   recognizer_->setUnknownThreshold(threshold);
   recognizer_->setEmbeddingRate(config_.embedding_rate, config_.smoothing);
-  place_over_time_.setSmoothing(config_.smoothing);
-  place_over_time_.setUnknownThreshold(threshold);
+  place_tracker_.setSmoothing(config_.smoothing);
+  place_tracker_.setUnknownThreshold(threshold);
   return true;
 }
 
@@ -351,7 +351,7 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   const std_msgs::Header& header = arrived.message.header();
   const PlaceRecognition message = toPlaceRecognition(recognition, model, header, seconds);
   recognition_publisher_.publish(message);
-  const std::string& place = place_over_time_.update(last_stamp_, recognition);
+  const std::string& place = place_tracker_.update(last_stamp_, recognition);
   publishPlace(place);
   publishSmoothed(message);
   if (marker_publisher_.getNumSubscribers() > 0) {
@@ -373,10 +373,10 @@ void PlaceRecognizer::publishPlace(const std::string& place) {
 
 void PlaceRecognizer::publishSmoothed(const PlaceRecognition& message) {
   if (smoothed_publisher_.getNumSubscribers() == 0) {
-    place_over_time_.dropSmoothed();
+    place_tracker_.dropSmoothed();
     return;
   }
-  for (const PlaceRecognition& answer : place_over_time_.smooth(message)) {
+  for (const PlaceRecognition& answer : place_tracker_.smooth(message)) {
     smoothed_publisher_.publish(answer);
   }
 }
@@ -406,7 +406,7 @@ void PlaceRecognizer::watchCamera() {
 
 /// Needs state_mutex_.
 void PlaceRecognizer::forgetPlace() {
-  for (const PlaceRecognition& answer : place_over_time_.reset()) {
+  for (const PlaceRecognition& answer : place_tracker_.reset()) {
     smoothed_publisher_.publish(answer);
   }
   publishPlace(kUnknownPlace);

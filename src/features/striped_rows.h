@@ -11,11 +11,11 @@ namespace place_recognition {
 /// whole vectors from where vectors begin, as filters down the columns do (with AVX-512 in little
 /// more than half the time). What stands beyond the row's last pixel, in the last strands, is
 /// padding.
-class Strands {
+class StripedRows {
  public:
   static constexpr int kStrands = 16;  ///< numbers of 32 bits in the widest vector
 
-  explicit Strands(int pixels = 0) : length_((pixels + kStrands - 1) / kStrands) {}
+  explicit StripedRows(int pixels = 0) : length_((pixels + kStrands - 1) / kStrands) {}
 
   /// Numbers in a row, padding included.
   int size() const { return kStrands * length_; }

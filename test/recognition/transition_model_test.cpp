@@ -1,4 +1,4 @@
-#include "recognition/over_time/room_chain.h"
+#include "recognition/over_time/transition_model.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ Eigen::RowVectorXd certain(int state, int states) {
   return Eigen::RowVectorXd::Unit(states, state);
 }
 
-TEST(RoomChain, FollowsItsDifferentialEquation) {
+TEST(TransitionModel, FollowsItsDifferentialEquation) {
   // db/dt = b (J - I), with J written out for unknown share 0.2 (so that a quarter of the changes
   // lead to 'unknown') and jump share 0.1, by the midpoint rule in small steps.
   Eigen::Matrix4d jump;
@@ -26,7 +26,7 @@ TEST(RoomChain, FollowsItsDifferentialEquation) {
       0.05 * 0.75, 0.95 * 0.75, 0, 0.25,      //
       1.0 / 3, 1.0 / 3, 1.0 / 3, 0;
   const Eigen::Matrix4d rate = jump - Eigen::Matrix4d::Identity();
-  RoomChain chain(row(), 0.2, 0.1);
+  TransitionModel chain(row(), 0.2, 0.1);
   for (int state = 0; state < 4; ++state) {
     Eigen::RowVector4d expected = certain(state, 4);
     constexpr int kSteps = 10000;
@@ -40,8 +40,8 @@ TEST(RoomChain, FollowsItsDifferentialEquation) {
   }
 }
 
-TEST(RoomChain, ManyStepsAreOne) {
-  RoomChain chain(row(), 0.1, 0.01);
+TEST(TransitionModel, ManyStepsAreOne) {
+  TransitionModel chain(row(), 0.1, 0.01);
   Eigen::RowVectorXd one = certain(0, 4), many = one;
   chain.advance(3, one);
   for (int i = 0; i < 300; ++i) chain.advance(0.01, many);
@@ -51,8 +51,8 @@ TEST(RoomChain, ManyStepsAreOne) {
   EXPECT_TRUE(same.isApprox(one, 1e-15));
 }
 
-TEST(RoomChain, GoesBackByTheTransposeOfTheWayForward) {
-  RoomChain chain(row(), 0.2, 0.1);
+TEST(TransitionModel, GoesBackByTheTransposeOfTheWayForward) {
+  TransitionModel chain(row(), 0.2, 0.1);
   Eigen::Matrix4d forward;
   for (int state = 0; state < 4; ++state) {
     Eigen::RowVectorXd belief = certain(state, 4);
@@ -66,8 +66,8 @@ TEST(RoomChain, GoesBackByTheTransposeOfTheWayForward) {
   EXPECT_TRUE(likelihood.isApprox(expected / expected.sum(), 1e-12));
 }
 
-TEST(RoomChain, EndsAtTheShareOfUnknown) {
-  RoomChain chain(row(), 0.1, 0.01);
+TEST(TransitionModel, EndsAtTheShareOfUnknown) {
+  TransitionModel chain(row(), 0.1, 0.01);
   for (const double changes : {50.0, 1e9}) {
     Eigen::RowVectorXd belief = certain(2, 4);
     chain.advance(changes, belief);
@@ -78,8 +78,8 @@ TEST(RoomChain, EndsAtTheShareOfUnknown) {
   EXPECT_NEAR(chain.prior().sum(), 1, 1e-15);
 }
 
-TEST(RoomChain, WithoutAShareNothingBecomesUnknownAndASingleRoomStays) {
-  RoomChain chain(Adjacency(1), 0, 0);
+TEST(TransitionModel, WithoutAShareNothingBecomesUnknownAndASingleRoomStays) {
+  TransitionModel chain(Adjacency(1), 0, 0);
   Eigen::RowVectorXd belief = certain(0, 2);
   chain.advance(5, belief);
   EXPECT_NEAR(belief[0], 1, 1e-12);

@@ -1,4 +1,4 @@
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 
 #include <algorithm>
 #include <cassert>
@@ -46,7 +46,7 @@ std::vector<std::vector<int>> signsOfMachines(const std::vector<int>& labels, st
 
 }  // namespace
 
-Eigen::MatrixXd Machines::margins(const Eigen::MatrixXd& kernel_values) const {
+Eigen::MatrixXd BinarySvms::margins(const Eigen::MatrixXd& kernel_values) const {
   return (kernel_values * weights).rowwise() + biases;
 }
 
@@ -54,7 +54,7 @@ std::size_t machineCount(std::size_t places, bool one_against_one) {
   return one_against_one ? places * (places - 1) / 2 : places;
 }
 
-Eigen::MatrixXd placeMargins(const Machines& machines, const Eigen::MatrixXd& machine_margins) {
+Eigen::MatrixXd placeMargins(const BinarySvms& machines, const Eigen::MatrixXd& machine_margins) {
   if (!machines.one_against_one) return machine_margins;
   const auto places = static_cast<Eigen::Index>(machines.places);
   Eigen::MatrixXd votes = Eigen::MatrixXd::Zero(machine_margins.rows(), places);
@@ -70,12 +70,12 @@ Eigen::MatrixXd placeMargins(const Machines& machines, const Eigen::MatrixXd& ma
   return votes.array() + sums.array() / (3 * (sums.array().abs() + 1));
 }
 
-Machines trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
-                       const std::vector<int>& labels, std::size_t places,
-                       const SvmOptions& options, unsigned threads) {
+BinarySvms trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
+                         const std::vector<int>& labels, std::size_t places,
+                         const SvmOptions& options, unsigned threads) {
   assert(vectors.size() == labels.size());
   options.check();
-  Machines machines;
+  BinarySvms machines;
   machines.places = places;
   machines.one_against_one = options.multiclass == "one-against-one";
   const auto signs = signsOfMachines(labels, places, machines.one_against_one);
@@ -95,15 +95,15 @@ Machines trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
   return machines;
 }
 
-Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                       std::size_t places, const SvmOptions& options, unsigned threads) {
+BinarySvms trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                         std::size_t places, const SvmOptions& options, unsigned threads) {
   assert(gram.rows() == gram.cols());
   std::vector<int> all(static_cast<std::size_t>(gram.rows()));
   std::iota(all.begin(), all.end(), 0);
   return trainMachines(PackedGram(gram), all, labels, places, options, threads);
 }
 
-std::vector<int> supportVectors(const Machines& machines) {
+std::vector<int> supportVectors(const BinarySvms& machines) {
   std::vector<int> indices;
   for (Eigen::Index i = 0; i < machines.weights.rows(); ++i) {
     if ((machines.weights.row(i).array() != 0).any()) indices.push_back(static_cast<int>(i));

@@ -1,4 +1,4 @@
-#include "tool/stop.h"
+#include "tool/signals.h"
 
 #include <csignal>
 

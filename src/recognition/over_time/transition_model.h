@@ -12,9 +12,9 @@ namespace place_recognition {
 /// `jump_share` of the cases, to any other; from 'unknown' to any room.
 ///
 /// Not thread-safe.
-class RoomChain {
+class TransitionModel {
  public:
-  RoomChain(const Adjacency& adjacency, double unknown_share, double jump_share);
+  TransitionModel(const Adjacency& adjacency, double unknown_share, double jump_share);
 
   /// Probabilities while nothing has been seen: `unknown_share`, the rest to all rooms alike.
   const Eigen::RowVectorXd& prior() const { return prior_; }

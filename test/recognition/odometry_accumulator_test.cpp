@@ -1,6 +1,6 @@
 // The way between frames, from poses of odometry, good and bad.
 
-#include "recognition/over_time/driven_way.h"
+#include "recognition/over_time/odometry_accumulator.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-TEST(DrivenWay, AddsUpDistanceAndTurning) {
-  DrivenWay way;
+TEST(OdometryAccumulator, AddsUpDistanceAndTurning) {
+  OdometryAccumulator way;
   way.add({0, 0, 0, 0});
   EXPECT_FALSE(way.take(0));  // counting starts here
   way.add({0.1, 0.3, 0.4, 0.2});
@@ -28,8 +28,8 @@ TEST(DrivenWay, AddsUpDistanceAndTurning) {
   EXPECT_EQ(none->angle, 0);
 }
 
-TEST(DrivenWay, TurnsTheShortWayRound) {
-  DrivenWay way;
+TEST(OdometryAccumulator, TurnsTheShortWayRound) {
+  OdometryAccumulator way;
   way.add({0, 0, 0, 3.1});
   way.take(0);
   way.add({0.1, 0, 0, -3.1});
@@ -38,8 +38,8 @@ TEST(DrivenWay, TurnsTheShortWayRound) {
   EXPECT_NEAR(motion->angle, 2 * M_PI - 6.2, 1e-12);
 }
 
-TEST(DrivenWay, LosesNothingBetweenFrames) {
-  DrivenWay way;
+TEST(OdometryAccumulator, LosesNothingBetweenFrames) {
+  OdometryAccumulator way;
   way.add({0, 0, 0, 0});
   way.take(0);
   double sum = 0;
@@ -51,8 +51,8 @@ TEST(DrivenWay, LosesNothingBetweenFrames) {
   EXPECT_NEAR(sum, 1.0, 1e-12);
 }
 
-TEST(DrivenWay, KnowsNothingWithoutOdometryNearTheFrame) {
-  DrivenWay way;
+TEST(OdometryAccumulator, KnowsNothingWithoutOdometryNearTheFrame) {
+  OdometryAccumulator way;
   EXPECT_FALSE(way.take(0));
   way.add({0, 0, 0, 0});
   EXPECT_FALSE(way.take(10));
@@ -62,8 +62,8 @@ TEST(DrivenWay, KnowsNothingWithoutOdometryNearTheFrame) {
   EXPECT_FALSE(way.take(11));
 }
 
-TEST(DrivenWay, PosesThatAreNoNumbersAreLeftOut) {
-  DrivenWay way;
+TEST(OdometryAccumulator, PosesThatAreNoNumbersAreLeftOut) {
+  OdometryAccumulator way;
   way.add({0, 0, 0, 0});
   way.take(0);
   way.add({0.1, kNaN, 0, 0});
@@ -76,8 +76,8 @@ TEST(DrivenWay, PosesThatAreNoNumbersAreLeftOut) {
   EXPECT_DOUBLE_EQ(motion->distance, 0.5);
 }
 
-TEST(DrivenWay, AJumpStartsAnew) {
-  DrivenWay way;
+TEST(OdometryAccumulator, AJumpStartsAnew) {
+  OdometryAccumulator way;
   for (const OdometryPose& jump : {OdometryPose{0.1, 50, 0, 0}, OdometryPose{-5, 0, 0, 0}}) {
     way.add({0, 0, 0, 0});
     way.take(0);

@@ -1,4 +1,4 @@
-#include "learning/vector_index.h"
+#include "learning/inverted_index.h"
 
 #include <algorithm>
 #include <cassert>
@@ -25,7 +25,7 @@ struct MinimumTerm {
 };
 
 /// Asks the memory for all values of a bin.
-PLACE_RECOGNITION_INLINE void prefetch(const VectorIndex::Postings& bin) {
+PLACE_RECOGNITION_INLINE void prefetch(const InvertedIndex::Postings& bin) {
   constexpr std::size_t kLine = 64 / sizeof(float);
   for (std::size_t i = 0; i < bin.count; i += kLine) {
     __builtin_prefetch(bin.values + i);
@@ -35,13 +35,13 @@ PLACE_RECOGNITION_INLINE void prefetch(const VectorIndex::Postings& bin) {
 
 /// sums[v] += term(x, value of v) for every posting of every bin.
 template <typename Term>
-PLACE_RECOGNITION_INLINE void addTerms(const std::vector<VectorIndex::Postings>& bins, Term term,
+PLACE_RECOGNITION_INLINE void addTerms(const std::vector<InvertedIndex::Postings>& bins, Term term,
                                        double* sums) {
   constexpr std::size_t kChunk = 64;
   double terms[kChunk];
   for (std::size_t b = 0; b < bins.size(); ++b) {
     if (b + kPostingsAhead < bins.size()) prefetch(bins[b + kPostingsAhead]);
-    const VectorIndex::Postings& bin = bins[b];
+    const InvertedIndex::Postings& bin = bins[b];
     if (!bin.vectors) {
       for (std::size_t i = 0; i < bin.count; ++i) sums[i] += term(bin.x, bin.values[i]);
       continue;
@@ -55,23 +55,23 @@ PLACE_RECOGNITION_INLINE void addTerms(const std::vector<VectorIndex::Postings>&
 }
 
 PLACE_RECOGNITION_TARGET_CLONES
-void addProducts(const std::vector<VectorIndex::Postings>& bins, double* sums) {
+void addProducts(const std::vector<InvertedIndex::Postings>& bins, double* sums) {
   addTerms(bins, ProductTerm(), sums);
 }
 
 PLACE_RECOGNITION_TARGET_CLONES
-void addChiSquared(const std::vector<VectorIndex::Postings>& bins, double* sums) {
+void addChiSquared(const std::vector<InvertedIndex::Postings>& bins, double* sums) {
   addTerms(bins, ChiSquaredTerm(), sums);
 }
 
 PLACE_RECOGNITION_TARGET_CLONES
-void addMinima(const std::vector<VectorIndex::Postings>& bins, double* sums) {
+void addMinima(const std::vector<InvertedIndex::Postings>& bins, double* sums) {
   addTerms(bins, MinimumTerm(), sums);
 }
 
 }  // namespace
 
-VectorIndex::VectorIndex(Measure measure, PostingLists lists)
+InvertedIndex::InvertedIndex(Measure measure, PostingLists lists)
     : measure_(measure), lists_(std::move(lists)) {
   lists_.check();
   const std::vector<std::uint64_t>& bins = lists_.bins;
@@ -89,8 +89,8 @@ VectorIndex::VectorIndex(Measure measure, PostingLists lists)
   }
 }
 
-VectorIndex::Postings VectorIndex::postingsAt(const BinTable::Slot& slot, double x,
-                                              std::size_t vectors) const {
+InvertedIndex::Postings InvertedIndex::postingsAt(const BinTable::Slot& slot, double x,
+                                                  std::size_t vectors) const {
   if (slot.count == kRow) return {&lists_.rows[slot.begin * size()], nullptr, vectors, x};
   const std::uint16_t* const numbers = &lists_.numbers[slot.begin];
   const std::size_t count =
@@ -100,8 +100,8 @@ VectorIndex::Postings VectorIndex::postingsAt(const BinTable::Slot& slot, double
   return {&lists_.values[slot.begin], numbers, count, x};
 }
 
-std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x,
-                                                           std::size_t vectors) const {
+std::vector<InvertedIndex::Postings> InvertedIndex::postingsOf(const SparseVector& x,
+                                                               std::size_t vectors) const {
   std::vector<Postings> bins;
   bins.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -112,7 +112,7 @@ std::vector<VectorIndex::Postings> VectorIndex::postingsOf(const SparseVector& x
   return bins;
 }
 
-void VectorIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
+void InvertedIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const {
   const auto vectors = static_cast<std::size_t>(out.size());
   assert(vectors <= size());
   if (vectors == 0) return;

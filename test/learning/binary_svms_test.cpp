@@ -1,4 +1,4 @@
-#include "learning/machines.h"
+#include "learning/binary_svms.h"
 
 #include <gtest/gtest.h>
 #include <svm.h>
@@ -43,22 +43,22 @@ SvmOptions svmOptions(double c, const std::string& multiclass) {
 const SvmOptions kAll = svmOptions(10, "one-against-all");
 const SvmOptions kPairs = svmOptions(10, "one-against-one");
 
-TEST(Machines, FindsTheWidestMargin) {
+TEST(BinarySvms, FindsTheWidestMargin) {
   // On a line: -3 and -1 against 1 and 4: f(x) = x, support vectors -1 and 1 with alpha 1/2.
   const std::vector<Feature> features = {point(-3, 0), point(-1, 0), point(1, 0), point(4, 0)};
   const Kernel kernel(kernelOptions("linear"));
   const Eigen::MatrixXd gram = gramMatrix(kernel, measureMatrix(kernel, features, 1, {}));
-  const Machines machines = trainMachines(gram, {0, 0, 1, 1}, 2, kAll);
+  const BinarySvms machines = trainMachines(gram, {0, 0, 1, 1}, 2, kAll);
   EXPECT_TRUE(machines.weights.col(1).isApprox(Eigen::Vector4d(0, -0.5, 0.5, 0), 1e-3));
   EXPECT_NEAR(machines.biases[1], 0, 1e-3);
   EXPECT_TRUE(machines.weights.col(0).isApprox(-machines.weights.col(1), 1e-3));
   EXPECT_EQ(supportVectors(machines), std::vector<int>({1, 2}));
 }
 
-TEST(Machines, MeetTheConditionsOfOptimality) {
+TEST(BinarySvms, MeetTheConditionsOfOptimality) {
   const Clouds clouds(120, 3);
   const Eigen::MatrixXd gram = clouds.gram();
-  const Machines machines = trainMachines(gram, clouds.labels, 3, kAll);
+  const BinarySvms machines = trainMachines(gram, clouds.labels, 3, kAll);
   const Eigen::MatrixXd margins = machines.margins(gram);
   for (Eigen::Index m = 0; m < 3; ++m) {
     EXPECT_NEAR(machines.weights.col(m).sum(), 0, 1e-9);
@@ -111,7 +111,7 @@ Eigen::VectorXd libsvmDecisionValues(const Eigen::MatrixXd& gram, const std::vec
   return model->label[0] * values;
 }
 
-TEST(Machines, MarginsAreThoseOfLibsvm) {
+TEST(BinarySvms, MarginsAreThoseOfLibsvm) {
   const Clouds clouds(90, 3);
   const Eigen::MatrixXd gram = clouds.gram();
   const Eigen::MatrixXd margins = trainMachines(gram, clouds.labels, 3, kAll).margins(gram);
@@ -121,10 +121,10 @@ TEST(Machines, MarginsAreThoseOfLibsvm) {
   }
 }
 
-TEST(Machines, ArePositiveForTheFirstOfAPair) {
+TEST(BinarySvms, ArePositiveForTheFirstOfAPair) {
   const Clouds clouds(120, 3);
   const Eigen::MatrixXd gram = clouds.gram();
-  const Machines machines = trainMachines(gram, clouds.labels, 3, kPairs);
+  const BinarySvms machines = trainMachines(gram, clouds.labels, 3, kPairs);
   const Eigen::MatrixXd margins = machines.margins(gram);
   const int pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   ASSERT_EQ(margins.cols(), 3);
@@ -142,35 +142,35 @@ TEST(Machines, ArePositiveForTheFirstOfAPair) {
   }
 }
 
-TEST(Machines, DoNotDependOnThreads) {
+TEST(BinarySvms, DoNotDependOnThreads) {
   const Clouds clouds(100, 5);
   const Eigen::MatrixXd gram = clouds.gram();
   for (const SvmOptions& options : {kAll, kPairs}) {
-    const Machines one = trainMachines(gram, clouds.labels, 5, options, 1);
-    const Machines four = trainMachines(gram, clouds.labels, 5, options, 4);
+    const BinarySvms one = trainMachines(gram, clouds.labels, 5, options, 1);
+    const BinarySvms four = trainMachines(gram, clouds.labels, 5, options, 4);
     EXPECT_TRUE(one.weights == four.weights);
     EXPECT_TRUE(one.biases == four.biases);
   }
 }
 
-TEST(Machines, OfASingleSignAnswerIt) {
+TEST(BinarySvms, OfASingleSignAnswerIt) {
   // Place 2 of 3 has no vectors.
   const Clouds clouds(40, 2);
   const Eigen::MatrixXd gram = clouds.gram();
-  const Machines all = trainMachines(gram, clouds.labels, 3, kAll);
+  const BinarySvms all = trainMachines(gram, clouds.labels, 3, kAll);
   EXPECT_TRUE(all.weights.col(2).isZero(0));
   EXPECT_EQ(all.biases[2], -1);
 
-  const Machines pairs = trainMachines(gram, clouds.labels, 3, kPairs);
+  const BinarySvms pairs = trainMachines(gram, clouds.labels, 3, kPairs);
   EXPECT_EQ(pairs.biases[1], 1);  // 0 against 2
   EXPECT_EQ(pairs.biases[2], 1);  // 1 against 2
 
-  const Machines only = trainMachines(gram.topLeftCorner(1, 1), {1}, 2, kAll);
+  const BinarySvms only = trainMachines(gram.topLeftCorner(1, 1), {1}, 2, kAll);
   EXPECT_EQ(only.biases, Eigen::RowVector2d(-1, 1));
 }
 
-TEST(Machines, VotesAndTies) {
-  Machines machines;
+TEST(BinarySvms, VotesAndTies) {
+  BinarySvms machines;
   machines.places = 3;
   machines.one_against_one = true;
   Eigen::MatrixXd margins(3, 3);  // (0,1), (0,2), (1,2)

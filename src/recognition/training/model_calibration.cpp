@@ -1,4 +1,4 @@
-#include "recognition/training/model_validation.h"
+#include "recognition/training/model_calibration.h"
 
 #include <algorithm>
 

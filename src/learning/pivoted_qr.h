@@ -8,7 +8,7 @@
 
 namespace place_recognition {
 
-/// QR factorisation of the columns of a matrix in an order that the caller chooses step by step
+/// QR factorization of the columns of a matrix in an order that the caller chooses step by step
 /// (eq. 6.9: K P = Q R), by modified Gram-Schmidt: each step takes out of the other columns their
 /// part along the chosen one, so that their norms are known afresh; R is as accurate as by
 /// Householder's transformations (Bjorck 1967). What a step does to a column may wait until that
@@ -17,10 +17,10 @@ namespace place_recognition {
 ///
 /// Behind the candidates stand targets, right-hand sides F: never chosen, carried along, so that
 /// the last columns of R become Q'F.
-class ColumnElimination {
+class PivotedQr {
  public:
   /// Starts with columns of zeros, which are to be set before anything else.
-  ColumnElimination(Eigen::Index rows, Eigen::Index candidates, Eigen::Index targets);
+  PivotedQr(Eigen::Index rows, Eigen::Index candidates, Eigen::Index targets);
 
   /// Column `column` = values / scale.
   void set(Eigen::Index column, const Eigen::Ref<const Eigen::VectorXd>& values, double scale);
@@ -30,10 +30,10 @@ class ColumnElimination {
 
   /// Brings a column, with its team, up to the last step; or all of them, and makes new teams of
   /// those that are not chosen yet.
-  void settle(Eigen::Index column);
-  void settleAll();
+  void update(Eigen::Index column);
+  void updateAll();
   /// Also if nothing is left of it, or it is chosen.
-  bool isSettled(Eigen::Index column) const {
+  bool isUpToDate(Eigen::Index column) const {
     return squared_norms_[column] == 0 || steps_[static_cast<std::size_t>(column)] == rank();
   }
 

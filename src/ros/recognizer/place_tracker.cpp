@@ -1,4 +1,4 @@
-#include "ros/recognizer/place_over_time.h"
+#include "ros/recognizer/place_tracker.h"
 
 #include <cmath>
 
@@ -22,27 +22,27 @@ OdometryPose toPose(const nav_msgs::Odometry& odometry) {
 
 }  // namespace
 
-PlaceOverTime::PlaceOverTime(const ros::NodeHandle& node, Parameters& parameters)
+PlaceTracker::PlaceTracker(const ros::NodeHandle& node, Parameters& parameters)
     : adjacency_path_(userPath(parameters.text("adjacency"))),
       smoothed_(parameters.real("smoothing_lag", 1, 0, kLongestLag)) {
   if (parameters.flag("use_odometry", false)) {
     odometry_subscriber_ = ros::NodeHandle(node).subscribe(names::kOdometry, names::kOdometryQueue,
-                                                           &PlaceOverTime::onOdometry, this);
+                                                           &PlaceTracker::onOdometry, this);
   }
 }
 
-void PlaceOverTime::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
+void PlaceTracker::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
   way_.add(toPose(*odometry));
 }
 
-void PlaceOverTime::setModel(std::shared_ptr<const Model> model, double smoothing) {
+void PlaceTracker::setModel(std::shared_ptr<const Model> model, double smoothing) {
   model_ = std::move(model);
   adjacency_ = adjacencyOf(*model_);
   smoothing_ = smoothing;
   makeFilter();
 }
 
-Adjacency PlaceOverTime::adjacencyOf(const Model& model) const {
+Adjacency PlaceTracker::adjacencyOf(const Model& model) const {
   if (adjacency_path_.empty()) return model.adjacency;
   try {
     return readAdjacency(adjacency_path_, model.places);
@@ -53,13 +53,13 @@ Adjacency PlaceOverTime::adjacencyOf(const Model& model) const {
   }
 }
 
-void PlaceOverTime::setSmoothing(double smoothing) {
+void PlaceTracker::setSmoothing(double smoothing) {
   if (smoothing == smoothing_) return;
   smoothing_ = smoothing;
   makeFilter();
 }
 
-void PlaceOverTime::makeFilter() {
+void PlaceTracker::makeFilter() {
   filter_.reset();
   smoothed_.finish();
   if (smoothing_ <= 0) return;
@@ -69,11 +69,11 @@ void PlaceOverTime::makeFilter() {
   smoothed_.follow(adjacency_, options);
 }
 
-void PlaceOverTime::setUnknownThreshold(double threshold) {
+void PlaceTracker::setUnknownThreshold(double threshold) {
   if (filter_) filter_->setUnknownThreshold(threshold);
 }
 
-const std::string& PlaceOverTime::update(double stamp, const Recognition& recognition) {
+const std::string& PlaceTracker::update(double stamp, const Recognition& recognition) {
   static const std::string unknown = kUnknownPlace;
   const std::optional<Motion> motion = way_.take(stamp);
   const int frame_place = recognition.known ? recognition.place : -1;
@@ -81,12 +81,12 @@ const std::string& PlaceOverTime::update(double stamp, const Recognition& recogn
   return place < 0 ? unknown : model_->places[static_cast<std::size_t>(place)];
 }
 
-std::vector<PlaceRecognition> PlaceOverTime::smooth(const PlaceRecognition& message) {
+std::vector<PlaceRecognition> PlaceTracker::smooth(const PlaceRecognition& message) {
   if (filter_) smoothed_.add(*filter_, message);
   return smoothed_.take();
 }
 
-std::vector<PlaceRecognition> PlaceOverTime::reset() {
+std::vector<PlaceRecognition> PlaceTracker::reset() {
   if (filter_) filter_->reset();
   smoothed_.finish();
   return smoothed_.take();

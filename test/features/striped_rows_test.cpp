@@ -1,5 +1,5 @@
 // Rows cut into strands, against the definition pixel by pixel; and the ring of rows they stand in.
-#include "features/strands.h"
+#include "features/striped_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kStrands = Strands::kStrands;
+constexpr int kStrands = StripedRows::kStrands;
 
 /// Pixel x has the value x + 1.
 std::vector<float> ascending(int pixels, int size) {
@@ -21,9 +21,9 @@ std::vector<float> ascending(int pixels, int size) {
   return row;
 }
 
-TEST(Strands, HoldEachPixelOnceAndOneStepBesideTheNext) {
+TEST(StripedRows, HoldEachPixelOnceAndOneStepBesideTheNext) {
   for (const int pixels : {1, 2, 15, 16, 17, 31, 100, 610, 640}) {
-    const Strands strands(pixels);
+    const StripedRows strands(pixels);
     ASSERT_GE(strands.size(), pixels);
     ASSERT_LT(strands.size(), pixels + kStrands);
     const int length = strands.size() / kStrands;
@@ -35,10 +35,10 @@ TEST(Strands, HoldEachPixelOnceAndOneStepBesideTheNext) {
   }
 }
 
-TEST(Strands, AreLengthenedByWhatFollows) {
+TEST(StripedRows, AreLengthenedByWhatFollows) {
   for (const int pixels : {1, 17, 40, 100, 626}) {
     for (const int n : {1, 2, 7, 16, 31}) {
-      const Strands strands(pixels);
+      const StripedRows strands(pixels);
       const int length = strands.size() / kStrands;
       std::vector<float> laid(strands.size() + n * kStrands + 1, 77);
       strands.lay(ascending(pixels, strands.size()).data(), laid.data());
@@ -57,9 +57,9 @@ TEST(Strands, AreLengthenedByWhatFollows) {
   }
 }
 
-TEST(Strands, GiveTheFirstPixelsWithoutPadding) {
+TEST(StripedRows, GiveTheFirstPixelsWithoutPadding) {
   for (const int pixels : {1, 2, 16, 17, 40, 100, 626, 640}) {
-    const Strands strands(pixels);
+    const StripedRows strands(pixels);
     const int length = strands.size() / kStrands;
     std::vector<std::uint32_t> laid(strands.size());
     for (int x = 0; x < strands.size(); ++x) laid[x % length * kStrands + x / length] = x;

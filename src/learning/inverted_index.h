@@ -15,10 +15,10 @@ namespace place_recognition {
 /// min(x, y)) and totals of each vector alone, for example
 /// chi2(x, y) = sum x + sum y - 4 sum_shared xy/(x+y); so one pass over the bins of x serves every
 /// support vector. Terms and sums are in double precision, in ascending order of bins.
-class VectorIndex {
+class InvertedIndex {
  public:
   /// Throws Error, a phrase without a source, if `lists` is not that of vectors of finite elements.
-  VectorIndex(Measure measure, PostingLists lists);
+  InvertedIndex(Measure measure, PostingLists lists);
 
   /// Kernel::measure(x, vector i) for the first vectors, as many as `out` has elements. Throws
   /// Error if `x` is of another kind or dimension than the vectors. Safe to call from several

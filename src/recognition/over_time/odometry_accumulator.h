@@ -16,7 +16,7 @@ struct OdometryPose {
 };
 
 /// Adds up the way between the poses of odometry, for TemporalFilter. Thread-safe.
-class DrivenWay {
+class OdometryAccumulator {
  public:
   /// Poses that are not numbers are left out, as are steps that no robot makes: after those, or a
   /// stamp before the last one, counting starts anew.

@@ -8,7 +8,7 @@
 
 #include "base/place_name.h"
 #include "place_recognition/temporal_filter.h"
-#include "recognition/over_time/driven_way.h"
+#include "recognition/over_time/odometry_accumulator.h"
 #include "ros/nodes/parameters.h"
 #include "ros/recognizer/smoothed_answers.h"
 
@@ -19,9 +19,9 @@ namespace place_recognition {
 /// model has learnt) and how far the robot has driven (the topic `odom`, if `~use_odometry`); and
 /// what they amount to when one waits a little (SmoothedAnswers). Not thread-safe, but for
 /// odometry, which may come at any time.
-class PlaceOverTime {
+class PlaceTracker {
  public:
-  PlaceOverTime(const ros::NodeHandle& node, Parameters& parameters);
+  PlaceTracker(const ros::NodeHandle& node, Parameters& parameters);
 
   /// From now on frames are answered by `model`. A map that does not fit it is reported and left
   /// out. `smoothing`, s: see the parameter; 0: the answer is that to the single frame.
@@ -53,7 +53,7 @@ class PlaceOverTime {
   double smoothing_ = 0;
   std::unique_ptr<TemporalFilter> filter_;  // none: not smoothed
   SmoothedAnswers smoothed_;
-  DrivenWay way_;
+  OdometryAccumulator way_;
   ros::Subscriber odometry_subscriber_;
 };
 

@@ -1,4 +1,4 @@
-#include "recognition/over_time/room_chain.h"
+#include "recognition/over_time/transition_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ Eigen::RowVectorXd changesFrom(int room, const Adjacency& adjacency, double jump
 
 }  // namespace
 
-RoomChain::RoomChain(const Adjacency& adjacency, double unknown_share, double jump_share) {
+TransitionModel::TransitionModel(const Adjacency& adjacency, double unknown_share,
+                                 double jump_share) {
   const int rooms = static_cast<int>(adjacency.places());
   prior_.setConstant(rooms + 1, (1 - unknown_share) / rooms);
   prior_[rooms] = unknown_share;
@@ -37,17 +38,17 @@ RoomChain::RoomChain(const Adjacency& adjacency, double unknown_share, double ju
   term_ = next_ = prior_;
 }
 
-void RoomChain::advance(double changes, Eigen::RowVectorXd& belief) {
+void TransitionModel::advance(double changes, Eigen::RowVectorXd& belief) {
   step(changes, jump_, belief);
 }
 
-void RoomChain::goBack(double changes, Eigen::RowVectorXd& likelihood) {
+void TransitionModel::goBack(double changes, Eigen::RowVectorXd& likelihood) {
   step(changes, jump_.transpose(), likelihood);
 }
 
 /// weights exp(changes (jump - I)), to the sum 1.
 template <typename Matrix>
-void RoomChain::step(double changes, const Matrix& jump, Eigen::RowVectorXd& weights) {
+void TransitionModel::step(double changes, const Matrix& jump, Eigen::RowVectorXd& weights) {
   constexpr double kMany = 100;  // so many rooms on, it no longer matters where it all began
   constexpr double kNegligible = 1e-15;
   const double mean = std::min(changes, kMany);

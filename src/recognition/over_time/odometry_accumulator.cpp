@@ -1,4 +1,4 @@
-#include "recognition/over_time/driven_way.h"
+#include "recognition/over_time/odometry_accumulator.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ bool isFinite(const OdometryPose& pose) {
 
 }  // namespace
 
-void DrivenWay::add(const OdometryPose& pose) {
+void OdometryAccumulator::add(const OdometryPose& pose) {
   if (!isFinite(pose)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (last_) {
@@ -33,7 +33,7 @@ void DrivenWay::add(const OdometryPose& pose) {
   last_ = pose;
 }
 
-std::optional<Motion> DrivenWay::take(double stamp) {
+std::optional<Motion> OdometryAccumulator::take(double stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool near = last_ && std::abs(stamp - last_->stamp) <= kNear;
   const bool complete = near && unbroken_;

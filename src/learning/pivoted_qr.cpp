@@ -1,4 +1,4 @@
-#include "learning/column_elimination.h"
+#include "learning/pivoted_qr.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -22,8 +22,7 @@ void multiply(const double* x, double factor, Eigen::Index n, double* out) {
 
 }  // namespace
 
-ColumnElimination::ColumnElimination(Eigen::Index rows, Eigen::Index candidates,
-                                     Eigen::Index targets)
+PivotedQr::PivotedQr(Eigen::Index rows, Eigen::Index candidates, Eigen::Index targets)
     : rows_(rows),
       padded_rows_((rows + kPadding - 1) / kPadding * kPadding),
       candidates_(candidates),
@@ -38,15 +37,15 @@ ColumnElimination::ColumnElimination(Eigen::Index rows, Eigen::Index candidates,
   std::iota(places_.begin(), places_.end(), std::size_t{0});
 }
 
-void ColumnElimination::set(Eigen::Index column, const Eigen::Ref<const Eigen::VectorXd>& values,
-                            double scale) {
+void PivotedQr::set(Eigen::Index column, const Eigen::Ref<const Eigen::VectorXd>& values,
+                    double scale) {
   double* stored = columns().col(column).data();
   multiply(values.data(), 1 / scale, rows_, stored);
   squared_norms_[column] = innerProduct(stored, stored, padded_rows_);
 }
 
-void ColumnElimination::choose(Eigen::Index column) {
-  assert(column < candidates_ && isSettled(column) && squared_norms_[column] > 0);
+void PivotedQr::choose(Eigen::Index column) {
+  assert(column < candidates_ && isUpToDate(column) && squared_norms_[column] > 0);
   const double norm = std::sqrt(squared_norms_[column]);
   double* q = columns().col(column).data();
   multiply(q, 1 / norm, padded_rows_, q);
@@ -58,14 +57,14 @@ void ColumnElimination::choose(Eigen::Index column) {
   chosen_.push_back(column);
 }
 
-void ColumnElimination::settle(Eigen::Index column) {
-  if (isSettled(column)) return;
+void PivotedQr::update(Eigen::Index column) {
+  if (isUpToDate(column)) return;
   Eigen::Index step = steps_[static_cast<std::size_t>(column)];
   Eigen::Index members[ColumnTeam::kMost];
   ColumnTeam team;
   const std::size_t begin = places_[static_cast<std::size_t>(column)] / kTeam * kTeam;
   for (std::size_t i = begin; i < std::min(begin + kTeam, left_.size()); ++i) {
-    if (isSettled(left_[i])) continue;
+    if (isUpToDate(left_[i])) continue;
     members[team.count] = left_[i];
     team.values[team.count] = columns().col(left_[i]).data();
     team.products[team.count++] = &r_(step, left_[i]);
@@ -83,8 +82,8 @@ void ColumnElimination::settle(Eigen::Index column) {
   }
 }
 
-void ColumnElimination::settleAll() {
-  for (Eigen::Index column = 0; column < squared_norms_.size(); ++column) settle(column);
+void PivotedQr::updateAll() {
+  for (Eigen::Index column = 0; column < squared_norms_.size(); ++column) update(column);
   left_.clear();
   for (Eigen::Index column = 0; column < squared_norms_.size(); ++column) {
     if (squared_norms_[column] == 0) continue;
@@ -93,7 +92,7 @@ void ColumnElimination::settleAll() {
   }
 }
 
-ColumnSteps ColumnElimination::stepsFrom(Eigen::Index first) {
+ColumnSteps PivotedQr::stepsFrom(Eigen::Index first) {
   ColumnSteps steps;
   steps.count = static_cast<int>(std::min<Eigen::Index>(ColumnSteps::kMost, rank() - first));
   for (int s = 0; s < steps.count; ++s) {
@@ -103,7 +102,7 @@ ColumnSteps ColumnElimination::stepsFrom(Eigen::Index first) {
   return steps;
 }
 
-Eigen::MatrixXd ColumnElimination::targetProducts() {
+Eigen::MatrixXd PivotedQr::targetProducts() {
   const Columns all = columns();
   return all.leftCols(candidates_).transpose() * all.rightCols(all.cols() - candidates_);
 }

@@ -34,7 +34,8 @@ std::vector<Frame> framesOf(const std::string& room, unsigned first_frame) {
 
 TEST(LearnOn, ANewRoomJoinsTheOnesThatAreRemembered) {
   const Training before = train({opener(drawFrames(3, 15), "monday")}, quickOptions());
-  const Training after = learnOn(before.model, {opener(framesOf("room3", 100), "tuesday")}, 0);
+  const Training after =
+      trainIncrementally(before.model, {opener(framesOf("room3", 100), "tuesday")}, 0);
   EXPECT_EQ(after.model.places, (std::vector<std::string>{"room0", "room1", "room2", "room3"}));
   EXPECT_EQ(after.images, 15u);
   EXPECT_EQ(after.model.provenance.place_images, (std::vector<std::uint64_t>{15, 15, 15, 15}));
@@ -46,7 +47,7 @@ TEST(LearnOn, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
   options.reduction.method = "none";
   Training training = train({opener(drawFrames(3, 20), "monday")}, options);
   for (const unsigned first_frame : {100u, 200u, 300u}) {
-    training = learnOn(training.model, {opener(framesOf("room1", first_frame))}, 20);
+    training = trainIncrementally(training.model, {opener(framesOf("room1", first_frame))}, 20);
     for (const Classifier& classifier : training.model.classifiers) {
       EXPECT_LE(classifier.supportVectorCount(), 20u);
     }
@@ -59,7 +60,8 @@ TEST(LearnOn, KeepsTheNetworkThatTheModelCarries) {
   options.cues[1].feature = SmallNetwork::options();
   options.cues[1].kernel.type = "gaussian";
   const std::string file = serializeModel(train({opener(drawFrames(3, 12))}, options).model);
-  const Training after = learnOn(parseModel(file, "once"), {opener(drawFrames(3, 6, 700))}, 15);
+  const Training after =
+      trainIncrementally(parseModel(file, "once"), {opener(drawFrames(3, 6, 700))}, 15);
   const auto& embedding = std::get<EmbeddingOptions>(after.model.options.cues[1].feature);
   EXPECT_EQ(embedding.loaded->onnx, SmallNetwork::onnx());
   EXPECT_EQ(embedding.loaded->sha256, SmallNetwork::network()->sha256);
@@ -71,8 +73,8 @@ TEST(LearnOn, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
   const Training before = train({opener(drawFrames(3, 12))}, twoCueOptions());
   const std::string file = serializeModel(before.model);
   const std::vector<RunOpener> runs{opener(drawFrames(3, 6, 700))};
-  const std::string once = serializeModel(learnOn(before.model, runs, 15, 1).model);
-  EXPECT_EQ(serializeModel(learnOn(parseModel(file, "once"), runs, 15, 3).model), once);
+  const std::string once = serializeModel(trainIncrementally(before.model, runs, 15, 1).model);
+  EXPECT_EQ(serializeModel(trainIncrementally(parseModel(file, "once"), runs, 15, 3).model), once);
 }
 
 /// Share of new frames of some rooms that are answered right, and of those answered 'unknown'.
@@ -96,7 +98,8 @@ Shares sharesOf(const std::shared_ptr<const Model>& model, const std::vector<Fra
 void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOptions& options) {
   const auto before =
       std::make_shared<const Model>(train({opener(drawFrames(3, 30))}, options).model);
-  const auto after = std::make_shared<const Model>(learnOn(*before, {opener(frames)}, 0).model);
+  const auto after =
+      std::make_shared<const Model>(trainIncrementally(*before, {opener(frames)}, 0).model);
   const std::vector<Frame> others = drawFrames(2, 50, 5000);
   EXPECT_NEAR(sharesOf(after, others).right, sharesOf(before, others).right, 0.02);
   EXPECT_NEAR(sharesOf(after, others).unknown, sharesOf(before, others).unknown, 0.02);
@@ -120,18 +123,18 @@ TEST(LearnOn, ARoomOfManyPicturesLeavesTheOtherRoomsAsTheyWere) {
 TEST(LearnOn, WithoutALimitKeepsAsManyVectorsAsItNeeds) {
   TrainingOptions options = quickOptions();
   const Training before = train({opener(drawFrames(3, 30))}, options);
-  const Training after = learnOn(before.model, {opener(framesOf("room1", 900))}, 0);
+  const Training after = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, 0);
   EXPECT_EQ(after.model.asked.reduction.method, "auto");
   EXPECT_EQ(after.model.supportVectorCount(), after.unreduced_vectors[0]);
   // A limit holds for the run that it was given for.
-  const Training limited = learnOn(before.model, {opener(framesOf("room1", 900))}, 10);
+  const Training limited = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, 10);
   EXPECT_LE(limited.model.supportVectorCount(), 10u);
   EXPECT_EQ(limited.model.asked.reduction.method, "auto");
 }
 
 TEST(LearnOn, FeaturesAndGammaStayThoseOfTheModel) {
   const Training before = train({opener(drawFrames(3, 12))}, quickOptions());
-  const Training after = learnOn(before.model, {opener(drawFrames(3, 12, 60))}, 0);
+  const Training after = trainIncrementally(before.model, {opener(drawFrames(3, 12, 60))}, 0);
   EXPECT_EQ(after.model.options.cues[0].kernel.gamma, before.model.options.cues[0].kernel.gamma);
   EXPECT_GT(before.model.options.cues[0].kernel.gamma, 0);
 }

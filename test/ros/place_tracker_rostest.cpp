@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ros/inbox.h"
-#include "ros/recognizer/place_over_time.h"
+#include "ros/recognizer/place_tracker.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
@@ -44,7 +44,7 @@ class PlacesOverTime : public testing::Test {
   /// kitchen, through which alone the lab can be reached.
   std::string afterTheHall(std::shared_ptr<Model> model) {
     Parameters parameters(node_);
-    PlaceOverTime places(node_, parameters);
+    PlaceTracker places(node_, parameters);
     places.setModel(std::move(model), 0.2);
     double stamp = 0;
     for (; stamp < 1; stamp += 0.1) places.update(stamp, frameOf(0.98, 0.01, 0.01));
@@ -102,7 +102,7 @@ PlaceRecognition messageOf(double stamp, const std::string& model = "rooms") {
 TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
   node_.setParam("smoothing_lag", 0.5);
   Parameters parameters(node_);
-  PlaceOverTime places(node_, parameters);
+  PlaceTracker places(node_, parameters);
   places.setModel(threeRooms(), 0.2);
   std::vector<PlaceRecognition> all;
   for (int i = 0; i < 40; ++i) {
@@ -132,7 +132,7 @@ TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
 
 TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
   Parameters parameters(node_);
-  PlaceOverTime places(node_, parameters);
+  PlaceTracker places(node_, parameters);
   places.setModel(threeRooms(), 0.2);
   std::vector<PlaceRecognition> all;
   for (int i = 0; i < 60; ++i) {
@@ -153,7 +153,7 @@ TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
 
 TEST_F(PlacesOverTime, WhatWaitsComesWhenSmoothingEnds) {
   Parameters parameters(node_);
-  PlaceOverTime places(node_, parameters);
+  PlaceTracker places(node_, parameters);
   places.setModel(threeRooms(), 0.2);
   for (int i = 0; i < 5; ++i) {
     places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
@@ -166,7 +166,7 @@ TEST_F(PlacesOverTime, WhatWaitsComesWhenSmoothingEnds) {
 
 TEST_F(PlacesOverTime, NothingIsSmoothedWithoutSmoothing) {
   Parameters parameters(node_);
-  PlaceOverTime places(node_, parameters);
+  PlaceTracker places(node_, parameters);
   places.setModel(threeRooms(), 0);
   for (int i = 0; i < 30; ++i) {
     places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
@@ -179,7 +179,7 @@ class PlacesWithOdometry : public PlacesOverTime {
   PlacesWithOdometry() {
     node_.setParam("use_odometry", true);
     Parameters parameters(node_);
-    places_ = std::make_unique<PlaceOverTime>(node_, parameters);
+    places_ = std::make_unique<PlaceTracker>(node_, parameters);
     places_->setModel(threeRooms(), 0.2);
     publisher_ = node_.advertise<nav_msgs::Odometry>("odom", 10);
     EXPECT_TRUE(eventually([this] { return publisher_.getNumSubscribers() > 0; }));
@@ -196,7 +196,7 @@ class PlacesWithOdometry : public PlacesOverTime {
     return places_->update(stamp, recognition);
   }
 
-  std::unique_ptr<PlaceOverTime> places_;
+  std::unique_ptr<PlaceTracker> places_;
   ros::Publisher publisher_;
 };
 

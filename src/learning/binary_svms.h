@@ -10,7 +10,7 @@ namespace place_recognition {
 
 /// Binary machines over n common vectors: margin of machine j is
 /// f_j(x) = sum_i weights(i, j) K(x_i, x) + biases(j), where weights = alpha_i y_i (eq. 5.32).
-struct Machines {
+struct BinarySvms {
   std::size_t places = 0;
   bool one_against_one = false;  ///< else one-against-all: machine j tells place j from the rest
   Eigen::MatrixXd weights;       ///< n x machines
@@ -28,21 +28,21 @@ std::size_t machineCount(std::size_t places, bool one_against_one);
 /// one-against-all the margin itself (eq. 5.41). For one-against-one the votes, plus the sum s of
 /// the place's signed margins squashed to s / (3 (|s| + 1)), which breaks ties without ever
 /// outweighing a vote.
-Eigen::MatrixXd placeMargins(const Machines& machines, const Eigen::MatrixXd& machine_margins);
+Eigen::MatrixXd placeMargins(const BinarySvms& machines, const Eigen::MatrixXd& machine_margins);
 
 /// Trains every machine on some of the vectors of a Gram matrix, all of which have a column in it,
 /// with C-SVC (libsvm, precomputed kernel). `labels`: place 0..places-1 of each of `vectors`. A
 /// place or pair without vectors of both signs gives a machine of zero weights and bias -1 or +1.
 /// The result does not depend on `threads`.
-Machines trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
-                       const std::vector<int>& labels, std::size_t places,
-                       const SvmOptions& options, unsigned threads = 1);
+BinarySvms trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
+                         const std::vector<int>& labels, std::size_t places,
+                         const SvmOptions& options, unsigned threads = 1);
 /// The same on all vectors of a Gram matrix (n x n), of which it makes a copy.
-Machines trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
-                       std::size_t places, const SvmOptions& options, unsigned threads = 1);
+BinarySvms trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
+                         std::size_t places, const SvmOptions& options, unsigned threads = 1);
 
 /// Indices of the rows of `machines.weights` that are not all zero: the support vectors, each
 /// counted once.
-std::vector<int> supportVectors(const Machines& machines);
+std::vector<int> supportVectors(const BinarySvms& machines);
 
 }  // namespace place_recognition

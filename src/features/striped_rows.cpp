@@ -1,4 +1,4 @@
-#include "features/strands.h"
+#include "features/striped_rows.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kStrands = Strands::kStrands;
+constexpr int kStrands = StripedRows::kStrands;
 
 PLACE_RECOGNITION_TARGET_CLONES
 void transpose(const float* __restrict row, int length, float* __restrict strands) {
@@ -20,9 +20,9 @@ void transpose(const float* __restrict row, int length, float* __restrict strand
 
 }  // namespace
 
-void Strands::lay(const float* row, float* strands) const { transpose(row, length_, strands); }
+void StripedRows::lay(const float* row, float* strands) const { transpose(row, length_, strands); }
 
-void Strands::lengthen(int n, float* strands) const {
+void StripedRows::lengthen(int n, float* strands) const {
   // What follows pixel i of strand k at its end is pixel i of strand k + 1, which stands beside it.
   // No more at a time than there is, where strands are shorter than n.
   assert(length_ > 0);
@@ -35,7 +35,7 @@ void Strands::lengthen(int n, float* strands) const {
   }
 }
 
-void Strands::take(int pixels, const std::uint32_t* strands, std::uint32_t* row) const {
+void StripedRows::take(int pixels, const std::uint32_t* strands, std::uint32_t* row) const {
   assert(pixels > 0 && pixels <= size());
   const int whole = (pixels - 1) / length_;  // strands; one more has `rest` pixels
   const int rest = pixels - whole * length_;
