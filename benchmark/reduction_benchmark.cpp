@@ -41,7 +41,7 @@ ReductionOptions options(double tau) {
   ReductionOptions options;
   options.method = "qr";
   options.tau = tau;
-  options.normalise = false;
+  options.normalize = false;
   return options;
 }
 

@@ -46,7 +46,7 @@ struct SvmOptions {
 struct ReductionOptions {
   std::string method = "auto";
   double tau = 0.01;
-  bool normalise = true;
+  bool normalize = true;
   double share = 0;
   int support_vectors = 0;
 
@@ -60,7 +60,7 @@ struct ReductionOptions {
         "neither log loss nor rate on held-out blocks of the training runs; all where more than "
         "4000 pictures are learned");
     visitor("tau", self.tau, "rank threshold, relative to the largest pivot, 0..1");
-    visitor("normalise", self.normalise, "scale the columns of the matrix to norm one first");
+    visitor("normalise", self.normalize, "scale the columns of the matrix to norm one first");
     visitor("share", self.share,
             "share of each cue's support vectors to keep, 0..1, instead of tau; 0: as tau says");
     visitor("support_vectors", self.support_vectors,

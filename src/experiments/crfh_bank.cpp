@@ -41,13 +41,13 @@ std::vector<Feature> CrfhBank::extract(const cv::Mat& image) {
   const int columns = image.cols - 2 * border_;
   const int rows = image.rows - 2 * border_;
   if (columns <= 0 || rows <= 0) return features;
-  quantize(image, columns, rows);
+  quantizeAll(image, columns, rows);
   const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (std::size_t h = 0; h < features.size(); ++h) count(histograms_[h], pixels, features[h]);
   return features;
 }
 
-void CrfhBank::quantize(const cv::Mat& image, int columns, int rows) {
+void CrfhBank::quantizeAll(const cv::Mat& image, int columns, int rows) {
   const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (Digits& digits : digits_) digits.pixels.resize(pixels);
   responses_.start(image.size(), border_);

@@ -39,7 +39,7 @@ class CrfhBank {
 
   std::size_t digitsOf(const CrfhDescriptor& descriptor, double t, int bins,
                        const CrfhOptions& options);
-  void quantize(const cv::Mat& image, int columns, int rows);
+  void quantizeAll(const cv::Mat& image, int columns, int rows);
   void count(const std::vector<Dimension>& histogram, std::size_t pixels, Feature& feature);
 
   CrfhResponses responses_;

@@ -110,7 +110,7 @@ double validate(const Eigen::MatrixXd& gram, const SetSamples& samples,
 Json tauCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values) {
   ReductionOptions options;
   options.method = "qr";
-  options.normalise = false;
+  options.normalize = false;
   Json points = Json::array();
   for (const double tau : kTaus) {
     options.tau = tau;
@@ -227,7 +227,7 @@ Json MaterialsExperiment::evaluate(const MaterialClassifier& classifier, int tes
   };
 
   Json result = {{"validation", validate(gram, samples, fold.train, classifier.svm)}};
-  for (const bool normalise : {true, false}) {
+  for (const bool normalize : {true, false}) {
     result["curves"].push_back(
         toJson(reductionCurve(machines, kernel_values, "qr", normalize, rate)));
   }

@@ -14,13 +14,13 @@ constexpr double kLowestShare = 0.7;
 }  // namespace
 
 ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
-                              const std::string& method, bool normalise, const RateOf& rate) {
+                              const std::string& method, bool normalize, const RateOf& rate) {
   const int all = static_cast<int>(supportVectors(machines).size());
   ReductionCurve curve{{all, rate(machines)}};
   if (all == 0) return curve;
   ReductionOptions options;
   options.method = method;
-  options.normalise = normalize;
+  options.normalize = normalize;
   options.support_vectors = all;
   const auto reduction = factorize(machines, kernel_values, options);
   for (int step = 1; step < kSteps; ++step) {

@@ -27,7 +27,7 @@ using RateOf = std::function<double(const BinarySvms&)>;
 
 /// `kernel_values`: of all training vectors (rows) and those of `machines`.
 ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
-                              const std::string& method, bool normalise, const RateOf& rate);
+                              const std::string& method, bool normalize, const RateOf& rate);
 
 /// The fewest vectors of any point that keeps `share` (0..1) of the rate of the first one.
 int fewestVectors(const ReductionCurve& curve, double share);

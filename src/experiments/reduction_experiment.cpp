@@ -18,7 +18,7 @@ constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
 /// A way to reduce: the thesis' own twice, for its tables take the better of both.
 struct Way {
   std::size_t method;  ///< of kMethods
-  bool normalise;
+  bool normalize;
 };
 constexpr Way kWays[] = {{0, true}, {0, false}, {1, true}, {2, true}};
 
@@ -108,7 +108,7 @@ std::vector<Json> ReductionExperiment::cells() const {
                          {"features", name(features)},
                          {"training_set", set.name},
                          {"method", kMethods[way.method]},
-                         {"normalise", way.normalise}});
+                         {"normalise", way.normalize}});
       }
     }
   }

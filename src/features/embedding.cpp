@@ -42,7 +42,7 @@ void pool(const cv::Mat& output, std::vector<float>& values) {
 }
 
 /// False if there is no direction to keep.
-bool normalise(std::vector<float>& values) {
+bool normalize(std::vector<float>& values) {
   double squares = 0;
   for (const float value : values) squares += static_cast<double>(value) * value;
   const double norm = std::sqrt(squares);

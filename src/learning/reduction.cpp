@@ -42,7 +42,7 @@ std::unique_ptr<const Reduction> factorize(const BinarySvms& machines,
   }
   ReductionTask task{machines, kernel_values, options, progress,
                      Eigen::RowVectorXd::Ones(kernel_values.cols())};
-  if (options.normalise) task.scales = kernel_values.colwise().norm();
+  if (options.normalize) task.scales = kernel_values.colwise().norm();
   task.scales = (task.scales.array() > 0).select(task.scales, 1);
   return options.method == "qr" ? factoriseEach(task) : factoriseShared(task);
 }

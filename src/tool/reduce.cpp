@@ -163,10 +163,10 @@ void addReduce(CommandLine& tool) {
               "shared-greedy (default), shared-qr: one basis for all machines; qr: each machine "
               "by itself")
       .oneOf({"qr", "shared-qr", "shared-greedy"});
-  verb.flag("--normalize", options->reduction.normalise,
+  verb.flag("--normalise", options->reduction.normalize,
             "Scale the columns of the kernel matrix to norm one first (default)");
-  verb.flag("--no-normalise", options->reduction.normalise, "Do not", false)
-      .excludes("--normalize");
+  verb.flag("--no-normalise", options->reduction.normalize, "Do not", false)
+      .excludes("--normalise");
   verb.option("--tau", "T", options->reduction.tau, "Rank threshold, 0..1 (default 0.01)");
   verb.option("--support-vectors", "N", options->reduction.support_vectors,
               "Number of vectors to keep, of each cue")

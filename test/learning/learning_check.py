@@ -112,7 +112,7 @@ def greedy_basis(gram, weights, tau, _):
 
 def check_reduction(case):
     gram, weights, reduced = (np.array(case[key]) for key in ("gram", "weights", "reduced"))
-    tau, normalise = case["tau"], case["normalise"]
+    tau, normalize = case["tau"], case["normalize"]
     if case["method"] == "qr":
         expected = np.stack([thesis_reduction(gram, a, tau, normalize) for a in weights.T], axis=1)
     else:
@@ -148,7 +148,7 @@ def main():
         case = json.loads(line)
         checks[case["check"]](case)
         print("ok:", *(f"{key} {case[key]}" for key in ("check", "type", "method", "tau",
-                                                        "normalise") if key in case))
+                                                        "normalize") if key in case))
     assert len(lines) == 13 + 1 + 12 + 1
 
 

@@ -111,11 +111,11 @@ void printReductions() {
   std::cout << "}\n";
 
   for (const char* method : {"qr", "shared-qr", "shared-greedy"}) {
-    for (const bool normalise : {true, false}) {
+    for (const bool normalize : {true, false}) {
       for (const double tau : {1e-3, 0.03}) {
         ReductionOptions options;
         options.method = method;
-        options.normalise = normalize;
+        options.normalize = normalize;
         options.tau = tau;
         std::cout << "{\"check\":\"reduction\",\"method\":\"" << method
                   << "\",\"normalize\":" << normalize << ",\"tau\":" << tau << ",\"gram\":";

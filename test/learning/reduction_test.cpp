@@ -42,12 +42,12 @@ struct Plane {
   }
 };
 
-ReductionOptions reduction(const std::string& method, double tau, bool normalise = true,
+ReductionOptions reduction(const std::string& method, double tau, bool normalize = true,
                            int support_vectors = 0) {
   ReductionOptions options;
   options.method = method;
   options.tau = tau;
-  options.normalise = normalize;
+  options.normalize = normalize;
   options.support_vectors = support_vectors;
   return options;
 }
@@ -59,7 +59,7 @@ class Method : public testing::TestWithParam<const char*> {};
 TEST_P(Method, LeavesTwoVectorsOfALinearKernelInThePlane) {
   const Plane plane("linear", 2, "one-against-one");
   ASSERT_GT(count(plane.machines), 20u);
-  for (const bool normalise : {true, false}) {
+  for (const bool normalize : {true, false}) {
     const BinarySvms reduced =
         reduce(plane.machines, plane.gram, reduction(GetParam(), 1e-8, normalize));
     EXPECT_EQ(count(reduced), 2u);
@@ -71,7 +71,7 @@ TEST_P(Method, KeepsTheDecisionsOfAPolynomialKernel) {
   for (const char* multiclass : {"one-against-all", "one-against-one"}) {
     const Plane plane("polynomial", 3, multiclass);
     ASSERT_GT(count(plane.machines), 50u);
-    for (const bool normalise : {true, false}) {
+    for (const bool normalize : {true, false}) {
       const BinarySvms reduced =
           reduce(plane.machines, plane.gram, reduction(GetParam(), 1e-10, normalize));
       // Ten monomials of degree up to 3 in two variables, for each machine or for all.
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Method, testing::Values("qr", "shared-qr", "shar
 
 /// Eq. 6.19-6.21 with Householder's transformations, as the thesis has it.
 Eigen::VectorXd thesisReduction(const Eigen::MatrixXd& gram, const Eigen::VectorXd& weights,
-                                double tau, bool normalise) {
+                                double tau, bool normalize) {
   std::vector<Eigen::Index> vectors;
   for (Eigen::Index i = 0; i < weights.size(); ++i) {
     if (weights[i] != 0) vectors.push_back(i);
@@ -197,7 +197,7 @@ TEST(Reduction, QrIsThatOfTheThesis) {
   for (const char* kernel : {"linear", "gaussian", "polynomial"}) {
     const Plane plane(kernel, 3, "one-against-all");
     for (const double tau : {1e-6, 1e-3, 0.05}) {
-      for (const bool normalise : {true, false}) {
+      for (const bool normalize : {true, false}) {
         const BinarySvms reduced =
             reduce(plane.machines, plane.gram, reduction("qr", tau, normalize));
         for (Eigen::Index m = 0; m < 3; ++m) {
