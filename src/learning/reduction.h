@@ -24,8 +24,8 @@ class Reduction {
  public:
   virtual ~Reduction() = default;
 
-  /// Binary SVMs over the vectors of those reduced, where weights of at most `count` vectors are not
-  /// zero: the same as with options that ask for `count`.
+  /// Binary SVMs over the vectors of those reduced, where weights of at most `count` vectors are
+  /// not zero: the same as with options that ask for `count`.
   virtual BinarySvms withVectors(int count) const = 0;
 };
 

@@ -214,10 +214,11 @@ class CalibrateTest(TrainedCase):
         for words in ("before", "after", "calibration error", "'unknown'", "slope", "weight of"):
             self.assertIn(words, text)
 
-    def test_a_model_that_follows_the_light_is_refused(self):
+    def test_it_takes_a_model_that_follows_the_light(self):
         self.succeed("train", "monday", "--model", "./default.places")
-        line = self.refuse("calibrate", "tuesday", "--model", "./default.places")
-        self.assertIn("'colours' follows the light", line)
+        figures = self.figures("calibrate", "tuesday", "--model", "./default.places")
+        self.assertEqual(figures["images"], 24)
+        self.assertGreaterEqual(figures["after"]["average_rate"], 0.9)
 
 
 class EvaluateTest(TrainedCase):

@@ -95,7 +95,7 @@ class PlaceRecognizer {
   PlaceRecognizerConfig config_;
   std::unique_ptr<Recognizer> recognizer_;  // of the model in use
   std::optional<ImageGuard> guard_;         // likewise
-  PlaceTracker place_tracker_;            // likewise
+  PlaceTracker place_tracker_;              // likewise
   RateLimit rate_limit_;
   DepthScale depth_scale_;                     // of the model, or of the images that came
   std::string depth_text_;                     // as logged last
