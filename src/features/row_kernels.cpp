@@ -84,12 +84,10 @@ PLACE_RECOGNITION_INLINE void addAll(const float* in, std::ptrdiff_t stride,
 template <Orders kOrders = kAllOrders>
 PLACE_RECOGNITION_INLINE void addAll(Orders orders, const float* in, std::ptrdiff_t stride,
                                      const float* const* taps, int half, int n, float* const* out) {
-  if constexpr (kOrders > 0) {
-    if (orders == kOrders) {
-      addAll<kOrders>(in, stride, taps, half, n, out);
-    } else {
-      addAll<kOrders - 1>(orders, in, stride, taps, half, n, out);
-    }
+  if (orders == kOrders) {
+    addAll<kOrders>(in, stride, taps, half, n, out);
+  } else if constexpr (kOrders > 1) {
+    addAll<kOrders - 1>(orders, in, stride, taps, half, n, out);
   }
 }
 
