@@ -24,7 +24,7 @@ struct HugePages {
   T* allocate(std::size_t count) {
     constexpr std::size_t kPage = std::size_t{2} << 20;
     constexpr std::size_t kSmallPage = 4096;
-    if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
+    if (count > static_cast<std::size_t>(-1) / 4 / sizeof(T)) throw std::bad_alloc();
     const bool huge = count * sizeof(T) >= kPage;
     const std::size_t page = huge ? kPage : kSmallPage;
     const std::size_t bytes = (count * sizeof(T) + page - 1) / page * page;
