@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace place_recognition {
@@ -14,5 +15,11 @@ struct DepthExtent {
 
   bool known() const { return high > 0; }
 };
+
+/// What holds both; an extent that is not known adds nothing.
+inline DepthExtent united(const DepthExtent& a, const DepthExtent& b) {
+  if (!a.known() || !b.known()) return a.known() ? a : b;
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
 
 }  // namespace place_recognition

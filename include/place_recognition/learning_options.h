@@ -36,7 +36,7 @@ struct SvmOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("c", self.c, "price of a training error, > 0 (eq. 5.26)");
+    visitor("c", self.c, "SVM penalty parameter C, > 0 (eq. 5.26)");
     visitor("multiclass", self.multiclass, "one-against-all or one-against-one (section 5.3)");
   }
   void check() const;

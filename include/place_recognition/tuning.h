@@ -37,7 +37,7 @@ struct SearchSpace {
     visitor("bins", self.bins, "quantization levels of each dimension");
     visitor("max_dimensions", self.max_dimensions,
             "a histogram has at most this many dimensions, descriptors times scales");
-    visitor("c", self.c, "price of a training error");
+    visitor("c", self.c, "SVM penalty parameter C");
     visitor("max_cues", self.max_cues, "that are combined at most, 1..8");
     visitor("other_light", self.other_light,
             "change the light, too, of the held-out pictures that are judged a second time; not "
@@ -58,7 +58,7 @@ struct SearchSpace {
 struct TuningTrial {
   std::string stage;             ///< in plain words, as "round 1 of 2", "one more", "C"
   std::vector<CueOptions> cues;  ///< combined with the weights of their options
-  double c = 0;                  ///< price of a training error
+  double c = 0;                  ///< SVM penalty parameter C
   std::uint64_t pictures = 0;    ///< looked at
   double log_loss = 0;           ///< nats a picture, rooms weighted alike; the criterion
   double rate = 0;               ///< mean of the rooms' rates on pictures as recorded

@@ -105,4 +105,8 @@ std::string caseFolded(const std::string& text) {
   return utf8(icu::UnicodeString::fromUTF8(text).foldCase());
 }
 
+bool startsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
 }  // namespace place_recognition

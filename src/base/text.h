@@ -26,4 +26,7 @@ std::string counted(std::uint64_t count, const std::string& noun);
 /// formed UTF-8.
 std::string caseFolded(const std::string& text);
 
+/// Whether `text` begins with `start`.
+bool startsWith(const std::string& text, const std::string& start);
+
 }  // namespace place_recognition

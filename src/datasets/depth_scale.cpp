@@ -4,7 +4,7 @@
 #include <cassert>
 #include <vector>
 
-#include "base/depth_extents.h"
+#include "place_recognition/depth_extent.h"
 
 namespace place_recognition {
 namespace {

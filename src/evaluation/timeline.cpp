@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/place_name.h"
 #include "evaluation/over_time.h"
 #include "report/svg.h"
 
@@ -33,7 +34,7 @@ class Places {
 
   /// -1: unknown, with `why` in brackets.
   Paint paint(int place, const std::string& why = "") const {
-    if (place < 0) return {kPale, "unknown" + (why.empty() ? why : " (" + why + ")")};
+    if (place < 0) return {kPale, kUnknownPlace + (why.empty() ? why : " (" + why + ")")};
     const auto k = static_cast<std::size_t>(place);
     return {placeColour(k, names_.size()), names_[k]};
   }

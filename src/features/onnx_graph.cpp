@@ -69,7 +69,7 @@ void checkTensor(const onnx::Tensor& tensor, const std::string& of) {
   const bool fits = tensor.has_raw_data()
                         ? tensor.raw_data().size() == element_bytes * elements
                         : static_cast<std::int64_t>(listedElements(tensor)) == elements;
-  require(fits, of + " has not the length that its shape says");
+  require(fits, of + " has a length that does not match its shape");
 }
 
 /// What OpenCV divides by must not be zero.

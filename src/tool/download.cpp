@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "base/child_process.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "tool/progress_display.h"
 
@@ -14,10 +15,6 @@ namespace place_recognition::tool {
 namespace {
 
 constexpr int kMaxSeconds = 1800;
-
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/atomic_file.h"
+#include "base/place_name.h"
 #include "datasets/picture_folder.h"
 #include "evaluation/evaluation.h"
 #include "place_recognition/error.h"
@@ -131,7 +132,7 @@ class Recognitions {
   void add(const Frame& frame, const Recognition& answer) {
     const std::string place =
         answer.place < 0 ? "" : recognizer_.model().places[static_cast<std::size_t>(answer.place)];
-    if (output_.json != "-") print(frame.name, answer.known ? place : "unknown", answer);
+    if (output_.json != "-") print(frame.name, answer.known ? place : kUnknownPlace, answer);
     if (output_.json.empty()) return;
     Json object = {{"image", frame.name},         {"place", place},
                    {"known", answer.known},       {"confidence", answer.confidence},
@@ -201,7 +202,7 @@ class Recognitions {
   std::deque<Waiting> waiting_;
   std::string json_lines_;
   std::size_t name_width_ = 0;
-  std::size_t place_width_ = std::string("unknown").size();
+  std::size_t place_width_ = std::string(kUnknownPlace).size();
 };
 
 void recognize(const RecognizeOptions& options) {

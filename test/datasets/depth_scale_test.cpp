@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 
-#include "base/depth_extents.h"
 #include "datasets/picture_sequence.h"
+#include "place_recognition/depth_extent.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {

@@ -218,7 +218,7 @@ TEST(LoadNetwork, RefusesWhatWouldHarmOpenCv) {
   std::string longer = weights;
   const std::string six = SmallNetwork::number(1, 6);
   longer.replace(longer.find(six), six.size(), SmallNetwork::number(1, 7));
-  expectRefused(conv(kernel, longer), "has not the length that its shape says");
+  expectRefused(conv(kernel, longer), "has a length that does not match its shape");
   // 8192 x 8192 pixels between layers.
   expectRefused(conv(kernel + SmallNetwork::ints("pads", {8192, 8192, 8192, 8192}), weights),
                 "more than 1 GiB");

@@ -32,7 +32,7 @@ std::vector<Frame> framesOf(const std::string& room, unsigned first_frame) {
   return frames;
 }
 
-TEST(LearnOn, ANewRoomJoinsTheOnesThatAreRemembered) {
+TEST(TrainIncrementally, ANewRoomJoinsTheOnesThatAreRemembered) {
   const Training before = train({opener(drawFrames(3, 15), "monday")}, quickOptions());
   const Training after =
       trainIncrementally(before.model, {opener(framesOf("room3", 100), "tuesday")}, 0);
@@ -42,7 +42,7 @@ TEST(LearnOn, ANewRoomJoinsTheOnesThatAreRemembered) {
   EXPECT_EQ(after.model.provenance.inputs, (std::vector<std::string>{"monday", "tuesday"}));
 }
 
-TEST(LearnOn, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
+TEST(TrainIncrementally, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
   TrainingOptions options = twoCueOptions();
   options.reduction.method = "none";
   Training training = train({opener(drawFrames(3, 20), "monday")}, options);
@@ -55,7 +55,7 @@ TEST(LearnOn, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
   EXPECT_GT(rateOn(std::move(training.model), 3), 0.85);
 }
 
-TEST(LearnOn, KeepsTheNetworkThatTheModelCarries) {
+TEST(TrainIncrementally, KeepsTheNetworkThatTheModelCarries) {
   TrainingOptions options = twoCueOptions();
   options.cues[1].feature = SmallNetwork::options();
   options.cues[1].kernel.type = "gaussian";
@@ -69,7 +69,7 @@ TEST(LearnOn, KeepsTheNetworkThatTheModelCarries) {
   EXPECT_GT(rateOn(parseModel(serializeModel(read), "thrice"), 3), 0.85);
 }
 
-TEST(LearnOn, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
+TEST(TrainIncrementally, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
   const Training before = train({opener(drawFrames(3, 12))}, twoCueOptions());
   const std::string file = serializeModel(before.model);
   const std::vector<RunOpener> runs{opener(drawFrames(3, 6, 700))};
@@ -109,18 +109,18 @@ void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOpti
   }
 }
 
-TEST(LearnOn, OnePictureLeavesTheOtherRoomsAsTheyWere) {
+TEST(TrainIncrementally, OnePictureLeavesTheOtherRoomsAsTheyWere) {
   Frame frame;
   frame.image = drawRoom(2, 900);
   frame.place = "room2";
   expectOthersAsTheyWere({frame}, quickOptions());
 }
 
-TEST(LearnOn, ARoomOfManyPicturesLeavesTheOtherRoomsAsTheyWere) {
+TEST(TrainIncrementally, ARoomOfManyPicturesLeavesTheOtherRoomsAsTheyWere) {
   expectOthersAsTheyWere(framesOf("room2", 900), twoCueOptions());
 }
 
-TEST(LearnOn, WithoutALimitKeepsAsManyVectorsAsItNeeds) {
+TEST(TrainIncrementally, WithoutALimitKeepsAsManyVectorsAsItNeeds) {
   TrainingOptions options = quickOptions();
   const Training before = train({opener(drawFrames(3, 30))}, options);
   const Training after = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, 0);
@@ -132,7 +132,7 @@ TEST(LearnOn, WithoutALimitKeepsAsManyVectorsAsItNeeds) {
   EXPECT_EQ(limited.model.asked.reduction.method, "auto");
 }
 
-TEST(LearnOn, FeaturesAndGammaStayThoseOfTheModel) {
+TEST(TrainIncrementally, FeaturesAndGammaStayThoseOfTheModel) {
   const Training before = train({opener(drawFrames(3, 12))}, quickOptions());
   const Training after = trainIncrementally(before.model, {opener(drawFrames(3, 12, 60))}, 0);
   EXPECT_EQ(after.model.options.cues[0].kernel.gamma, before.model.options.cues[0].kernel.gamma);

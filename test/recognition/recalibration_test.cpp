@@ -70,7 +70,7 @@ TEST(Recalibrate, HoldsTheLightOfARunAgainstTheTrainingByItsLabels) {
   EXPECT_GT(rateInDimLight("run"), 0.95);
 }
 
-TEST(LearnOn, KeepsTheLightOfTheTraining) {
+TEST(TrainIncrementally, KeepsTheLightOfTheTraining) {
   TrainingOptions options = twoCueOptions();
   for (CueOptions& cue : options.cues) cue.normalize = "run";
   const Model model = train({opener(drawFrames(3, 30))}, options).model;

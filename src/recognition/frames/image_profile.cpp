@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <opencv2/core.hpp>
 
-#include "base/depth_extents.h"
+#include "place_recognition/depth_extent.h"
 
 namespace place_recognition {
 namespace {

@@ -90,7 +90,7 @@ ContainerReader::ContainerReader(std::istream& file) : file_(file) {
   bytes_left_ = size - sizeof(header);
   require(size <= kMaxModelBytes && header.message_bytes <= bytes_left_ &&
               header.numbers_bytes == bytes_left_ - header.message_bytes,
-          "it has not the length that it should have");
+          "its length does not match its header");
   message_.resize(header.message_bytes);
   readBytes(file, message_.data(), message_.size());
   require(header.checksum == checksumOf(header, message_), "its checksum does not fit");

@@ -10,12 +10,11 @@
 #include "base/place_name.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
-#include "recognition/frames/color_normalization.h"
 #include "recognition/frames/extraction_pool.h"
 #include "recognition/frames/image_guard.h"
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/light.h"
-#include "recognition/frames/light_estimate.h"
+#include "recognition/training/labelled_light.h"
 #include "recognition/training/sampling.h"
 
 namespace place_recognition {
@@ -71,36 +70,6 @@ PictureChange changeOfLight(const TrainingOptions& options) {
     return ChangedPicture{inLight(image, draw->next(place)), {}};
   };
 }
-
-/// The light of a run, held against the training of a model by the labels of its frames.
-class LabelledLight {
- public:
-  /// Without a model, or one of a cue that follows the light: it is always that of the training.
-  explicit LabelledLight(const Model* model)
-      : model_(model), estimate_(model ? model->colors : ColorStatistics{}) {}
-
-  void beginRun() { estimate_.reset(); }
-
-  /// What the next frame is multiplied by; it counts for those after it.
-  Light next(const Frame& frame) {
-    if (!model_ || !model_->colors.known()) return {};
-    estimate_.beginFrame(frame.stamp);
-    const Light light = estimate_.correction();
-    const auto& places = model_->places;
-    const auto place = std::lower_bound(places.begin(), places.end(), frame.place);
-    if (place != places.end() && *place == frame.place) {
-      Eigen::RowVectorXd certain =
-          Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(places.size()));
-      certain[place - places.begin()] = 1;
-      estimate_.add(logColor(frame.image), certain);
-    }
-    return light;
-  }
-
- private:
-  const Model* model_;
-  LightEstimate estimate_;
-};
 
 /// Reads runs and remembers what came of each frame.
 class Collector {

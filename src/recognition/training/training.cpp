@@ -58,20 +58,6 @@ void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>
   }
 }
 
-}  // namespace
-
-std::vector<std::string> Model::validatedPlaces() const {
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const bool judged =
-        std::count(held_out.places.begin(), held_out.places.end(), static_cast<int>(k)) > 0;
-    if (judged) names.push_back(places[k]);
-  }
-  return names;
-}
-
-namespace {
-
 /// The blocks of time that stand for those of all runs: the one of median length.
 TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
   const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);

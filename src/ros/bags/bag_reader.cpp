@@ -19,9 +19,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/depth_extents.h"
 #include "base/process_limits.h"
 #include "datasets/depth_scale.h"
+#include "place_recognition/depth_extent.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/bag_guard.h"

@@ -1,9 +1,10 @@
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>
-#include <boost/make_shared.hpp>
 
+#include <boost/make_shared.hpp>
 #include <string>
 
+#include "base/text.h"
 #include "datasets/image_file.h"
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
@@ -12,10 +13,6 @@ namespace place_recognition {
 namespace {
 
 namespace encodings = sensor_msgs::image_encodings;
-
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
 
 /// The encoding of the pixels as they were decoded, if that is neither BGR nor grey; else empty.
 /// The rules are those of compressed_image_transport's subscriber.

@@ -48,10 +48,15 @@ std::string sizeText(std::uint64_t width, std::uint64_t height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
+/// Bytes of a row without its padding.
+std::uint64_t rowBytes(const sensor_msgs::Image& message, const PixelLayout& layout) {
+  return message.width * layout.channels * layout.bytes;
+}
+
 /// Throws unless the message holds what it claims; in 64 bits, for step * height wraps in 32, which
 /// cv_bridge does not notice.
 void checkData(const sensor_msgs::Image& message, const PixelLayout& layout) {
-  const std::uint64_t row_bytes = message.width * layout.channels * layout.bytes;
+  const std::uint64_t row_bytes = rowBytes(message, layout);
   if (message.step < row_bytes) {
     throw Error("The image's rows of " + std::to_string(message.step) +
                 " bytes are too short for " + std::to_string(message.width) + " pixels of " +
@@ -61,12 +66,30 @@ void checkData(const sensor_msgs::Image& message, const PixelLayout& layout) {
     throw Error("The image of " + message.encoding + " has an odd width, though two pixels share " +
                 "their colour.");
   }
-  const std::uint64_t needed = std::uint64_t{message.step} * message.height;
-  if (message.data.size() != needed) {
+  const std::uint64_t needed = std::uint64_t{message.step} * (message.height - 1) + row_bytes;
+  if (message.data.size() < needed) {
     throw Error("The image has " + std::to_string(message.data.size()) + " bytes where " +
                 sizeText(message.width, message.height) + " pixels of " + message.encoding +
                 " need " + std::to_string(needed) + ".");
   }
+}
+
+/// The image without padding: cv_bridge wants step * height bytes, where cameras leave the padding
+/// of the last row out or send more.
+sensor_msgs::Image packed(const sensor_msgs::Image& message, std::uint64_t row_bytes) {
+  sensor_msgs::Image copy;
+  copy.header = message.header;
+  copy.height = message.height;
+  copy.width = message.width;
+  copy.encoding = message.encoding;
+  copy.is_bigendian = message.is_bigendian;
+  copy.step = static_cast<std::uint32_t>(row_bytes);
+  copy.data.reserve(row_bytes * message.height);
+  for (std::uint64_t row = 0; row < message.height; ++row) {
+    const auto begin = message.data.begin() + static_cast<std::ptrdiff_t>(row * message.step);
+    copy.data.insert(copy.data.end(), begin, begin + static_cast<std::ptrdiff_t>(row_bytes));
+  }
+  return copy;
 }
 
 /// cv_bridge 1.16.2 makes two channels of 8 bits of each big-endian one of 16.
@@ -91,6 +114,9 @@ cv::Mat convert(const sensor_msgs::Image& message, const PixelLayout& layout) {
   if (message.encoding == kYuy2) return fromYuy2(message);
   const bool as_is = isGrey(message.encoding) || message.encoding == encodings::TYPE_8UC3;
   const std::string wanted = as_is ? "" : layout.bytes == 2 ? encodings::BGR16 : encodings::BGR8;
+  if (message.data.size() != std::uint64_t{message.step} * message.height) {
+    return convert(packed(message, rowBytes(message, layout)), layout).clone();
+  }
   if (layout.bytes == 2 && message.is_bigendian) {
     return cv_bridge::toCvCopy(littleEndian(message), wanted)->image;
   }

@@ -1,0 +1,26 @@
+#include "recognition/training/labelled_light.h"
+
+#include <algorithm>
+
+#include "recognition/frames/color_normalization.h"
+
+namespace place_recognition {
+
+LabelledLight::LabelledLight(const Model* model)
+    : model_(model), estimate_(model ? model->colors : ColorStatistics{}) {}
+
+Light LabelledLight::next(const Frame& frame) {
+  if (!model_ || !model_->colors.known()) return {};
+  estimate_.beginFrame(frame.stamp);
+  const Light light = estimate_.correction();
+  const auto& places = model_->places;
+  const auto place = std::lower_bound(places.begin(), places.end(), frame.place);
+  if (place != places.end() && *place == frame.place) {
+    certain_.setZero(static_cast<Eigen::Index>(places.size()));
+    certain_[place - places.begin()] = 1;
+    estimate_.add(logColor(frame.image), certain_);
+  }
+  return light;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "place_recognition/model.h"
+#include "place_recognition/run.h"
+#include "recognition/frames/light_estimate.h"
+
+namespace place_recognition {
+
+/// The light of a run, held against the training of a model by the labels of its frames: as
+/// Recognizer does by its own answers. Not thread-safe.
+class LabelledLight {
+ public:
+  /// Without a model, or one of a cue that follows the light of a run, the light is always that of
+  /// the training. `model` must outlive this.
+  explicit LabelledLight(const Model* model);
+
+  void beginRun() { estimate_.reset(); }
+
+  /// What the image of `frame`, not empty, is multiplied by to look as in the training. Its colour
+  /// counts from the next frame on, if the model knows its place.
+  Light next(const Frame& frame);
+
+ private:
+  const Model* model_;
+  LightEstimate estimate_;
+  Eigen::RowVectorXd certain_;  // one per place: 1 for the frame's, 0 for the others
+};
+
+}  // namespace place_recognition
