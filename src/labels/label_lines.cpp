@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/file_kind.h"
+#include "base/place_name.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
 
@@ -16,9 +18,9 @@ constexpr std::size_t kMaxFileBytes = 64 << 20;
 
 const char* const kWanted = "'timestamp label', as in '1700000000.5 kitchen'";
 
-/// A line before its numbers are understood.
+/// A line before the unit of its timestamp is understood.
 struct RawLine {
-  std::string time;
+  double time = 0;
   char separator = ' ';  // ' ' also for tabs
   std::string label;
 };
@@ -27,6 +29,13 @@ std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t");
   if (begin == std::string::npos) return "";
   return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+/// A line without blanks that are not what they seem, as of word processors and web pages, where a
+/// tab at its end still ends a column.
+std::string withPlainBlanks(const std::string& line) {
+  const bool ends_column = !line.empty() && line.back() == '\t';
+  return placeName(line) + (ends_column ? "\t" : "");
 }
 
 bool isNumber(const std::string& text) {
@@ -68,19 +77,55 @@ std::string onlyField(const std::string& text, char separator, const std::string
   return field;
 }
 
-/// For a label behind a blank: that there is one, and no second timestamp before it.
-void requireOneLabel(const std::string& label, const std::string& where) {
-  if (label.empty()) throw Error(where + " has no label; write " + kWanted + ".");
-  const std::string first = label.substr(0, label.find_first_of(" \t"));
+/// The part of a line that patterns are looked for in; std::regex recurses on each letter.
+std::string headOf(const std::string& line) { return line.substr(0, 100); }
+
+[[noreturn]] void refuseSpan(const std::string& where) {
+  throw Error(where + " may hold the time of an end too; write " + kWanted +
+              ", each label from where it holds, or spans into RUN.labels.yaml: {from: ..., to: "
+              "..., place: ...}. A name that holds such a number stands in double quotes.");
+}
+
+/// A number that no room has.
+bool isTime(const std::string& word) {
   constexpr double kNoRoomNumber = 100000;
-  if (first.size() < label.size() && isNumber(first) && std::atof(first.c_str()) >= kNoRoomNumber) {
-    throw Error(where + " has a second number before its label; write " + kWanted +
-                ", and each label once, from where it holds.");
+  return isNumber(word) && std::atof(word.c_str()) >= kNoRoomNumber;
+}
+
+/// For a label that is not in quotes: that it holds no end of a span.
+void requireNoSpan(const std::string& label, double time, const std::string& where) {
+  const std::string first = label.substr(0, label.find_first_of(" \t"));
+  const std::string last = label.substr(label.find_last_of(" \t") + 1);
+  if (isTime(first) || isTime(last)) refuseSpan(where);
+  const auto may_be_end = [time](const std::string& word) {
+    return isNumber(word) && std::atof(word.c_str()) >= time;
+  };
+  const bool is_before_name = first.size() < label.size();
+  if ((is_before_name && may_be_end(first)) ||
+      (may_be_end(last) && last.find('.') != std::string::npos)) {
+    refuseSpan(where);
   }
 }
 
-/// The part of a line that patterns are looked for in; std::regex recurses on each letter.
-std::string headOf(const std::string& line) { return line.substr(0, 100); }
+std::string withoutSingleQuotes(const std::string& label) {
+  const bool has_them = label.size() > 1 && label.front() == '\'' && label.back() == '\'';
+  return has_them ? trimmed(label.substr(1, label.size() - 2)) : label;
+}
+
+/// For a label behind a blank or a tab, not in quotes: that it is nothing else besides.
+void requireOneLabel(const std::string& label, const std::string& where) {
+  static const std::regex with_separator(R"((-|[-=:|/>~]+[ \t].*|.*[,;]))");
+  static const std::regex with_comment(R"(.*[ \t](#|//)[ \t].*)");
+  if (label.empty()) throw Error(where + " has no label; write " + kWanted + ".");
+  if (label.find('\t') != std::string::npos) {
+    throw Error(where + " has more than two columns; leave only " + kWanted + ".");
+  }
+  const std::string head = headOf(label);
+  if (std::regex_match(head, with_separator) || std::regex_match(head, with_comment)) {
+    throw Error(where + " may hold more than a label: '" + head + "'; write " + kWanted +
+                " (a name like that stands in double quotes).");
+  }
+}
 
 RawLine split(const std::string& line, const std::string& where) {
   // The timestamp, perhaps quoted, and what separates it from the label. A comma followed by digits
@@ -97,10 +142,18 @@ RawLine split(const std::string& line, const std::string& where) {
     throw Error(where + " is not " + kWanted + ".");
   }
   const char separator = parts[3].matched && parts[3] != "\t" ? *parts[3].first : ' ';
-  RawLine raw{parts[2], separator, trimmed(line.substr(static_cast<std::size_t>(parts.length())))};
+  std::string number = parts[2];
+  std::replace(number.begin(), number.end(), ',', '.');
+  RawLine raw{std::strtod(number.c_str(), nullptr), separator,
+              trimmed(line.substr(static_cast<std::size_t>(parts.length())))};
+  if (raw.time < 0) throw Error(where + " has a negative timestamp; count from 1970, in s.");
+  const bool is_quoted = !raw.label.empty() && raw.label[0] == '"';
   if (separator == ' ') {
-    requireOneLabel(raw.label, where);
-    if (raw.label[0] == '"') raw.label = onlyField(raw.label, '\t', where);
+    if (is_quoted) {
+      raw.label = onlyField(raw.label, '\t', where);
+    } else {
+      requireOneLabel(raw.label, where);
+    }
   } else {
     // '1700000000,5 kitchen' has a decimal comma, or a room '5 kitchen'.
     static const std::regex digits_and_more(R"(\d+[ \t]+\S)");
@@ -111,6 +164,10 @@ RawLine split(const std::string& line, const std::string& where) {
                   "'; write the timestamp with a point, or the label in double quotes.");
     }
     raw.label = onlyField(raw.label, separator, where);
+  }
+  if (!is_quoted) {
+    requireNoSpan(raw.label, raw.time, where);
+    raw.label = withoutSingleQuotes(raw.label);
   }
   return raw;
 }
@@ -134,29 +191,36 @@ std::string noteOn(char separator, double unit) {
 }  // namespace
 
 LabelLines readLabelLines(const std::string& path) {
-  const std::vector<std::string> lines = linesOf(toUtf8(readFile(path, kMaxFileBytes)));
+  const std::string bytes = readFile(path, kMaxFileBytes);
+  if (const FileKind* kind = foreignFile(bytes)) {
+    throw Error(path + " is " + std::string(kind->name) + "; " + std::string(kind->remedy) + ".");
+  }
+  const std::vector<std::string> lines = linesOf(toUtf8(bytes));
   LabelLines read;
   char separator = 0;
   double unit = 1;
   bool may_be_header = true;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string line = trimmed(lines[i]);
+    const std::string line = withPlainBlanks(lines[i]);
     // Spreadsheets tell each other the separator by 'sep=;'.
     if (line.empty() || line[0] == '#' || line.compare(0, 4, "sep=") == 0) continue;
     const std::string where = path + ", line " + std::to_string(i + 1);
     if (std::exchange(may_be_header, false) && isHeader(line)) continue;
-    RawLine raw = split(lines[i], where);
-    std::replace(raw.time.begin(), raw.time.end(), ',', '.');
-    const double time = std::strtod(raw.time.c_str(), nullptr);
+    const RawLine raw = split(line, where);
     if (read.lines.empty()) {
       separator = raw.separator;
-      unit = secondsPerUnit(time);
+      unit = secondsPerUnit(raw.time);
     }
     if (raw.separator != separator) {
       throw Error(where + " separates its columns in another way than the lines before; write " +
                   kWanted + ".");
     }
-    read.lines.push_back({time * unit, raw.label, static_cast<int>(i + 1)});
+    if (secondsPerUnit(raw.time) != unit) {
+      throw Error(where +
+                  " has its timestamp in another unit than the lines before; write all of "
+                  "them in s.");
+    }
+    read.lines.push_back({raw.time * unit, raw.label, static_cast<int>(i + 1)});
   }
   read.note = noteOn(separator, unit);
   return read;

@@ -87,21 +87,43 @@ void addIntervals(std::vector<Interval> intervals, const std::string& path, Labe
   }
 }
 
-void addLines(const std::vector<LabelLine>& lines, const std::string& path, Labels& labels) {
-  double before = -std::numeric_limits<double>::infinity();
+/// Returns a sentence if a line is of no effect, else nothing.
+std::string addLines(const std::vector<LabelLine>& lines, const std::string& path, Labels& labels) {
+  std::string note;
+  const LabelLine* before = nullptr;
   for (const LabelLine& line : lines) {
     const std::string where = path + ", line " + std::to_string(line.number);
     if (!line.label.empty()) checkLabel(line.label, where);
-    if (line.time < before) throw Error(where + ": time runs backwards; sort the lines.");
+    if (before && line.time < before->time) {
+      throw Error(where + ": time runs backwards; sort the lines.");
+    }
+    if (note.empty() && before && line.time == before->time && line.label != before->label) {
+      note = where + " has the same timestamp as the line before, whose label " +
+             inQuotes(before->label) + " does not count.";
+    }
     labels.add(line.time, line.label);
-    before = line.time;
+    before = &line;
   }
+  return note;
+}
+
+[[noreturn]] void throwNoneFits(const std::string& path, double start, double end,
+                                const std::string& hint) {
+  std::ostringstream span;
+  span.precision(13);
+  span << start << " to " << end;
+  throw Error(path + ": no label falls into the bag, which lasts from " + span.str() +
+              " s; correct the times or remove the file. " + hint);
 }
 
 }  // namespace
 
 void checkLabel(const std::string& label, const std::string& where) {
   if (isPlaceName(placeName(label))) return;
+  if (!isUtf8(label)) {
+    throw Error(where + ": the label " + inQuotes(label) +
+                " is no place name, for it is not UTF-8; save it in UTF-8.");
+  }
   throw Error(
       where + ": the label " + inQuotes(label) +
       " is no place name (1 to 128 bytes of UTF-8 without line breaks and the like); a file "
@@ -127,25 +149,27 @@ Labels Labels::wholeBag(const std::string& place) {
 Labels Labels::fromFile(const std::string& path, double start, double end) {
   const std::string extension = std::filesystem::path(path).extension().string();
   Labels labels;
-  bool fits = false;
   if (extension == ".yaml" || extension == ".yml") {
     std::optional<std::vector<Interval>> intervals = readIntervals(path, start);
     if (!intervals) return labels;
     addIntervals(*std::move(intervals), path, labels);
+    bool fits = false;
     labels.forEach(start, end, [&fits](double, double, const std::string&) { fits = true; });
-  } else {
-    const LabelLines lines = readLabelLines(path);
-    if (!lines.note.empty()) labels.note_ = path + " " + lines.note;
-    addLines(lines.lines, path, labels);
-    fits = !labels.changes_.empty() && labels.changes_.front().first <= end &&
-           labels.changes_.back().first >= start;
+    if (!fits) {
+      throwNoneFits(path, start, end,
+                    "Times that count from the bag's start need 'times: relative', bag times "
+                    "'times: absolute'.");
+    }
+    return labels;
   }
-  if (!fits) {
-    std::ostringstream span;
-    span.precision(13);
-    span << start << " to " << end;
-    throw Error(path + ": no label falls into the bag, which lasts from " + span.str() +
-                " s; correct the times or remove the file.");
+  const LabelLines lines = readLabelLines(path);
+  const std::string unused = addLines(lines.lines, path, labels);
+  if (!lines.note.empty()) labels.note_ = path + " " + lines.note;
+  if (!unused.empty()) labels.note_ += (labels.note_.empty() ? "" : " ") + unused;
+  if (labels.changes_.empty() || labels.changes_.front().first > end ||
+      labels.changes_.back().first < start) {
+    throwNoneFits(path, start, end,
+                  "Times that count from the bag's start belong into RUN.labels.yaml.");
   }
   return labels;
 }
