@@ -5,6 +5,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "base/text.h"
 #include "datasets/picture_folder.h"
 #include "datasets/picture_sequence.h"
 #include "place_recognition/error.h"
@@ -34,13 +35,29 @@ std::string whyNoRun(const std::string& folder) {
   return text;
 }
 
+/// Why no image can be read from a bag. Its labels are another matter: they are mended, not left.
+std::string whyUnreadable(const std::string& bag) {
+  BagRunOptions without_labels;
+  without_labels.label = "any";
+  try {
+    const BagInfo info = bagInfo(bag, without_labels);
+    const bool has_images =
+        std::any_of(info.topics.begin(), info.topics.end(),
+                    [](const BagTopic& topic) { return hasImages(topic) && topic.messages > 0; });
+    return has_images ? "" : "it has no images";
+  } catch (const Error& e) {
+    const std::string message = e.what(), start = "Cannot read " + bag + ": ";
+    return message.substr(startsWith(message, start) ? start.size() : 0);
+  }
+}
+
 /// Why `path`, in a folder of runs, is none; empty if nobody would take it for one.
 std::string whyPassedOver(const std::string& path) {
   std::error_code ignored;
-  if (isActiveBag(path)) return whyActive(path);
   const std::string what = whyNoRecording(path);
   const bool is_folder = fs::is_directory(path, ignored);
   if (!what.empty()) return is_folder || isBag(path) ? "it is " + what : "";
+  if (isBag(path)) return whyUnreadable(path);
   return is_folder && !isRun(path) ? whyNoRun(path) : "";
 }
 
@@ -57,7 +74,8 @@ void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
   const std::size_t before = runs.size();
   std::vector<std::string> passed_over;  // sentences
   const auto pass_over = [&](const std::string& path, const std::string& why) {
-    passed_over.push_back("Nothing is taken from " + path + ": " + why + ".");
+    const std::string end = why.back() == '.' ? "" : ".";
+    passed_over.push_back("Nothing is taken from " + path + ": " + why + end);
   };
   for (const std::string& name : names) {
     const std::string path = (fs::path(folder) / name).string();

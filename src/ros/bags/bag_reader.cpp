@@ -330,7 +330,8 @@ int run(bool images, const std::string& path, const std::string& image_topic,
   } catch (const Error& e) {
     record.detail = e.what();
   } catch (const std::exception& e) {
-    record.detail = std::string("it is damaged or no ROS 1 bag (") + e.what() + ")";
+    record.detail = std::string("it is damaged or cut short (") + e.what() + ")";
+    record.text = "copy or record it again, or try: rosbag reindex " + path;
   }
   send(record);
   return 1;

@@ -47,7 +47,9 @@ class BagRecords {
     std::optional<BagRecord> record = readRecord(reader_.output());
     if (!record || record->kind == BagRecordKind::kCrash) throwCrash(record);
     if (record->kind == BagRecordKind::kError) {
-      throw Error("Cannot read " + path_ + ": " + record->detail + position(record->number) + ".");
+      const std::string remedy = record->text.empty() ? "" : "; " + record->text;
+      throw Error("Cannot read " + path_ + ": " + record->detail + position(record->number) +
+                  remedy + ".");
     }
     if (record->kind == BagRecordKind::kImage || record->kind == BagRecordKind::kProblem) {
       ++images_;
@@ -207,9 +209,9 @@ class BagRun : public Run {
   std::set<std::string> seen_;  // places of frames
 };
 
-bool hasImages(const BagTopic& topic) { return topic.type.find("Image") != std::string::npos; }
-
 }  // namespace
+
+bool hasImages(const BagTopic& topic) { return topic.type.find("Image") != std::string::npos; }
 
 std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options) {
   requireBag(path);

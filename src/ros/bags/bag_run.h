@@ -37,6 +37,9 @@ struct BagTopic {
   int height = 0;
 };
 
+/// Whether the messages of the topic are images, by their type.
+bool hasImages(const BagTopic& topic);
+
 /// A stretch of a bag with one label.
 struct BagLabel {
   double from = 0;  ///< s since the bag's start

@@ -18,6 +18,8 @@ std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions&) {
 
 BagInfo bagInfo(const std::string& path, const BagRunOptions&) { refuse(path); }
 
+bool hasImages(const BagTopic&) { return false; }
+
 struct LabelledBagWriter::Bag {};
 
 LabelledBagWriter::LabelledBagWriter(const std::string& path, const LabelledBagOptions&) {

@@ -17,7 +17,8 @@ enum class BagRecordKind : std::uint32_t {
   kDepth,    ///< rows and cols: the lowest and highest value of images of 16 bits, see DepthExtent
   kImage,    ///< text: name; time; stamp; rows, cols, type; rows x cols pixels follow
   kProblem,  ///< a picture that cannot be decoded: text: name; detail: why; time; stamp
-  kError,    ///< detail: why the bag cannot be read, for a person; number: byte offset
+  kError,    ///< detail: why the bag cannot be read, for a person; text: what to do, unless that
+             ///< says it; number: byte offset
   kCrash,    ///< number: byte offset that had been read to
   kEnd,
 };

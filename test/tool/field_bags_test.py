@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Bags of the kinds that public reports tell of."""
+import json
+import os
+import unittest
+
+import rosbag
+import rospy
+from field_case import MODEL, FieldCase
+from sensor_msgs.msg import CompressedImage
+from std_msgs.msg import String
+from tool_case import paint
+
+
+def unindexed(content):
+    """What a recorder that is killed leaves of a bag."""
+    content = bytearray(content)
+    field = content.index(b"index_pos=") + 10
+    content[field:field + 8] = bytes(8)
+    return content
+
+
+class BagTest(FieldCase):
+    def test_labels_of_a_split_recording_hold_in_its_next_part(self):
+        self.write_labelled("run_0.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
+                            [(0, "kitchen"), (5, "office")])
+        self.write_labelled("run_1.bag", 1010, ["office"] * 6, [])
+        self.write_labelled("run_2.bag", 1016, ["office"] * 3 + ["corridor"] * 6, [(3, "corridor")])
+        self.write_labelled("late.bag", 5000, ["office"] * 6, [])
+        figures, said = self.train("run_0.bag", "run_1.bag", "run_2.bag", "late.bag")
+        self.assertEqual({room: of["count"] for room, of in figures["rooms"].items()},
+                         {"kitchen": 5, "office": 14, "corridor": 6})
+        self.assert_names(said, "run_1.bag goes on where run_0.bag ends, and starts in 'office'",
+                          "late.bag has no labels", "--repeat-latched")
+        figures, said = self.train("run_2.bag", "run_1.bag", "run_0.bag")  # in any order
+        self.assertEqual(figures["rooms"]["office"]["count"], 14)
+        self.assertNotIn("warning: run_", said)
+        self.assert_names(self.train("run_2.bag", "run_0.bag")[1],
+                          "run_2.bag starts without a label", "--repeat-latched")
+        self.assert_names(self.run_tool("train", "run_1.bag", *MODEL).stderr,
+                          "run_1.bag has no labels", "--repeat-latched")
+        (self.folder / "late.bag").unlink()
+        self.assertEqual(self.train(".")[0]["images"], 25)
+
+    def test_an_image_that_cannot_be_used_does_not_stop_recognition(self):
+        self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
+                            [(0, "kitchen"), (5, "office")])
+        self.train("run.bag")
+        with rosbag.Bag(str(self.folder / "run.bag"), "a") as bag:
+            bag.write("/camera/image_raw/compressed", CompressedImage(format="jpeg"),
+                      rospy.Time(1011))
+            self.write_picture("cut.jpg", paint("kitchen", 1))
+            cut = CompressedImage(format="jpeg", data=(self.folder / "cut.jpg").read_bytes()[:1500])
+            bag.write("/camera/image_raw/compressed", cut, rospy.Time(1012))
+        result = self.run_tool("recognize", "run.bag", *MODEL[:2], "--json", "-")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answers = [json.loads(line) for line in result.stdout.splitlines()]
+        self.assertEqual(len(answers), 12)
+        self.assertIn("empty", answers[10]["reason"])
+        self.assertIn("cut short", answers[11]["reason"])
+        self.assertEqual((answers[11]["known"], answers[11]["place"]), (False, ""))
+        self.assert_names(result.stderr, "2 pictures cannot be used")
+        for verb in ("train", "evaluate"):
+            self.assert_names(self.run_tool(verb, "run.bag", *(MODEL if verb == "train" else
+                                                              MODEL[:2])).stderr, "empty")
+
+    def test_labels_with_commas_are_labels(self):
+        self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5, [])
+        (self.folder / "labels.dat").write_text("stamp,label\n1000.0,kitchen\n1004.5,office\n")
+        figures, said = self.train("run.bag")
+        self.assertEqual({room: of["count"] for room, of in figures["rooms"].items()},
+                         {"kitchen": 5, "office": 5})
+        self.assertIn("separated by commas", said)
+
+    def test_a_bag_of_a_recorder_that_was_killed(self):
+        self.write_labelled("whole.bag", 1000, ["kitchen"] * 3, [(0, "kitchen")])
+        content = unindexed((self.folder / "whole.bag").read_bytes())
+        (self.folder / "monday.bag.active").write_bytes(content)
+        for verb in (("info", "monday.bag.active"), ("train", "monday.bag.active", *MODEL)):
+            self.assert_names(self.refuse(*verb), "rosbag reindex monday.bag.active",
+                              "rename it to monday.bag")
+        (self.folder / "runs").mkdir()
+        self.write_labelled("runs/sound.bag", 1000, ["kitchen"] * 4 + ["office"] * 4,
+                            [(0, "kitchen"), (4, "office")])
+        (self.folder / "runs/monday.bag.active").write_bytes(content)
+        self.assert_names(self.train("runs")[1], "rosbag reindex runs/monday.bag.active",
+                          "rename it to runs/monday.bag")
+
+    def test_a_bag_that_cannot_be_read_does_not_stop_a_folder(self):
+        labels = [(0, "kitchen"), (4, "office")]
+        self.write_labelled("sound.bag", 1000, ["kitchen"] * 4 + ["office"] * 4, labels)
+        content = (self.folder / "sound.bag").read_bytes()
+        (self.folder / "runs").mkdir()
+        (self.folder / "sound.bag").rename(self.folder / "runs/sound.bag")
+        with rosbag.Bag(str(self.folder / "runs/laser.bag"), "w") as bag:
+            bag.write("/place_label", String("kitchen"), rospy.Time(1000))
+        damaged = {"unindexed": (unindexed(content), "rosbag reindex runs/unindexed.bag"),
+                   "cut": (content[:-2000], "copy or record it again"),
+                   "text": (b"notes\n", "no ROS 1 bag")}
+        for name, (data, _) in damaged.items():
+            (self.folder / f"runs/{name}.bag").write_bytes(data)
+        train = ("train", "runs", *MODEL)
+        for verb in (train, ("evaluate", "runs", *MODEL[:2]), ("recognize", "runs", *MODEL[:2]),
+                     ("calibrate", "runs", *MODEL[:2])):
+            result = self.run_tool(*verb)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("Nothing is taken from runs/laser.bag: it has no images", result.stderr)
+            for name, (_, words) in damaged.items():
+                self.assertEqual(result.stderr.count(f"Nothing is taken from runs/{name}.bag"), 1)
+                self.assertIn(words, result.stderr)
+        self.assertEqual(self.train("runs")[0]["images"], 8)
+        # One that was named by itself is an error, and so are labels that cannot be read.
+        for name, (_, words) in damaged.items():
+            self.assertIn(words, self.refuse("train", "runs/sound.bag", f"runs/{name}.bag", *MODEL))
+        (self.folder / "runs/labels.dat").write_text("kitchen\n")
+        self.assertIn("labels.dat, line 1", self.run_tool(*train).stderr.splitlines()[-1])
+
+    def test_a_whole_bag_that_is_named_as_if_it_were_being_recorded(self):
+        self.write_labelled("run.bag", 1000, ["kitchen"] * 4 + ["office"] * 4,
+                            [(0, "kitchen"), (4, "office")])
+        (self.folder / "run.bag").rename(self.folder / "run.bag.active")
+        figures, said = self.train("run.bag.active")
+        self.assertEqual(figures["images"], 8)
+        self.assert_names(said, "run.bag.active is whole", "rename it")
+        self.assert_names(self.run_tool("info", "run.bag.active").stderr, "rename it")
+
+    def test_recordings_of_other_kinds_are_named(self):
+        ros2 = self.folder / "rosbag2_run"
+        ros2.mkdir()
+        (ros2 / "metadata.yaml").write_text("rosbag2_bagfile_information:\n")
+        (ros2 / "rosbag2_run_0.db3").write_bytes(b"SQLite format 3\0")
+        (self.folder / "run.mcap").write_bytes(b"\x89MCAP0\r\n")
+        (self.folder / "run.bag.gz").write_bytes(b"\x1f\x8b\x08\0")
+        (self.folder / "run.zip").write_bytes(b"PK\3\4aaaa")
+        (self.folder / "lfs.bag").write_text("version https://git-lfs.github.com/spec/v1\n")
+        (self.folder / "page.bag").write_text("<!DOCTYPE html>\n<html></html>\n")
+        (self.folder / "empty.bag").write_bytes(b"")
+        for name, words in (("rosbag2_run", "ROS 2"), ("run.mcap", "ROS 2"),
+                            ("rosbag2_run/rosbag2_run_0.db3", "ROS 2"), ("run.bag.gz", "gunzip"),
+                            ("run.zip", "unzip"), ("lfs.bag", "git lfs pull"),
+                            ("page.bag", "web page"), ("empty.bag", "empty")):
+            for verb in (("info", name), ("train", name, *MODEL)):
+                line = self.refuse(*verb)
+                self.assert_names(line, name, words)
+                self.assertNotIn("byte", line)
+
+    @unittest.skipUnless(os.geteuid() == 0, "to become somebody without rights")
+    def test_a_bag_that_may_not_be_read(self):
+        self.write_labelled("run.bag", 1000, ["kitchen"] * 3, [(0, "kitchen")])
+        (self.folder / "run.bag").chmod(0)
+        result = self.run_as_nobody("info", "run.bag")
+        self.assertEqual(result.returncode, 1)
+        self.assert_names(result.stderr, "run.bag", "Permission denied")
+
+
+if __name__ == "__main__":
+    unittest.main()

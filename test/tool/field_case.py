@@ -1,0 +1,49 @@
+"""What the tests of inputs from the field share: a small training, and bags with labels."""
+import json
+import os
+import subprocess
+
+import cv2
+from tool_case import PLACE_TOOL, ToolCase, paint
+
+MODEL = ("--model", "./home.places", "--config", "crfh_colour")
+NOBODY = 65534
+
+
+class FieldCase(ToolCase):
+    def train(self, *inputs):
+        """Learns; returns the figures and what was said on stderr."""
+        result = self.run_tool("train", *inputs, *MODEL, "--json", "-")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout), result.stderr
+
+    def rooms_of(self, *inputs):
+        return sorted(self.train(*inputs)[0]["rooms"])
+
+    def assert_names(self, text, *words):
+        for word in words:
+            self.assertIn(word, text)
+
+    def run_as_nobody(self, *arguments):
+        """Runs the tool as somebody without rights, who may do anything in the scratch folder."""
+        self.folder.chmod(0o777)
+        return subprocess.run([PLACE_TOOL, *arguments], cwd=self.folder, text=True, timeout=120,
+                              capture_output=True, env=self.environment(),
+                              preexec_fn=lambda: os.setuid(NOBODY))
+
+    def write_labelled(self, name, start, frames, labels, topic="/place_label"):
+        """JPEG frames of a room a second from `start`; labels: (second, text)."""
+        import rosbag
+        import rospy
+        from sensor_msgs.msg import CompressedImage
+        from std_msgs.msg import String
+        with rosbag.Bag(str(self.folder / name), "w") as bag:
+            for second, text in labels:
+                bag.write(topic, String(text), rospy.Time(start + second))
+            for i, room in enumerate(frames):
+                stamp = rospy.Time(start + i)
+                image = CompressedImage(format="bgr8; jpeg compressed bgr8")
+                image.header.stamp = stamp
+                image.data = cv2.imencode(".jpg", paint(room, start % 100 + i))[1].tobytes()
+                bag.write("/camera/image_raw/compressed", image, stamp)
+        return name

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Images of 10 bits, and of channels in other orders."""
+import json
+import unittest
+
+import cv2
+import numpy as np
+import rosbag
+import rospy
+from field_case import FieldCase
+from sensor_msgs.msg import CompressedImage, Image
+from std_msgs.msg import String
+from tool_case import ROOMS, paint
+
+
+class InfraredTest(FieldCase):
+    """Images of 10 bits in 16."""
+
+    def write_infrared(self, name, rooms, brightness, bits=10):
+        """mono16 images a second from 1000, `brightness` of 0..255 times the paint; of 8 bits mono8."""
+        with rosbag.Bag(str(self.folder / name), "w") as bag:
+            for i, room in enumerate(rooms):
+                grey = cv2.cvtColor(paint(room, i), cv2.COLOR_BGR2GRAY).astype(np.float64)
+                levels = np.minimum(grey * brightness * 4, 1023).astype("<u2")
+                stamp = rospy.Time(1000 + i)
+                if i % 4 == 0:
+                    bag.write("/place_label", String(room), stamp)
+                image = Image(height=96, width=128, encoding="mono16", step=256)
+                image.data = levels.tobytes()
+                if bits == 8:
+                    image.encoding, image.step = "mono8", 128
+                    image.data = (levels >> 2).astype(np.uint8).tobytes()
+                image.header.stamp = stamp
+                bag.write("/infra", image, stamp)
+        return name
+
+    def answers(self, *inputs):
+        result = self.run_tool("recognize", "--model", "./home.places", *inputs, "--json", "-")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return [(line["place"], line["scores"]) for line in
+                map(json.loads, result.stdout.splitlines())], result.stderr
+
+    def test_the_range_that_was_learned_is_kept(self):
+        rooms = [room for room in ("kitchen", "corridor", "office") for _ in range(8)]
+        self.write_infrared("day.bag", rooms, 1.2)
+        figures, said = self.train("day.bag")
+        self.assert_names(said, "0 .. 1023 of 16 bits")
+        self.assertLess(500, json.loads(self.succeed("info", "./home.places", "--json", "-"))
+                        ["image_depth"][1])
+        # By itself this run would be taken for one of 9 bits.
+        dark, said = self.answers(self.write_infrared("dark.bag", rooms, .4))
+        self.assert_names(said, "0 .. 1023 of 16 bits, as in training")
+        self.assertEqual(dark, self.answers(self.write_infrared("dark8.bag", rooms, .4, bits=8))[0])
+        for verb in ("evaluate", "calibrate"):
+            result = self.run_tool(verb, "dark.bag", "--model", "./home.places")
+            self.assertIn("as in training", result.stderr)
+        # A single picture, and a folder.
+        dark_grey = (cv2.cvtColor(paint("kitchen", 0), cv2.COLOR_BGR2GRAY) * 1.6).astype(np.uint16)
+        picture = self.write_picture("runs/kitchen/0.png", dark_grey)
+        single = self.answers(picture)[0]
+        self.assertEqual(single, self.answers("runs")[0])
+        self.assertEqual(single, self.answers(self.write_picture(
+            "eight.png", (dark_grey >> 2).astype(np.uint8)))[0])
+
+    def test_runs_of_one_training_share_a_range(self):
+        rooms = [room for room in ("kitchen", "corridor", "office") for _ in range(8)]
+        self.write_infrared("dark.bag", rooms, .4)
+        self.write_infrared("day.bag", rooms, 1.2)
+        said = self.train("dark.bag", "day.bag")[1]
+        self.assertEqual(said.count("0 .. 1023 of 16 bits"), 2, said)
+
+
+class RedAndBlueTest(FieldCase):
+    def test_compressed_images_are_those_that_image_transport_makes_of_them(self):
+        """The same images raw, and compressed without loss in each way of naming the channels."""
+        ways = {"raw": None, "rgb8; png compressed rgb8": False, "rgb8; png compressed bgr8": True,
+                "bgr8; png compressed bgr8": True, "bgr8; png compressed rgb8": False,
+                "rgb8; png compressed ": False, "png": True}
+        models = {}
+        for way, stored_as_bgr in ways.items():
+            with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
+                for i in range(24):
+                    stamp, room = rospy.Time(1000 + i), list(ROOMS)[i // 8]
+                    bgr = paint(room, i)
+                    if i % 8 == 0:
+                        bag.write("/place_label", String(room), stamp)
+                    if way == "raw":
+                        image = Image(height=96, width=128, encoding="rgb8", step=384,
+                                      data=bgr[..., ::-1].tobytes())
+                    else:
+                        stored = bgr if stored_as_bgr else bgr[..., ::-1]
+                        image = CompressedImage(format=way, data=cv2.imencode(
+                            ".png", np.ascontiguousarray(stored))[1].tobytes())
+                    image.header.stamp = stamp
+                    bag.write("/image" if way == "raw" else "/image/compressed", image, stamp)
+            self.train("run.bag")
+            models[way] = (self.folder / "home.places").read_bytes()
+        for way, model in models.items():
+            self.assertTrue(model == models["raw"], way)
+
+
+if __name__ == "__main__":
+    unittest.main()
