@@ -62,7 +62,7 @@ void syncFolder(const std::filesystem::path& folder) {
 
 /// Writes to what is no file and must not become one: a terminal, a pipe, /dev/null.
 void writeInto(const std::string& path, std::string_view bytes) {
-  const int fd = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int fd = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   const bool written = fd >= 0 && writeAll(fd, bytes);
   const int reason = errno;
   if (fd >= 0) close(fd);
@@ -70,19 +70,38 @@ void writeInto(const std::string& path, std::string_view bytes) {
   if (!written) throwCannotWrite(path);
 }
 
+/// Whether `path` names an open file, as /dev/stdout does.
+bool isOpenFile(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder == "/dev" || folder == "/dev/fd" || folder.compare(0, 6, "/proc/") == 0;
+}
+
 bool isSpecial(const std::string& path) {
   struct stat status;
-  return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  if (stat(path.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return false;
+  return !S_ISREG(status.st_mode) || isOpenFile(path);
 }
 
 }  // namespace
 
-void writeFileAtomically(const std::string& path, std::string_view bytes,
+std::string behindLinks(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;  // as the kernel has it
+  fs::path file = path;
+  std::error_code failure;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(file, failure)); ++i) {
+    file = file.parent_path() / fs::read_symlink(file, failure);
+  }
+  return file.string();
+}
+
+void writeFileAtomically(const std::string& given_path, std::string_view bytes,
                          const std::function<void()>& before_rename) {
-  if (isSpecial(path)) {
-    writeInto(path, bytes);
+  if (isSpecial(given_path)) {
+    writeInto(given_path, bytes);
     return;
   }
+  const std::string path = behindLinks(given_path);
   TemporaryFile file(path);
   const mode_t mask = umask(0);
   umask(mask);

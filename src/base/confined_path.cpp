@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "base/atomic_file.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -52,13 +53,9 @@ struct WayOut {
 };
 
 /// Where a link leads in the end, whether there is something or not.
-fs::path targetOf(fs::path link) {
-  constexpr int kMostLinks = 40;  // as the kernel has it
+fs::path targetOf(const fs::path& link) {
   std::error_code failure;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(link, failure)); ++i) {
-    link = link.parent_path() / fs::read_symlink(link, failure);
-  }
-  return fs::weakly_canonical(link, failure);
+  return fs::weakly_canonical(behindLinks(link.string()), failure);
 }
 
 /// The first link on the way from `root` along `path` that leads out. What lies behind it is not

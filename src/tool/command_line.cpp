@@ -104,6 +104,11 @@ Option& Option::positive() {
   return *this;
 }
 
+Option& Option::checked(std::function<void(const std::string&)> check) {
+  checks_.push_back(std::move(check));
+  return *this;
+}
+
 Option& Option::needs(const std::string& other) {
   needs_.push_back(other);
   return *this;
@@ -146,6 +151,9 @@ void Option::assign(const Values& words) const {
   try {
     for (const auto& check : checks_) std::for_each(values.begin(), values.end(), check);
     store_(values);
+    if (std::find(values.begin(), values.end(), "") != values.end()) {
+      throw UsageError("the value is empty; give one, or leave the option out");
+    }
   } catch (const UsageError& e) {
     throw UsageError(name_ + ": " + e.what());
   }

@@ -33,6 +33,8 @@ class Option {
   /// Both ends included.
   Option& range(double min, double max);
   Option& positive();
+  /// `check` throws if a value will not do.
+  Option& checked(std::function<void(const std::string&)> check);
   /// The options that must be given with this one, or must not.
   Option& needs(const std::string& other);
   Option& excludes(const std::string& other);

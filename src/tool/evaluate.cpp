@@ -39,7 +39,7 @@ void evaluateModel(const EvaluateOptions& options) {
   }
   options.output.text() << resultTable(evaluation, summary) << std::flush;
   if (!options.report.empty()) {
-    makeFolder(options.report);
+    const NewFolder folder(options.report);
     writeFileAtomically(report, htmlReport(evaluation, summary));
     options.output.text() << "Report: " << report << std::endl;
   }

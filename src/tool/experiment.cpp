@@ -66,7 +66,7 @@ void runExperimentVerb(const ExperimentOptions& options) {
     set = thinnedOut(set, options.every);
     pictures += set.pictures.size();
   }
-  makeFolder(options.out);
+  const NewFolder folder(options.out);
   ProgressDisplay display(options.output.progress);
   const std::uint64_t digest = digestOf(sets);
   const std::unique_ptr<Experiment> experiment = makeExperiment(options, std::move(sets));

@@ -74,7 +74,7 @@ class StagedNetwork {
  public:
   StagedNetwork(const std::string& name, const std::string& bytes)
       : target_(networkPath(name)), staged_(networkFolder() + "/." + name + ".new.onnx") {
-    makeFolder(networkFolder());
+    const NewFolder folder(networkFolder());
     writeFileAtomically(staged_, bytes);
   }
   ~StagedNetwork() { unlink(staged_.c_str()); }

@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
-#include <filesystem>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 
 #include "base/atomic_file.h"
@@ -10,8 +12,13 @@
 
 namespace place_recognition::tool {
 
+namespace fs = std::filesystem;
+
 void OutputOptions::addTo(Verb& verb) {
-  verb.option("--json", "FILE", json, "Write the figures as JSON to FILE; - for stdout");
+  verb.option("--json", "FILE", json, "Write the figures as JSON to FILE; - for stdout")
+      .checked([](const std::string& file) {
+        if (!file.empty() && file != "-") requireWritable(file);
+      });
   verb.option("--progress", "STYLE", progress,
               "auto, bar, lines, json (lines {\"stage\", \"fraction\"} on stdout) or none")
       .oneOf({"auto", "bar", "lines", "json", "none"});
@@ -35,23 +42,44 @@ std::string jsonLine(const Json& value) {
 }
 
 void requireWritable(const std::string& path) {
-  namespace fs = std::filesystem;
-  fs::path folder = fs::absolute(path).parent_path();
   std::error_code failure;
   if (fs::is_other(path, failure) || fs::is_character_file(path, failure)) return;  // /dev/null
+  if (fs::is_directory(path, failure)) {
+    throw Error("Cannot write " + path + ": it is a folder; name a file.");
+  }
+  fs::path folder = fs::absolute(behindLinks(path)).parent_path();
   while (!fs::exists(folder, failure) && folder.has_relative_path()) folder = folder.parent_path();
-  if (fs::is_directory(path, failure) || !fs::is_directory(folder, failure) ||
-      access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw Error("Cannot write " + path + "; choose a folder that can be written.");
+  std::string reason;
+  if (!fs::is_directory(folder, failure)) {
+    reason = folder.string() + " is no folder";
+  } else if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    reason = folder.string() + ": " + std::strerror(errno);
+  }
+  if (!reason.empty()) {
+    throw Error("Cannot write " + path + " (" + reason + "); choose a folder that can be written.");
   }
 }
 
-void makeFolder(const std::string& path) {
+NewFolder::NewFolder(const std::string& path) {
   std::error_code failure;
-  std::filesystem::create_directories(path, failure);
+  for (fs::path folder = fs::absolute(path);
+       !fs::exists(folder, failure) && folder.has_relative_path(); folder = folder.parent_path()) {
+    made_.push_back(folder);
+  }
+  fs::create_directories(path, failure);
   if (failure) {
     throw Error("Cannot make the folder " + path + ": " + failure.message() +
                 "; choose a folder that can be written.");
+  }
+}
+
+NewFolder::~NewFolder() {
+  std::error_code failure;
+  for (const fs::path& folder : made_) {
+    const bool holds_files = std::any_of(
+        fs::recursive_directory_iterator(folder, failure), fs::recursive_directory_iterator(),
+        [](const fs::directory_entry& entry) { return !entry.is_directory(); });
+    if (!failure && !holds_files) fs::remove_all(folder, failure);
   }
 }
 

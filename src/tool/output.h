@@ -1,8 +1,10 @@
 #pragma once
 
+#include <filesystem>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tool/command_line.h"
 #include "tool/progress_display.h"
@@ -34,7 +36,18 @@ std::string jsonLine(const Json& value);
 /// after it. Missing folders are no hindrance, and are not made.
 void requireWritable(const std::string& path);
 
-/// Makes a folder, with those above it, unless it is there. Throws Error if it cannot.
-void makeFolder(const std::string& path);
+/// A folder that is made, with those above it, unless it is there. In the end those that were made
+/// and that nothing was put into are removed.
+class NewFolder {
+ public:
+  /// Throws Error if it cannot be made.
+  explicit NewFolder(const std::string& path);
+  ~NewFolder();
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+ private:
+  std::vector<std::filesystem::path> made_;  // the inner ones first
+};
 
 }  // namespace place_recognition::tool

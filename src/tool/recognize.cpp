@@ -207,9 +207,6 @@ class Recognitions {
 
 void recognize(const RecognizeOptions& options) {
   Recognitions recognitions(options);
-  if (!options.output.json.empty() && options.output.json != "-") {
-    requireWritable(options.output.json);
-  }
   // On a terminal the lines of answers are the progress.
   const bool answers_are_seen = options.output.progress == "auto" && isatty(STDOUT_FILENO);
   ProgressDisplay display(answers_are_seen ? "none" : options.output.progress);

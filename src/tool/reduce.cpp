@@ -144,7 +144,7 @@ void reduceModel(const ReduceOptions& options) {
 
   options.output.text() << reductionTable(report) << "Model: " << path << std::endl;
   if (!options.report.empty()) {
-    makeFolder(options.report);
+    const NewFolder folder(options.report);
     writeFileAtomically(page, reductionPage(report));
     options.output.text() << "Report: " << page << std::endl;
   }

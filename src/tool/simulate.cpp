@@ -80,7 +80,7 @@ void simulateRuns(SimulateOptions options) {
   options.simulation.check();
   ProgressDisplay display(options.output.progress);
   Json runs = Json::array();
-  makeFolder(options.out);
+  const NewFolder folder(options.out);
   for (const std::string& condition : options.conditions) {
     options.simulation.condition = conditionFromName(condition);
     const std::string path = options.out + "/" + condition + (as_bag ? ".bag" : "");

@@ -24,11 +24,11 @@ class FieldCase(ToolCase):
         for word in words:
             self.assertIn(word, text)
 
-    def run_as_nobody(self, *arguments):
+    def run_as_nobody(self, *arguments, stdout=subprocess.PIPE):
         """Runs the tool as somebody without rights, who may do anything in the scratch folder."""
         self.folder.chmod(0o777)
         return subprocess.run([PLACE_TOOL, *arguments], cwd=self.folder, text=True, timeout=120,
-                              capture_output=True, env=self.environment(),
+                              stdout=stdout, stderr=subprocess.PIPE, env=self.environment(),
                               preexec_fn=lambda: os.setuid(NOBODY))
 
     def write_labelled(self, name, start, frames, labels, topic="/place_label"):

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """Disks that are full, and devices."""
+import json
+import os
 import pathlib
 import resource
 import subprocess
@@ -24,6 +26,17 @@ class FullDiskTest(FieldCase):
         self.assertEqual(len(lines), 1, result.stderr)
         self.assert_names(lines[0], "Cannot write", "make room")
         self.assertEqual(self.files(), before)
+
+    def test_folders_that_were_made_go_with_what_should_be_in_them(self):
+        self.write_run("run")
+        self.write_run("light/cloudy")
+        self.write_run("light/night", seed=1)
+        self.succeed("train", "run", *MODEL)
+        self.refuse_within(0, "simulate", "--out", "new/runs", "--size", "96x72", "--conditions",
+                           "night")
+        self.refuse_within(1, "evaluate", "run", *MODEL[:2], "--report", "new/report")
+        self.refuse_within(0, "experiment", "indecs-global", "--data", "light", "--every", "4",
+                           "--out", "new/tables")
 
     def test_every_writer_of_bags_and_pictures(self):
         self.write_run("run", views=12)
@@ -52,6 +65,67 @@ class FullDiskTest(FieldCase):
                                         env=self.environment())
             self.assertEqual(result.returncode, 1, arguments)
             self.assert_names(result.stderr, "standard output")
+
+    def test_links_stay_and_what_they_lead_to_is_written(self):
+        self.write_run("run")
+        store = self.folder / "store"
+        store.mkdir()
+        for name in ("answers", "home.places", "run.bag", "new"):
+            (self.folder / name).symlink_to(store / name)
+        self.succeed("train", "run", *MODEL)
+        first = (store / "home.places").read_bytes()
+        self.succeed("train", "run", *MODEL, "--set", "svm.c=1")
+        self.assertTrue((self.folder / "home.places.1").read_bytes() == first)
+        self.assertFalse((store / "home.places").read_bytes() == first)
+        self.succeed("recognize", "run", *MODEL[:2], "--json", "answers")
+        self.succeed("import", "run", "--out", "run.bag")
+        for name in ("answers", "home.places", "run.bag"):
+            self.assertTrue((self.folder / name).is_symlink(), name)
+            self.assertGreater((store / name).stat().st_size, 1000)
+        self.succeed("restore", "./home.places")
+        self.assertTrue((store / "home.places").read_bytes() == first)
+
+    @unittest.skipUnless(os.geteuid() == 0, "to become somebody without rights")
+    def test_the_standard_output_by_its_name(self):
+        self.write_run("run")
+        self.succeed("train", "run", *MODEL)
+        for name in ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):
+            with self.subTest(name), open(self.folder / "out", "w+") as out:
+                os.chmod(self.folder / "out", 0o666)
+                result = self.run_as_nobody("info", MODEL[1], "--json", name, stdout=out)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                out.seek(0)
+                text = out.read()
+                self.assertIn("rooms", json.loads(text.splitlines()[-1]))
+
+    @unittest.skipUnless(os.geteuid() == 0, "to become somebody without rights")
+    def test_what_cannot_be_written_is_told_before_the_work(self):
+        self.write_run("run")
+        self.succeed("train", "run", *MODEL)
+        (self.folder / "locked").mkdir(mode=0o555)
+        (self.folder / "folder").mkdir()
+        (self.folder / "file").touch()
+        for target, words in (("locked/x", "locked: Permission denied"), ("folder", "is a folder"),
+                              ("file/x", "file is no folder")):
+            for verb in (("train", "run", "--model", f"./{target}"),
+                         ("train", "run", *MODEL, "--json", target),
+                         ("evaluate", "run", *MODEL[:2], "--json", target),
+                         ("calibrate", "run", *MODEL[:2], "--out", f"./{target}"),
+                         ("import", "run", "--out", target)):
+                with self.subTest(verb):
+                    result = self.run_as_nobody(*verb, "--progress", "lines")
+                    self.assertEqual(result.returncode, 1)
+                    self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                    self.assert_names(result.stderr, "Cannot write", target, words)
+
+    def test_an_empty_value_is_bad_usage(self):
+        self.write_run("run")
+        for option in ("--json", "--model", "--label", "--config", "--set"):
+            model = () if option == "--model" else MODEL[:2]
+            line = self.refuse("train", "run", *model, option, "", status=2)
+            self.assert_names(line, option, "is empty")
+        self.assert_names(self.refuse("train", "", *MODEL, status=2), "INPUT", "is empty")
+        self.assert_names(self.refuse("import", "run", "--out", "", status=2), "is empty")
 
     def test_devices_are_written_to_and_stay(self):
         self.write_run("run")

@@ -53,7 +53,7 @@ void keepBackup(const std::string& path) {
     fs::rename(backupPath(path, age - 1), backupPath(path, age), ignored);
   }
   std::error_code no_link;
-  fs::create_hard_link(path, backupPath(path, 1), no_link);
+  fs::create_hard_link(behindLinks(path), backupPath(path, 1), no_link);
   if (!no_link) return;
   try {
     writeFileAtomically(backupPath(path, 1), readFile(path, kMaxModelBytes));
@@ -69,7 +69,7 @@ std::string backupPath(const std::string& path, int age) {
 
 void replaceKeepingBackups(const std::string& path, std::string_view bytes) {
   const FolderLock lock(fs::path(path).parent_path());
-  if (lock.held()) removeLeftovers(path);
+  if (lock.held()) removeLeftovers(behindLinks(path));
   writeFileAtomically(path, bytes, [&path] { keepBackup(path); });
 }
 

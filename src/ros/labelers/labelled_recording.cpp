@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/atomic_file.h"
 #include "base/user_path.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
@@ -23,6 +24,7 @@ std::unique_ptr<StagedBag> openBag(std::string path) {
     throw Error(path + " is a folder; name a file in it by ~bag, as in monday.bag.");
   }
   if (std::filesystem::path(path).extension() != ".bag") path += ".bag";  // as rosbag record does
+  path = behindLinks(path);
   if (std::filesystem::exists(path)) {
     throw Error("There is a file " + path + " already; give ~bag another name.");
   }
