@@ -12,7 +12,9 @@
 namespace place_recognition {
 
 StagedBag::StagedBag(const std::string& path, const std::string& suffix)
-    : path_(behindLinks(path)), staged_path_(path_ + suffix), bag_(std::make_unique<rosbag::Bag>()) {
+    : path_(behindLinks(path)),
+      staged_path_(path_ + suffix),
+      bag_(std::make_unique<rosbag::Bag>()) {
   std::error_code ignored;
   const auto kind = std::filesystem::status(path, ignored);
   if (std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind)) {
