@@ -24,10 +24,12 @@ struct Calibration {
   /// One per place; they sum to 1 and are finite for every finite input.
   Eigen::RowVectorXd probabilities(const Eigen::RowVectorXd& margins) const;
 
-  /// How much speaks for any of the places at all, 0..1: the logistic function of the weighted sum
-  /// of margins and familiarity. Probabilities cannot tell: they sum to one also where every
-  /// machine says no. Margins alone cannot either: far from all support vectors they are just the
-  /// biases.
+  /// How much speaks for any of the places at all, as log odds: the weighted sum of margins and
+  /// familiarity. Probabilities cannot tell: they sum to one also where every machine says no.
+  /// Margins alone cannot either: far from all support vectors they are just the biases.
+  double logOdds(const Eigen::RowVectorXd& margins, double familiarity = 0) const;
+
+  /// The same, 0..1: the logistic function of logOdds().
   double evidence(const Eigen::RowVectorXd& margins, double familiarity = 0) const;
 
   /// log sum_k exp(slope f_k).
@@ -36,7 +38,7 @@ struct Calibration {
 
 /// The slope of greatest likelihood on margins (frames x places) of frames held out from training,
 /// and their places. As in Platt's method the wanted probabilities are a little less than certain,
-/// (n + 1) / (n + places) for n frames, which keeps the slope finite. Without frames: slope 1.
+/// as if one frame in n + 1 told nothing, which keeps the slope finite. Without frames: slope 1.
 Calibration fitCalibration(const Eigen::MatrixXd& margins, const std::vector<int>& labels);
 
 /// Weights such that margins and familiarity count alike, each in units of its own spread over

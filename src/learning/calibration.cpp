@@ -36,7 +36,8 @@ double wantedSum(const Eigen::MatrixXd& margins, const std::vector<int>& labels)
   for (std::size_t i = 0; i < labels.size(); ++i) {
     true_margins += margins(static_cast<Eigen::Index>(i), labels[i]);
   }
-  return (frames * true_margins + margins.sum()) / (frames + static_cast<double>(margins.cols()));
+  const double mean_margins = margins.sum() / static_cast<double>(margins.cols());
+  return (frames * true_margins + mean_margins) / (frames + 1);
 }
 
 /// The element that a `share` of the values lie below.
@@ -64,10 +65,12 @@ double Calibration::logSum(const Eigen::RowVectorXd& margins) const {
   return largest + std::log((z.array() - largest).exp().sum());
 }
 
+double Calibration::logOdds(const Eigen::RowVectorXd& margins, double familiarity) const {
+  return weights.margins * logSum(margins) + weights.familiarity * familiarity + weights.offset;
+}
+
 double Calibration::evidence(const Eigen::RowVectorXd& margins, double familiarity) const {
-  const double sum =
-      weights.margins * logSum(margins) + weights.familiarity * familiarity + weights.offset;
-  return 1 / (1 + std::exp(-sum));
+  return 1 / (1 + std::exp(-logOdds(margins, familiarity)));
 }
 
 Calibration fitCalibration(const Eigen::MatrixXd& margins, const std::vector<int>& labels) {

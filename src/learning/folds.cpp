@@ -47,15 +47,20 @@ Assignment assignRuns(const Samples& samples, const std::vector<int>& runs, int 
   return assignment;
 }
 
-/// Enters `fold` for all samples within `gap` of those at begin..end-1, which are tested in it.
-void leaveOut(const Sequence& sequence, std::size_t begin, std::size_t end, double gap, int fold,
+/// Enters `fold` for all samples of `sequence` from the time `first` to `last`.
+void leaveOut(const Sequence& sequence, double first, double last, int fold,
               Assignment& assignment) {
   const std::vector<double>& times = sequence.times;
-  const auto from = std::lower_bound(times.begin(), times.end(), times[begin] - gap);
-  const auto to = std::upper_bound(times.begin(), times.end(), times[end - 1] + gap);
-  for (auto time = from; time != to; ++time) {
+  const auto from = std::lower_bound(times.begin(), times.end(), first);
+  const auto to = std::upper_bound(times.begin(), times.end(), last);
+  for (auto time = from; time < to; ++time) {
     assignment.left_out_of[sequence.samples[time - times.begin()]].insert(fold);
   }
+}
+
+/// Whether the times of two sequences may be compared.
+bool sameClock(const Sequence& a, const Sequence& b) {
+  return &a == &b || (a.run == b.run && a.stamped && b.stamped);
 }
 
 /// How many blocks a sequence of `size` samples is cut into.
@@ -66,25 +71,44 @@ std::size_t blockCount(std::size_t size, double step, double length, int folds) 
       std::max(wanted, std::min(static_cast<long>(size), static_cast<long>(folds))));
 }
 
+/// How one sequence is cut.
+struct Cut {
+  std::size_t parts;
+  double gap;  // s
+};
+
+Cut cutOf(const Sequence& sequence, int folds, const TimeBlocks& wanted) {
+  const std::size_t size = sequence.samples.size();
+  const double step = medianStep(sequence.times);
+  const std::size_t parts = blockCount(size, step, wanted.length, folds);
+  const double length = step * static_cast<double>(size) / static_cast<double>(parts);
+  return {parts, std::min(wanted.gap, largestGap(length, folds))};
+}
+
 /// Blocks of time within each run and place.
 Assignment assignBlocks(const Samples& samples, int count, const std::vector<TimeBlocks>& blocks) {
   Assignment assignment{std::vector<int>(samples.size()),
                         std::vector<std::set<int>>(samples.size())};
+  const std::vector<Sequence> sequences = sequencesOf(samples);
+  std::vector<Cut> cuts;
+  for (const Sequence& sequence : sequences) {
+    cuts.push_back(cutOf(sequence, count, blocks[sequence.run]));
+  }
   int next_fold = 0;
-  for (const Sequence& sequence : sequencesOf(samples)) {
-    const TimeBlocks& wanted = blocks[sequence.run];
-    const std::size_t size = sequence.samples.size();
-    const double step = medianStep(sequence.times);
-    const std::size_t parts = blockCount(size, step, wanted.length, count);
-    const double length = step * static_cast<double>(size) / static_cast<double>(parts);
-    const double gap = std::min(wanted.gap, largestGap(length, count));
-    for (std::size_t part = 0; part < parts; ++part) {
-      const std::size_t begin = part * size / parts;
-      const std::size_t end = (part + 1) * size / parts;
+  for (std::size_t s = 0; s < sequences.size(); ++s) {
+    const std::size_t size = sequences[s].samples.size();
+    for (std::size_t part = 0; part < cuts[s].parts; ++part) {
+      const std::size_t begin = part * size / cuts[s].parts;
+      const std::size_t end = (part + 1) * size / cuts[s].parts;
       for (std::size_t i = begin; i < end; ++i) {
-        assignment.tested_in[sequence.samples[i]] = next_fold;
+        assignment.tested_in[sequences[s].samples[i]] = next_fold;
       }
-      leaveOut(sequence, begin, end, gap, next_fold, assignment);
+      for (std::size_t other = 0; other < sequences.size(); ++other) {
+        if (!sameClock(sequences[s], sequences[other])) continue;
+        const double gap = std::min(cuts[s].gap, cuts[other].gap);
+        leaveOut(sequences[other], sequences[s].times[begin] - gap,
+                 sequences[s].times[end - 1] + gap, next_fold, assignment);
+      }
       next_fold = (next_fold + 1) % count;
     }
   }
@@ -108,7 +132,8 @@ std::vector<Sequence> sequencesOf(const Samples& samples) {
                      [&](int a, int b) { return samples[a].stamp < samples[b].stamp; });
     for (const int i : sequence.samples) sequence.times.push_back(samples[i].stamp);
     std::vector<double>& times = sequence.times;
-    if (times.back() <= times.front()) std::iota(times.begin(), times.end(), 0.0);
+    sequence.stamped = times.back() > times.front();
+    if (!sequence.stamped) std::iota(times.begin(), times.end(), 0.0);
     ordered.push_back(std::move(sequence));
   }
   return ordered;

@@ -8,7 +8,7 @@ namespace place_recognition {
 struct SampleOrigin {
   int place = 0;     ///< label
   int run = 0;       ///< number of the recording
-  double stamp = 0;  ///< s; only differences within a run and a place count
+  double stamp = 0;  ///< s; only differences within a run count
 };
 
 /// How a run is cut for cross-validation.
@@ -32,6 +32,7 @@ struct Sequence {
   int run = 0;
   std::vector<int> samples;   ///< in order of time
   std::vector<double> times;  ///< of each, s; a second apart if all have the same stamp
+  bool stamped = false;       ///< they have not
 };
 
 /// In order of run, then of place.
@@ -45,9 +46,10 @@ bool wholeRuns(const std::vector<SampleOrigin>& samples, int count);
 
 /// Splits samples into `count` folds by contiguous blocks of time, never by random frames. Each
 /// sequence is cut into equal blocks of about `blocks[run].length`, but into `count` of them at
-/// least, which are tested in the folds in turn. Samples of the sequence that lie within the gap
-/// of a tested one are not trained on in that fold; the gap is no larger than largestGap() of the
-/// blocks that the sequence was cut into.
+/// least, which are tested in the folds in turn. Samples of the run that lie within the gap of a
+/// tested one are not trained on in that fold, whatever their place: a frame before a door would
+/// find the frames behind it, but none of its own room. The gap is no larger than largestGap() of
+/// the blocks that the sequence was cut into.
 /// If wholeRuns(), runs are the blocks instead.
 std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count,
                                  const std::vector<TimeBlocks>& blocks);

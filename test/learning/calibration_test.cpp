@@ -27,10 +27,10 @@ TEST(Calibration, RecoversTheSlopeThatMadeTheData) {
 
 TEST(Calibration, IsTheSlopeOfGreatestLikelihood) {
   // Two places: p_0 = 1 / (1 + exp(-slope d)), d the difference of margins. Three right frames with
-  // d = 1, one wrong: the wanted probability of right is (3 * 5/6 + 1/6) / 4 = 2/3.
+  // d = 1, one wrong, and one that tells nothing: the wanted probability of right is 3.5 / 5.
   Eigen::MatrixXd margins(4, 2);
   margins << 0.5, -0.5, 0.5, -0.5, -0.5, 0.5, -0.5, 0.5;
-  EXPECT_NEAR(fitCalibration(margins, {0, 0, 1, 0}).slope, std::log(2.0), 1e-9);
+  EXPECT_NEAR(fitCalibration(margins, {0, 0, 1, 0}).slope, std::log(7.0 / 3), 1e-9);
 }
 
 TEST(Calibration, FollowsTheFormulas) {
@@ -39,6 +39,7 @@ TEST(Calibration, FollowsTheFormulas) {
   const Eigen::RowVector3d powers(std::exp(0.5), std::exp(-1.0), std::exp(0.125));
   EXPECT_TRUE(calibration.probabilities(margins).isApprox(powers / powers.sum(), 1e-14));
   EXPECT_NEAR(calibration.evidence(margins), powers.sum() / (1 + powers.sum()), 1e-14);
+  EXPECT_NEAR(calibration.logOdds(margins), std::log(powers.sum()), 1e-14);
 }
 
 void expectProbabilities(const Calibration& calibration, const Eigen::RowVectorXd& margins) {

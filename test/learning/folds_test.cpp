@@ -75,6 +75,27 @@ TEST(Folds, AreShortBlocksOfTimeInTurnWithGaps) {
   }
 }
 
+TEST(Folds, LeaveOutWhatIsBehindTheDoorToo) {
+  // A drive through three rooms, half a minute in each, five frames a second.
+  std::vector<SampleOrigin> samples;
+  for (int place = 0; place < 3; ++place) {
+    for (const SampleOrigin& sample : roomAt(30 * place, 0.2, 150, place)) {
+      samples.push_back(sample);
+    }
+  }
+  samples.push_back({1, 1, 30});  // another run has another clock
+  const std::vector<Fold> folds = timeBlockFolds(samples, 5, blocks(1, 0.9));
+  expectEachTestedOnce(folds, samples.size());
+  for (const Fold& fold : folds) {
+    for (const int test : fold.test) {
+      for (const int train : fold.train) {
+        if (samples[train].run != samples[test].run) continue;
+        EXPECT_GT(std::abs(samples[train].stamp - samples[test].stamp), 0.9);
+      }
+    }
+  }
+}
+
 TEST(Folds, LeaveTwoFifthsToTrainOnAtTheLargestGap) {
   const std::vector<SampleOrigin> samples = roomAt(0, 0.01, 6000);
   for (const int count : {2, 3, 5, 20}) {
