@@ -12,6 +12,8 @@
 namespace place_recognition {
 
 class CueExtraction;
+class CueMean;
+class EvidenceShift;
 class LightEstimate;
 class RateLimit;
 struct Light;
@@ -21,7 +23,7 @@ struct Recognition {
   int place = -1;         ///< index of the most probable place in Model::places; -1: none at all
   bool known = false;     ///< false: the answer is 'unknown'; evidence below the threshold
   double confidence = 0;  ///< probability of `place`, 0..1
-  double evidence = 0;    ///< see Calibration::evidence(); held against the unknown threshold
+  double evidence = 0;    ///< that it is any of the places, 0..1; below the threshold: 'unknown'
   Eigen::RowVectorXd probabilities;  ///< one per place; sum to 1, the largest is `place`
   Eigen::RowVectorXd margins;        ///< one per place; as they come from the machines
   std::string reason;                ///< why place is -1, for a person
@@ -42,12 +44,12 @@ class Recognizer {
   const Recognition& recognize(const cv::Mat& image);
 
   /// The next frame of a stream, of `stamp`, s: the frames before it tell the light, which cues
-  /// with `normalize: run` need. A stamp more than a second before the last one begins
-  /// a new stream.
+  /// with `normalize: run` need, and how evident the places are in it, see evidenceShift(). A stamp
+  /// more than a second before the last one begins a new stream.
   const Recognition& recognize(const cv::Mat& image, double stamp);
 
   /// The next frame begins a new stream.
-  void forgetLight();
+  void forgetStream();
 
   /// Cues of type `embedding`, which cost much, are computed for at most `rate` frames of a stream
   /// a second; 0: for each. In between their last margins count, by their weight times e^(-age /
@@ -57,6 +59,10 @@ class Recognizer {
 
   /// Light of the current stream, estimated from its frames so far.
   const LightEstimate& light() const { return *light_; }
+
+  /// By how much the places are less evident in the frames of the current stream than they were
+  /// in the training, which Recognition::evidence makes up for: log odds, 0..4.
+  double evidenceShift() const;
 
   /// The model's threshold until set: evidence below it is answered 'unknown', 0..1.
   void setUnknownThreshold(double threshold) { unknown_threshold_ = threshold; }
@@ -75,15 +81,16 @@ class Recognizer {
   bool embeddingsAreDue(double stamp);
   double weightOf(std::size_t cue, double certainty, bool embeddings_are_held) const;
   void askCues(const Light& light, const cv::Mat& image, bool with_embeddings, CueAnswers& answers);
-  const Recognition& combine(const CueAnswers& answers, double certainty, bool embeddings_are_held);
-  bool sumMargins(const CueAnswers& answers, double certainty, bool embeddings_are_held);
-  void decide();
+  const Recognition& combine(const CueAnswers& answers, double certainty, bool embeddings_are_held,
+                             double evidence_shift);
+  void decide(double evidence_shift);
   void answerNothing(const std::string& reason);
 
   std::shared_ptr<const Model> model_;
   std::unique_ptr<CueExtraction> extraction_;
   std::unique_ptr<LightEstimate> light_;
-  double unknown_light_;            // certainty of the light of a picture by itself
+  double unknown_light_;  // certainty of the light of a picture by itself
+  std::unique_ptr<EvidenceShift> evidence_shift_;
   std::vector<bool> follows_run_;   // of each cue: normalize is run
   std::vector<bool> is_embedding_;  // of each cue
   double embedding_rate_ = 0;
@@ -96,7 +103,8 @@ class Recognizer {
   CueAnswers stream_answers_;      // to the last frame of the stream; of embeddings, those held
   CueAnswers image_answers_;       // to a picture by itself
   Eigen::VectorXd kernel_values_;
-  double familiarity_ = 0;  // the largest kernel value, mean of the cues
+  std::unique_ptr<CueMean> mean_;  // of the cues that count
+  double log_odds_ = 0;            // of evidence, without the shift
   Recognition recognition_;
 };
 

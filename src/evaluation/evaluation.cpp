@@ -52,7 +52,7 @@ class Evaluator {
   void read(Run& run, const Progress& progress) {
     evaluation_.runs.push_back(run.name());
     filter_.reset();
-    recognizer_.forgetLight();
+    recognizer_.forgetStream();
     run.setDepthExtent(recognizer_.model().images.depth);
     ImageGuard guard(recognizer_.model());
     const std::string stage = "Recognizing " + run.name();

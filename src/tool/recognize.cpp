@@ -85,7 +85,7 @@ class Recognitions {
   /// Frames of `run` follow. `in_time`: by their stamps they follow one another.
   void startRun(Run& run, bool in_time) {
     run.setDepthExtent(recognizer_.model().images.depth);
-    recognizer_.forgetLight();
+    recognizer_.forgetStream();
     guard_ = ImageGuard(recognizer_.model());
     smooths_ = in_time;
   }

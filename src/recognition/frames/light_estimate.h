@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 
 #include "place_recognition/color_statistics.h"
+#include "recognition/frames/fading_views.h"
 #include "recognition/frames/light.h"
 
 namespace place_recognition {
@@ -14,9 +14,8 @@ namespace place_recognition {
 /// A frame c_t (see logColor()) of place k is c_t = mu_k + g + e_t, with the mean mu_k of the
 /// place's training images and their covariance S about it. The recognizer's probabilities say how
 /// much of a frame counts for which place. The mean r_k of the n_k frames of a place less mu_k has
-/// the covariance V_k = (1/n_k + 1/5) S: a place tells no more than five views of it would, however
-/// long the robot stands there. Older frames fade, within five minutes to 1/e. The light is most
-/// often that of the training, and else g ~ N(0, G):
+/// the covariance V_k = S / views (see FadingViews). The light is most often that of the training,
+/// and else g ~ N(0, G):
 ///   P = Sum_k V_k^-1,  b = Sum_k V_k^-1 r_k,  g = (P + G^-1)^-1 b,
 ///   log odds(changed) = log(1/3) - log |I + G P| / 2 + b' g / 2.
 /// The estimate is odds / (1 + odds) g. Every other change than a gain per channel is noise to it.
@@ -25,8 +24,7 @@ class LightEstimate {
  public:
   explicit LightEstimate(const ColorStatistics& training);
 
-  /// Lets older frames fade until `stamp` (s), that of the next frame. A stamp more than a second
-  /// before the last one begins anew.
+  /// Lets older frames fade until `stamp` (s), that of the next frame, see FadingViews.
   void beginFrame(double stamp);
 
   /// Takes that frame: its logColor() as it came, and what the recognizer answered to it.
@@ -47,11 +45,7 @@ class LightEstimate {
 
   ColorStatistics training_;
   Eigen::Matrix3d precision_;  // S^-1
-  double stamp_ = 0;
-  bool started_ = false;
-  double share_ = 1;                               // of the frame that is new
-  Eigen::VectorXd counts_;                         // n_k
-  Eigen::Matrix<double, Eigen::Dynamic, 3> sums_;  // n_k r_k
+  FadingViews views_;          // of r_k
   Light correction_;
   double certainty_ = 1;
 };

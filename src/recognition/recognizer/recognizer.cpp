@@ -6,7 +6,9 @@
 #include "base/rate_limit.h"
 #include "recognition/frames/cue_extraction.h"
 #include "recognition/frames/light_estimate.h"
+#include "recognition/model/cue_mean.h"
 #include "recognition/model/scores.h"
+#include "recognition/recognizer/evidence_shift.h"
 
 namespace place_recognition {
 
@@ -15,8 +17,10 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
       extraction_(std::make_unique<CueExtraction>(*model_)),
       light_(std::make_unique<LightEstimate>(model_->colors)),
       unknown_light_(light_->certainty()),
+      evidence_shift_(std::make_unique<EvidenceShift>(*model_)),
       embedding_limit_(std::make_unique<RateLimit>()),
-      unknown_threshold_(model_->unknown_threshold) {
+      unknown_threshold_(model_->unknown_threshold),
+      mean_(std::make_unique<CueMean>()) {
   for (const CueOptions& cue : model_->options.cues) {
     follows_run_.push_back(colorNormalization(cue.normalize) == ColorNormalization::kRun);
     is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
@@ -34,24 +38,31 @@ Recognizer& Recognizer::operator=(Recognizer&&) noexcept = default;
 
 const Recognition& Recognizer::recognize(const cv::Mat& image) {
   askCues({}, image, true, image_answers_);
-  return combine(image_answers_, unknown_light_, false);
+  return combine(image_answers_, unknown_light_, false, 0);
 }
 
 const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
   light_->beginFrame(stamp);
+  evidence_shift_->beginFrame(stamp);
   const bool compute = embeddingsAreDue(stamp);
   if (compute) embedding_stamp_ = stamp;
   stamp_ = stamp;
   askCues(light_->correction(), image, compute, stream_answers_);
-  combine(stream_answers_, light_->certainty(), !compute);
+  combine(stream_answers_, light_->certainty(), !compute, evidence_shift_->value());
   light_->add(extraction_->color(), recognition_.probabilities);
+  if (recognition_.place >= 0) {
+    evidence_shift_->add(recognition_.probabilities, recognition_.margins, log_odds_);
+  }
   return recognition_;
 }
 
-void Recognizer::forgetLight() {
+void Recognizer::forgetStream() {
   light_->reset();
+  evidence_shift_->reset();
   embedding_limit_->reset();
 }
+
+double Recognizer::evidenceShift() const { return evidence_shift_->value(); }
 
 void Recognizer::setEmbeddingRate(double rate, double decorrelation_time) {
   embedding_rate_ = rate;
@@ -78,9 +89,15 @@ void Recognizer::askCues(const Light& light, const cv::Mat& image, bool with_emb
 }
 
 const Recognition& Recognizer::combine(const CueAnswers& answers, double certainty,
-                                       bool embeddings_are_held) {
-  if (sumMargins(answers, certainty, embeddings_are_held)) {
-    decide();
+                                       bool embeddings_are_held, double evidence_shift) {
+  mean_->begin(static_cast<Eigen::Index>(model_->places.size()));
+  for (std::size_t c = 0; c < answers.size(); ++c) {
+    if (answers[c].missing) continue;
+    mean_->add(weightOf(c, certainty, embeddings_are_held), answers[c].margins,
+               answers[c].familiarity);
+  }
+  if (mean_->finish()) {
+    decide(evidence_shift);
   } else {
     answerNothing(extraction_->reason());
   }
@@ -99,31 +116,13 @@ double Recognizer::weightOf(std::size_t cue, double certainty, bool embeddings_a
   return weight;
 }
 
-/// Weighted mean of the margins, and of the familiarity, of the cues that the image has; false if
-/// there is none that counts. Dividing by the weights present keeps the sum in the units that the
-/// calibration was fitted in.
-bool Recognizer::sumMargins(const CueAnswers& answers, double certainty, bool embeddings_are_held) {
-  recognition_.margins.setZero();
-  familiarity_ = 0;
-  double present = 0;
-  for (std::size_t c = 0; c < answers.size(); ++c) {
-    const double weight = weightOf(c, certainty, embeddings_are_held);
-    if (weight == 0 || answers[c].missing) continue;
-    recognition_.margins += weight * answers[c].margins;
-    familiarity_ += weight * answers[c].familiarity;
-    present += weight;
-  }
-  if (present == 0) return false;
-  recognition_.margins /= present;
-  familiarity_ /= present;
-  return true;
-}
-
-void Recognizer::decide() {
+void Recognizer::decide(double evidence_shift) {
+  recognition_.margins = mean_->margins();
   recognition_.probabilities = model_->calibration.probabilities(recognition_.margins);
   recognition_.place = largest(recognition_.probabilities);
   recognition_.confidence = recognition_.probabilities[recognition_.place];
-  recognition_.evidence = model_->calibration.evidence(recognition_.margins, familiarity_);
+  log_odds_ = model_->calibration.logOdds(recognition_.margins, mean_->familiarity());
+  recognition_.evidence = 1 / (1 + std::exp(-(log_odds_ + evidence_shift)));
   recognition_.known = recognition_.evidence >= unknown_threshold_;
   recognition_.reason.clear();
 }

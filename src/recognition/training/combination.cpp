@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
+#include <numeric>
+
+#include "recognition/model/cue_mean.h"
 
 namespace place_recognition {
 namespace {
@@ -27,35 +29,37 @@ void forEachComposition(std::size_t count, int total, std::vector<int>& parts,
 /// Steps of the grid that keep it below about a thousand points.
 int stepsFor(std::size_t cues) { return cues <= 3 ? 10 : cues == 4 ? 8 : 4; }
 
-/// In steps that rounding errors do not reach.
-std::int64_t squaredDistance(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::llround(1e9 * sum);
+/// The prior weights, each times its part; they sum to 1.
+std::vector<double> scaled(const std::vector<double>& prior, const std::vector<double>& parts) {
+  std::vector<double> weights(prior.size());
+  std::transform(prior.begin(), prior.end(), parts.begin(), weights.begin(),
+                 std::multiplies<double>());
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& weight : weights) weight /= sum;
+  return weights;
 }
 
 }  // namespace
 
 HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& weights) {
+  const Eigen::Index places = cues[0].margins.cols();
   HeldOut combined;
-  combined.margins.setZero(cues[0].margins.rows(), cues[0].margins.cols());
+  combined.margins.setZero(cues[0].margins.rows(), places);
   combined.valid.assign(cues[0].valid.size(), false);
   combined.familiarity.setZero(cues[0].margins.rows());
+  CueMean mean;
   for (std::size_t i = 0; i < combined.valid.size(); ++i) {
-    double present = 0;
+    const auto row = static_cast<Eigen::Index>(i);
+    mean.begin(places);
     for (std::size_t c = 0; c < cues.size(); ++c) {
       if (!cues[c].valid[i]) continue;
-      combined.margins.row(i) += weights[c] * cues[c].margins.row(i);
-      if (cues[c].familiarity.size() > 0) {
-        combined.familiarity[i] += weights[c] * cues[c].familiarity[i];
-      }
-      present += weights[c];
+      const bool has_familiarity = cues[c].familiarity.size() > 0;
+      mean.add(weights[c], cues[c].margins.row(row),
+               has_familiarity ? cues[c].familiarity[row] : 0);
     }
-    combined.valid[i] = present > 0;
-    if (present > 0) {
-      combined.margins.row(i) /= present;
-      combined.familiarity[i] /= present;
-    }
+    combined.valid[i] = mean.finish();
+    combined.margins.row(row) = mean.margins();
+    combined.familiarity[row] = mean.familiarity();
   }
   return combined;
 }
@@ -72,36 +76,40 @@ std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
                                      const std::vector<double>& prior,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
   struct Trial {
-    std::vector<double> weights;
-    std::int64_t distance;
+    std::vector<double> parts;
     double rate, error;
   };
   std::vector<Trial> trials;
-  const auto judge = [&](const std::vector<double>& weights) {
-    const HeldOut combined = combine(cues, weights);
-    trials.push_back({weights, squaredDistance(weights, prior),
-                      averageRate(combined, samples, places),
+  const auto judge = [&](const std::vector<double>& parts) {
+    const HeldOut combined = combine(cues, scaled(prior, parts));
+    trials.push_back({parts, averageRate(combined, samples, places),
                       averageRateError(combined, samples, places)});
   };
-  judge(prior);
+  const double even = 1 / static_cast<double>(cues.size());
+  judge(std::vector<double>(cues.size(), even));
   const int steps = stepsFor(cues.size());
-  std::vector<int> parts;
-  forEachComposition(cues.size(), steps, parts, [&] {
-    std::vector<double> weights;
-    for (const int part : parts) weights.push_back(static_cast<double>(part) / steps);
-    judge(weights);
+  std::vector<int> counts;
+  forEachComposition(cues.size(), steps, counts, [&] {
+    std::vector<double> parts;
+    for (const int count : counts) parts.push_back(static_cast<double>(count) / steps);
+    judge(parts);
   });
 
+  constexpr double kAsGood = 2;     // standard errors
+  constexpr double kNothing = 0.2;  // of an even part
   const Trial best = *std::max_element(
       trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.rate < b.rate; });
-  const Trial* chosen = nullptr;
+  std::vector<double> sums(cues.size(), 0);
+  double count = 0;
   for (const Trial& trial : trials) {
-    if (trial.rate < best.rate - best.error) continue;
-    const bool better = !chosen || trial.distance < chosen->distance ||
-                        (trial.distance == chosen->distance && trial.rate > chosen->rate);
-    if (better) chosen = &trial;
+    if (trial.rate < best.rate - kAsGood * best.error) continue;
+    for (std::size_t c = 0; c < cues.size(); ++c) sums[c] += trial.parts[c];
+    count += 1;
   }
-  return chosen->weights;
+  for (double& sum : sums) sum = sum < kNothing * even * count ? 0 : sum;
+  std::vector<double> weights = scaled(prior, sums);
+  for (double& weight : weights) weight = std::round(1e6 * weight) / 1e6;
+  return weights;
 }
 
 }  // namespace place_recognition

@@ -18,11 +18,10 @@ HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& wei
 /// The weights that the options ask for, with the sum 1.
 std::vector<double> priorWeights(const std::vector<CueOptions>& cues);
 
-/// The weights, `prior` or in steps of a tenth (coarser for many cues) and with the sum 1, for the
-/// mean rate of the rooms on held-out samples: of those within one standard error of the best, the
-/// ones closest to `prior`, because a few hundred frames cannot tell them apart. On real rooms
-/// (ie_rooms, config/colour_cues.yaml) this rule names 82.4 and 88.3 % right, the weights of the
-/// best held-out rate 82.4 and 84.8 %.
+/// The weights for the mean rate of the rooms on held-out samples, with the sum 1: the mean of all
+/// settings, multiples of `prior` in steps of a tenth (coarser for many cues), that are within two
+/// standard errors of the best, because a few hundred frames cannot tell these apart. A cue whose
+/// part of the mean is less than a fifth of an even one counts for nothing.
 std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
                                      const std::vector<double>& prior,
                                      const std::vector<SampleOrigin>& samples, std::size_t places);

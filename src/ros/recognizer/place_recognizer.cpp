@@ -391,7 +391,7 @@ void PlaceRecognizer::publishModelInfo() {
 void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   rate_limit_.reset();
-  if (recognizer_) recognizer_->forgetLight();
+  if (recognizer_) recognizer_->forgetStream();
   last_stamp_ = 0;
   forgetPlace();
 }

@@ -1,0 +1,58 @@
+#include "recognition/frames/fading_views.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace place_recognition {
+namespace {
+
+constexpr double kFadingTime = 300;  // s
+constexpr double kViewsOfAPlace = 5;
+constexpr double kNewFrame = 1;  // s, from one frame to the next that counts in full
+constexpr double kTimeJump = 1;  // s, back: a new stream
+
+}  // namespace
+
+FadingViews::FadingViews(Eigen::Index places, Eigen::Index values)
+    : counts_(Eigen::VectorXd::Zero(places)), sums_(Eigen::MatrixXd::Zero(places, values)) {}
+
+void FadingViews::reset() {
+  started_ = false;
+  counts_.setZero();
+  sums_.setZero();
+}
+
+void FadingViews::beginFrame(double stamp) {
+  const double elapsed = stamp - stamp_;
+  if (started_ && !(elapsed >= -kTimeJump)) reset();
+  share_ = started_ ? std::clamp(elapsed / kNewFrame, 0.0, 1.0) : 1;
+  if (started_ && elapsed > 0) {
+    const double kept = std::exp(-elapsed / kFadingTime);
+    counts_ *= kept;
+    sums_ *= kept;
+  }
+  stamp_ = stamp;
+  started_ = true;
+}
+
+void FadingViews::add(const Eigen::RowVectorXd& probabilities, const Eigen::MatrixXd& values) {
+  assert(probabilities.size() == counts_.size());
+  assert(values.rows() == sums_.rows() && values.cols() == sums_.cols());
+  for (Eigen::Index k = 0; k < counts_.size(); ++k) {
+    const double part = share_ * probabilities[k];
+    counts_[k] += part;
+    sums_.row(k) += part * values.row(k);
+  }
+}
+
+double FadingViews::views(Eigen::Index place) const {
+  return counts_[place] > 0 ? 1 / (1 / counts_[place] + 1 / kViewsOfAPlace) : 0;
+}
+
+Eigen::RowVectorXd FadingViews::mean(Eigen::Index place) const {
+  if (counts_[place] <= 0) return Eigen::RowVectorXd::Zero(sums_.cols());
+  return sums_.row(place) / counts_[place];
+}
+
+}  // namespace place_recognition

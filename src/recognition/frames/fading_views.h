@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace place_recognition {
+
+/// What the frames of a stream show of each place, as means of a few values. Older frames fade,
+/// within five minutes to 1/e, and a place tells no more than five views of it would, however long
+/// the robot stands there. Not thread-safe: one per stream.
+class FadingViews {
+ public:
+  FadingViews(Eigen::Index places, Eigen::Index values);
+
+  void reset();
+
+  /// Lets older frames fade until `stamp` (s), that of the next frame. A stamp more than a second
+  /// before the last one begins anew; so does the first one.
+  void beginFrame(double stamp);
+
+  /// Takes that frame: what it shows of each place (places x values), if it is the place, by the
+  /// probability of each. A frame that follows within a second counts by that part of a second.
+  void add(const Eigen::RowVectorXd& probabilities, const Eigen::MatrixXd& values);
+
+  Eigen::Index places() const { return counts_.size(); }
+
+  /// How many views of the place its frames are worth, 1 / (1/n + 1/5) for n of them.
+  double views(Eigen::Index place) const;
+
+  /// Of the frames of the place; 0 without any.
+  Eigen::RowVectorXd mean(Eigen::Index place) const;
+
+ private:
+  double stamp_ = 0;
+  bool started_ = false;
+  double share_ = 1;        // of the frame that is new
+  Eigen::VectorXd counts_;  // n_k
+  Eigen::MatrixXd sums_;    // places x values
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,91 @@
+#include "recognition/recognizer/evidence_shift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "recognition/model/cue_mean.h"
+#include "recognition/model/scores.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr double kViewsBefore = 1;  // of the training, that the drop starts from
+constexpr double kLargestShift = 4;
+constexpr double kViewsOfStrangers = 2;  // that the ratio starts from
+constexpr double kStrangeRatio = 0.5;
+constexpr double kKnownRatio = 0.6;
+
+/// The lead of the largest margin over the second, in standard deviations of all; 0 if they are
+/// equal.
+double leadOf(const Eigen::RowVectorXd& margins) {
+  double first = -std::numeric_limits<double>::infinity();
+  double second = first;
+  for (const double margin : margins) {
+    second = std::max(second, std::min(first, margin));
+    first = std::max(first, margin);
+  }
+  const double deviation = std::sqrt((margins.array() - margins.mean()).square().mean());
+  return deviation > 0 ? (first - second) / deviation : 0;
+}
+
+}  // namespace
+
+EvidenceShift::EvidenceShift(const Model& model)
+    : views_(static_cast<Eigen::Index>(model.places.size()), 2) {
+  const Eigen::Index places = views_.places();
+  const HeldOutFrames& frames = model.held_out;
+  if (places < 3 || frames.places.empty()) return;
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(places, 3);  // log odds, leads, frames
+  CueMean mean;
+  for (std::size_t i = 0; i < frames.places.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    mean.begin(places);
+    for (std::size_t c = 0; c < frames.margins.size(); ++c) {
+      const double familiarity = frames.familiarity[c][row];
+      if (std::isnan(familiarity)) continue;
+      mean.add(model.cue_weights[c], frames.margins[c].row(row).cast<double>(), familiarity);
+    }
+    if (!mean.finish()) continue;
+    sums.row(largest(mean.margins())) += Eigen::RowVector3d(
+        model.calibration.logOdds(mean.margins(), mean.familiarity()), leadOf(mean.margins()), 1);
+  }
+  const Eigen::RowVector3d all = sums.colwise().sum();
+  if (all[1] <= 0) return;
+  for (Eigen::Index k = 0; k < places; ++k) {
+    if (sums(k, 1) <= 0) sums.row(k) = all;
+  }
+  log_odds_ = sums.col(0).cwiseQuotient(sums.col(2));
+  leads_ = sums.col(1).cwiseQuotient(sums.col(2));
+}
+
+void EvidenceShift::reset() { views_.reset(); }
+
+void EvidenceShift::beginFrame(double stamp) { views_.beginFrame(stamp); }
+
+void EvidenceShift::add(const Eigen::RowVectorXd& probabilities, const Eigen::RowVectorXd& margins,
+                        double log_odds) {
+  if (log_odds_.size() == 0) return;
+  Eigen::MatrixXd values(views_.places(), 2);
+  values.col(0) = log_odds_.array() - log_odds;
+  values.col(1) = leadOf(margins) / leads_.array();
+  views_.add(probabilities, values);
+}
+
+double EvidenceShift::value() const {
+  double views = 0;
+  double drops = 0;
+  double ratios = 0;
+  for (Eigen::Index k = 0; k < views_.places(); ++k) {
+    const Eigen::RowVectorXd mean = views_.mean(k);
+    views += views_.views(k);
+    drops += views_.views(k) * mean[0];
+    ratios += views_.views(k) * mean[1];
+  }
+  const double ratio = (kViewsOfStrangers * kStrangeRatio + ratios) / (kViewsOfStrangers + views);
+  const double known =
+      std::clamp((ratio - kStrangeRatio) / (kKnownRatio - kStrangeRatio), 0.0, 1.0);
+  return known * std::clamp(drops / (kViewsBefore + views), 0.0, kLargestShift);
+}
+
+}  // namespace place_recognition

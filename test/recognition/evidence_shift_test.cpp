@@ -1,0 +1,142 @@
+#include "recognition/recognizer/evidence_shift.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "place_recognition/recognizer.h"
+#include "recognition/drawn_run.h"
+
+namespace place_recognition {
+namespace {
+
+/// A model of one cue whose held-out frames have margins of `lead` before -1, familiarity `known`.
+Model modelOf(int places, double lead, double known) {
+  Model model;
+  model.cue_weights = {1};
+  model.calibration.slope = 2;
+  model.calibration.weights = {1, 10, -5};
+  Eigen::MatrixXf margins = Eigen::MatrixXf::Constant(2 * places, places, -1);
+  for (int i = 0; i < 2 * places; ++i) {
+    margins(i, i % places) += static_cast<float>(lead);
+    model.held_out.places.push_back(i % places);
+  }
+  for (int k = 0; k < places; ++k) model.places.push_back("room" + std::to_string(k));
+  model.held_out.margins = {margins};
+  model.held_out.familiarity = {Eigen::VectorXf::Constant(2 * places, static_cast<float>(known))};
+  return model;
+}
+
+/// Frames of all rooms in turn, one a second: margins of `lead` before -1, familiarity `known`.
+class Stream {
+ public:
+  explicit Stream(const Model& model)
+      : calibration_(model.calibration),
+        places_(static_cast<Eigen::Index>(model.places.size())),
+        shift_(model) {}
+
+  void show(int frames, double lead, double known, int places) {
+    for (int i = 0; i < frames; ++i, ++stamp_) {
+      Eigen::RowVectorXd margins = Eigen::RowVectorXd::Constant(places_, -1);
+      const int place = static_cast<int>(stamp_) % places;
+      margins[place] += lead;
+      shift_.beginFrame(stamp_);
+      shift_.add(Eigen::RowVectorXd::Unit(margins.size(), place), margins,
+                 calibration_.logOdds(margins, known));
+    }
+  }
+
+  double shift() const { return shift_.value(); }
+
+ private:
+  Calibration calibration_;
+  Eigen::Index places_;
+  EvidenceShift shift_;
+  double stamp_ = 0;
+};
+
+TEST(EvidenceShift, FollowsTheFormula) {
+  Stream stream(modelOf(4, 2, 0.9));
+  EXPECT_EQ(stream.shift(), 0);
+  stream.show(1, 2, 0.75, 4);  // one view, a fifth less for being of one place, as unlike as 1.5
+  const double views = 1 / (1 + 1.0 / 5);
+  const double ratio = (2 * 0.5 + views) / (2 + views);
+  EXPECT_GT(ratio, 0.6);
+  EXPECT_NEAR(stream.shift(), views * 1.5 / (1 + views), 1e-6);
+}
+
+TEST(EvidenceShift, MakesUpForOtherLight) {
+  // Familiarity has fallen by 0.2, two units of evidence; one room stands out as clearly as ever.
+  Stream stream(modelOf(4, 2, 0.9));
+  stream.show(60, 2, 0.7, 4);
+  EXPECT_GT(stream.shift(), 1.8);
+  EXPECT_LT(stream.shift(), 2);
+  stream.show(1200, 2, 0.9, 4);  // the lamps are on again
+  EXPECT_LT(stream.shift(), 0.2);
+}
+
+TEST(EvidenceShift, IsBoundedAndNeverLowersEvidence) {
+  Stream far(modelOf(4, 2, 0.9));
+  far.show(300, 2, 0.1, 4);
+  EXPECT_EQ(far.shift(), 4);
+  Stream near(modelOf(4, 2, 0.8));
+  near.show(300, 2, 1, 4);
+  EXPECT_EQ(near.shift(), 0);
+}
+
+TEST(EvidenceShift, StaysWhereNoRoomStandsOut) {
+  const Model model = modelOf(4, 2, 0.9);
+  EvidenceShift shift(model);
+  const Eigen::RowVector4d margins(-0.5, -0.6, -0.9, -1);  // a strange building
+  for (int i = 0; i < 300; ++i) {
+    shift.beginFrame(i);
+    shift.add(model.calibration.probabilities(margins), margins,
+              model.calibration.logOdds(margins, 0.6));
+    EXPECT_EQ(shift.value(), 0);
+  }
+}
+
+TEST(EvidenceShift, DoesNotFollowARobotThatStandsForAnHour) {
+  // All of an hour in one place that looks unlike the training counts as five views of it.
+  Stream stream(modelOf(4, 2, 0.9));
+  stream.show(3600, 2, 0.6, 1);
+  EXPECT_LT(stream.shift(), 3 * 5.0 / 6);
+}
+
+TEST(EvidenceShift, NeedsThreePlacesAndHeldOutFrames) {
+  Stream two(modelOf(2, 2, 0.9));
+  two.show(60, 2, 0.5, 2);
+  EXPECT_EQ(two.shift(), 0);
+  Model old = modelOf(4, 2, 0.9);
+  old.held_out = {};
+  Stream without(old);
+  without.show(60, 2, 0.5, 4);
+  EXPECT_EQ(without.shift(), 0);
+}
+
+TEST(EvidenceShift, HoldsForStreamsNotForPicturesByThemselves) {
+  const auto model = std::make_shared<const Model>(
+      train(std::vector<RunOpener>{opener(drawFrames(3, 20))}, quickOptions()).model);
+  std::vector<cv::Mat> dimmed;
+  for (int room = 0; room < 3; ++room) {
+    for (unsigned i = 0; i < 20; ++i) {
+      cv::Mat blurred;
+      cv::GaussianBlur(drawRoom(room, 500 + i), blurred, cv::Size(0, 0), 1);
+      dimmed.push_back(blurred);
+    }
+  }
+  Recognizer stream(model);
+  Recognizer alone(model);
+  double stamp = 0;
+  for (const cv::Mat& image : dimmed) stream.recognize(image, stamp++);
+  const double shift = stream.evidenceShift();
+  ASSERT_GT(shift, 0.1);
+  for (const cv::Mat& image : dimmed) alone.recognize(image);
+  EXPECT_EQ(alone.evidenceShift(), 0);
+  stream.forgetStream();
+  EXPECT_EQ(stream.evidenceShift(), 0);
+}
+
+}  // namespace
+}  // namespace place_recognition
