@@ -1,20 +1,97 @@
 #!/usr/bin/env python3
-"""rosbag play for replay.launch, of the bag that the environment variable BAG names: an absolute path, one
-that starts with ~/, or one from the folder where roslaunch was called. Blanks and quotes may be in it."""
-import os
-import sys
+"""rosbag play for replay.launch, which says by environment variables what a person asked for.
 
+BAG is an absolute path, one that starts with ~/ or $HOME/, or one from the folder where roslaunch was
+called; blanks and quotes may be in it. IMAGE and ODOMETRY are topics, with or without a slash at their
+start. RATE is how many times as fast as recorded, LOOP whether to start again at the end. Playing starts
+when somebody listens to the images: rosbag's own --wait-for-subscribers would wait until somebody
+listens to the labels, too.
+"""
+import os
+import signal
+import sys
+import time
+
+import rosbag
+import rosgraph
 import roslib.packages
+
+YES = ("true", "yes", "on", "1")
+NO = ("false", "no", "off", "0")
+CONNECTING = "1"  # s that a subscriber may take to connect to a publisher
+PATIENCE = 5  # s
+
+
+def bag_path(bag):
+    folder_of_call = os.readlink(f"/proc/{os.getppid()}/cwd")
+    path = os.path.join(folder_of_call, os.path.expandvars(os.path.expanduser(bag)))
+    if not os.path.isfile(path):
+        sys.exit(f"There is no file {path}; give the bag's path as bag:=PATH.")
+    return path
+
+
+def pace(rate):
+    try:
+        if 0 < float(rate) < float("inf"):
+            return rate
+    except ValueError:
+        pass
+    sys.exit(f"The argument rate is '{rate}'; give a number above 0, as in rate:=2.")
+
+
+def is_loop(loop):
+    if loop.lower() not in YES + NO:
+        sys.exit(f"The argument loop is '{loop}'; give true or false.")
+    return loop.lower() in YES
+
+
+def recorded_topics(path):
+    """The topics of the bag, each with its type."""
+    try:
+        with rosbag.Bag(path) as bag:
+            return {name: topic.msg_type for name, topic in bag.get_type_and_topic_info().topics.items()}
+    except rosbag.ROSBagUnindexedException:
+        sys.exit(f"{path} has no index, as when recording was cut short; run: rosbag reindex {path}")
+    except (rosbag.ROSBagException, OSError) as e:
+        sys.exit(f"Cannot read {path}: {e}; copy or record it again.")
+
+
+def meant(names, recorded):
+    """The recorded topics of these names, with or without a slash at their start."""
+    bare = {name.lstrip("/") for name in names}
+    return [topic for topic in recorded if topic.lstrip("/") in bare]
+
+
+def wait_for_listener(topics):
+    """Until somebody listens to one of the topics, by what the master knows."""
+    master = rosgraph.Master("/play")
+    wanted = {"/" + topic.lstrip("/") for topic in topics}
+    warning = time.time() + PATIENCE
+    while not wanted & {topic for topic, _ in master.getSystemState()[1]}:
+        time.sleep(0.1)
+        if time.time() > warning:
+            warning = float("inf")
+            print(f"Waiting until somebody listens to {' or '.join(sorted(wanted))}, where the images of "
+                  "the bag are; see image_transport.", flush=True)
 
 
 def main():
-    folder_of_call = os.readlink(f"/proc/{os.getppid()}/cwd")
-    bag = os.path.join(folder_of_call, os.path.expanduser(os.environ["BAG"]))
-    if not os.path.isfile(bag):
-        sys.exit(f"There is no file {bag}; give the bag's path as bag:=PATH.")
-    print(f"Playing {bag}.", flush=True)
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    path = bag_path(os.environ["BAG"])
+    options = ["--rate", pace(os.environ["RATE"]), "--delay", CONNECTING]
+    if is_loop(os.environ["LOOP"]):
+        options.append("--loop")
+    recorded = recorded_topics(path)
+    image = os.environ["IMAGE"]
+    images = meant([image, image + "/compressed"], recorded)
+    if not images:
+        there = ", ".join(name for name, kind in sorted(recorded.items()) if "Image" in kind)
+        sys.exit(f"{path} has no images on {image}; topics of images are: {there or 'none'}.")
+    others = meant(["/place_label", "/tf", "/tf_static", os.environ["ODOMETRY"]], recorded)
+    wait_for_listener(images)
+    print(f"Playing {path}.", flush=True)
     player = roslib.packages.find_node("rosbag", "play")[0]
-    os.execv(player, [player, *sys.argv[1:], "--bags", bag])
+    os.execv(player, [player, *options, *sys.argv[1:], "--topics", *images, *others, "--bags", path])
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -19,6 +20,14 @@ constexpr std::size_t kMaxPathBytes = 4096;
 std::string home() {
   const char* folder = std::getenv("HOME");
   return folder == nullptr ? "" : folder;
+}
+
+/// `path`, of which "~/" at its start is the home folder, as a shell has it.
+std::string withHome(const std::string& path) {
+  for (const std::string start : {"~/", "$HOME/", "${HOME}/"}) {
+    if (startsWith(path, start)) return home() + path.substr(start.size() - 1);
+  }
+  return path;
 }
 
 bool liesBelow(const fs::path& path, const fs::path& root) {
@@ -92,7 +101,7 @@ std::string confinedBagPath(const std::string& path, const std::vector<std::stri
   const bool readable =
       !path.empty() && path.size() <= kMaxPathBytes && path.find('\0') == std::string::npos;
   if (readable) {
-    const fs::path expanded = path.compare(0, 2, "~/") == 0 ? home() + path.substr(1) : path;
+    const fs::path expanded = withHome(path);
     for (const std::string& root : roots) {
       if (const auto bag = bagBelow(expanded, root, roots)) return *bag;
     }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "place_recognition/error.h"
 
@@ -26,6 +27,22 @@ fs::path homeOf(const std::string& user) {
                 " could be; give the whole path.");
   }
   return entry->pw_dir;
+}
+
+/// `path`, which starts with '$', with the value of the variable instead.
+std::string withVariable(const std::string& path) {
+  static const std::regex start(R"(\$(\w+|\{\w+\})(?=/|$))");
+  std::smatch found;
+  const std::string head = path.substr(0, 200);
+  if (!std::regex_search(head, found, start, std::regex_constants::match_continuous)) return path;
+  std::string name = found[1];
+  if (name[0] == '{') name = name.substr(1, name.size() - 2);
+  const char* value = std::getenv(name.c_str());
+  if (value == nullptr || *value == '\0') {
+    throw Error("The environment variable " + name + " of the path " + path +
+                " is not set; give the whole path.");
+  }
+  return value + path.substr(static_cast<std::size_t>(found.length()));
 }
 
 bool isRoslaunch(const fs::path& process) {
@@ -47,8 +64,9 @@ fs::path folderOfCall() {
 
 }  // namespace
 
-std::string userPath(const std::string& path) {
-  if (path.empty()) return path;
+std::string userPath(const std::string& given) {
+  if (given.empty()) return given;
+  const std::string path = given[0] == '$' ? withVariable(given) : given;
   if (path[0] == '/') return path;
   if (path[0] == '~') {
     const std::size_t slash = std::min(path.find('/'), path.size());

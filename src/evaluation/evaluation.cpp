@@ -65,6 +65,7 @@ class Evaluator {
         ++unlabelled;
       } else if (frame.image.empty()) {
         if (unreadable++ == 0) first_problem = frame.name + ": " + frame.problem;
+        if (first_problem_.empty()) first_problem_ = first_problem;
       } else {
         for (const std::string& warning : guard.judge(frame.image, frame.stamp)) {
           evaluation_.warnings.push_back(run.name() + ": " + warning);
@@ -153,9 +154,13 @@ class Evaluator {
     const std::string runs = joined(evaluation_.runs, 0, evaluation_.runs.size());
     if (pictures_ == 0)
       throw Error("There are no pictures in " + runs + "; give a run that has some.");
+    if (evaluation_.frames.empty() && !first_problem_.empty()) {
+      throw Error("None of the pictures in " + runs + " that have a label can be used (" +
+                  first_problem_ + "); give a run that has some.");
+    }
     if (evaluation_.frames.empty()) {
       throw Error("None of the " + std::to_string(pictures_) + " pictures in " + runs +
-                  " can be decoded and has a label; say which place each of them shows.");
+                  " has a label; say which place each of them shows.");
     }
     const bool any = std::any_of(evaluation_.frames.begin(), evaluation_.frames.end(),
                                  [this](const FrameResult& f) { return evaluation_.learned(f); });
@@ -172,6 +177,7 @@ class Evaluator {
   std::size_t smoothed_ = 0;  // frames that have their smoothed answer
   std::size_t wrong_pictures_;
   std::uint64_t pictures_ = 0;
+  std::string first_problem_;  // of a labelled picture that cannot be used
   Evaluation evaluation_;
 };
 

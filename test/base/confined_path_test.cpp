@@ -126,6 +126,8 @@ TEST_F(ConfinedPaths, ALinkBetweenRootsIsFollowed) {
 TEST_F(ConfinedPaths, ATildeIsTheHomeFolder) {
   setenv("HOME", root_.c_str(), 1);
   EXPECT_EQ(confined("~/a.bag"), root_ + "/a.bag");
+  EXPECT_EQ(confined("$HOME/a.bag"), root_ + "/a.bag");
+  EXPECT_EQ(confined("${HOME}/a.bag"), root_ + "/a.bag");
   EXPECT_EQ(defaultBagRoots().front(), root_);
 }
 

@@ -42,6 +42,10 @@ class ParametersTest(NodeCase):
                 ("place_recognizer", "_smoothing_lag:=99", "~smoothing_lag is 99"),
                 ("place_recognizer", "_threads:=2.5", "~threads is 2.5; give a whole number"),
                 ("place_recognizer", "_model:=true", "~model is the truth value true"),
+                ("place_recognizer", "_image_transport:=jpeg",
+                 "~image_transport is 'jpeg'; the transports that are installed are raw, compressed"),
+                ("place_labeler", "_image_transport:=compresed", "Is compressed meant?"),
+                ("place_labeler", "_image_transport:=7", "~image_transport is '7'"),
                 ("trainer", "_bag_roots:=false", "~bag_roots[0] is the truth value false")):
             with self.subTest(argument):
                 self.expect_end(self.start_node(node, argument), 1, message)
@@ -67,6 +71,11 @@ class ParametersTest(NodeCase):
         self.assertNotIn("~image_transport", node.output)
         self.assertNotIn("~diagnostic_period", node.output)
         self.assertEqual(node.interrupt(), 0)
+        monitor = self.start(PROGRAMS / "place_monitor.py", "_recognizer:=/front", "--idle-exit", "0.1")
+        self.expect_end(monitor, 0, "The parameter ~recognizer changes nothing here")
+        (self.folder / "rooms.yaml").write_text("places: [{name: a, position: [[0, 0], [1, 0], [1, 1]]}]")
+        self.expect_end(self.start_node("auto_labeler", "_rooms:=rooms.yaml", "_pose_timeout:=1e30"), 1,
+                        "~pose_timeout is 1e+30; give a number from 0 to 3600")
         node = self.start_node("trainer", "_bag_root:=/data")
         self.expect(node, "is ~bag_roots meant?")
         node.interrupt()

@@ -64,6 +64,20 @@ class BagTest(FieldCase):
             self.assert_names(self.run_tool(verb, "run.bag", *(MODEL if verb == "train" else
                                                               MODEL[:2])).stderr, "empty")
 
+    def test_a_bag_of_which_no_image_can_be_used_says_why(self):
+        self.train(self.write_labelled("run.bag", 1000, ["kitchen"] * 8 + ["office"] * 8,
+                                       [(0, "kitchen"), (8, "office")]))
+        with rosbag.Bag(str(self.folder / "film.bag"), "w") as bag:
+            bag.write("/place_label", String("kitchen"), rospy.Time(1000))
+            for i in range(3):
+                bag.write("/camera/image_raw/compressed", CompressedImage(format="h264", data=b"film"),
+                          rospy.Time(1000 + i))
+        for verb in (("train", "film.bag", "--model", "./other.places"),
+                     ("evaluate", "film.bag", *MODEL[:2])):
+            self.assert_names(self.refuse(*verb), "can be used", "#1", "no picture")
+        self.assert_names(self.run_tool("recognize", "film.bag", *MODEL[:2]).stderr, "#1",
+                          "no picture")
+
     def test_labels_with_commas_are_labels(self):
         self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5, [])
         (self.folder / "labels.dat").write_text("stamp,label\n1000.0,kitchen\n1004.5,office\n")

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
 #include "ros/nodes/node_names.h"
@@ -9,6 +10,8 @@
 namespace place_recognition {
 namespace {
 
+/// How long the pose of an image may take to come at most, s.
+constexpr double kMaxPatience = 3600;
 /// How often poses are looked up for the images that wait, s.
 constexpr double kPosePoll = 0.02;
 
@@ -39,7 +42,7 @@ AutoLabeler::AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& pri
       robot_frame_(parameters.text("robot_frame", "base_link")),
       margin_(parameters.real("margin", 0.3, 0)),
       max_deviation_(parameters.real("max_deviation", 0.5, 0)),
-      patience_(parameters.real("pose_timeout", 0.2, 0)),
+      patience_(parameters.real("pose_timeout", 0.2, 0, kMaxPatience)),
       recording_(node, parameters),
       input_(
           node, private_node, parameters, [this](const ImageMessage& image) { onImage(image); },
@@ -50,8 +53,8 @@ AutoLabeler::AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& pri
       ros::WallDuration(kPosePoll), [this](const ros::WallTimerEvent&) { labelWaiting(); });
   input_.subscribe();
   recording_.expectImages();
-  ROS_INFO("%zu rooms; labelling by the pose of %s in %s.", rooms_.size(), robot_frame_.c_str(),
-           map_frame_.c_str());
+  ROS_INFO("%s; labelling by the pose of %s in %s.", counted(rooms_.size(), "room").c_str(),
+           robot_frame_.c_str(), map_frame_.c_str());
 }
 
 void AutoLabeler::finish() {

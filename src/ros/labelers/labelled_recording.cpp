@@ -20,7 +20,7 @@ constexpr double kReportPeriod = 5;         // s
 
 std::unique_ptr<StagedBag> openBag(std::string path) {
   if (path.empty()) return nullptr;
-  if (std::filesystem::is_directory(path)) {
+  if (std::filesystem::is_directory(path) || path.back() == '/') {
     throw Error(path + " is a folder; name a file in it by ~bag, as in monday.bag.");
   }
   if (std::filesystem::path(path).extension() != ".bag") path += ".bag";  // as rosbag record does

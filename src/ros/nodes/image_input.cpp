@@ -1,5 +1,11 @@
 #include "ros/nodes/image_input.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/nearest_name.h"
+#include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
 
 namespace place_recognition {
@@ -20,7 +26,25 @@ ImageInput::ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& priva
       transport_name_(parameters.text("image_transport", "raw")),
       callback_(std::move(callback)),
       queue_(queue),
-      transport_(node) {}
+      transport_(node) {
+  requireTransport();
+}
+
+void ImageInput::requireTransport() const {
+  std::vector<std::string> known{"raw", "compressed"};
+  if (std::count(known.begin(), known.end(), transport_name_) > 0) return;
+  std::string list = "raw, compressed";
+  for (const std::string& plugin : transport_.getLoadableTransports()) {
+    const std::string name = plugin.substr(plugin.find('/') + 1);  // behind its package
+    if (name == transport_name_) return;
+    if (std::count(known.begin(), known.end(), name) == 0) list += ", " + name;
+    known.push_back(name);
+  }
+  const std::string meant = nearestName(transport_name_, known);
+  throw Error("The parameter ~image_transport is '" + transport_name_ +
+              "'; the transports that are installed are " + list + "." +
+              (meant.empty() ? "" : " Is " + meant + " meant?"));
+}
 
 void ImageInput::subscribe() {
   if (transport_name_ == "compressed") {
@@ -28,19 +52,9 @@ void ImageInput::subscribe() {
     compressed_subscriber_ = node_.subscribe(topic() + names::kCompressedSuffix, queue_,
                                              &ImageInput::onCompressed, this);
   } else {
-    subscribeThroughPlugin();
-  }
-}
-
-void ImageInput::subscribeThroughPlugin() {
-  const image_transport::TransportHints hints("raw", ros::TransportHints(), private_node_);
-  try {
+    const image_transport::TransportHints hints("raw", ros::TransportHints(), private_node_);
     plugin_subscriber_ =
         transport_.subscribe(names::kImage, queue_, &ImageInput::onImage, this, hints);
-  } catch (const std::exception& e) {
-    ROS_ERROR("There is no image transport '%s' (%s); taking raw images. Correct ~image_transport.",
-              hints.getTransport().c_str(), e.what());
-    plugin_subscriber_ = transport_.subscribe(names::kImage, queue_, &ImageInput::onImage, this);
   }
 }
 

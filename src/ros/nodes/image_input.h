@@ -39,12 +39,12 @@ class ImageMessage {
 
 /// The subscription to `image`, by the transport that the parameter `~image_transport` names.
 /// `compressed` is decoded here, for not every installation has image_transport's plugin for it.
-/// A transport that is missing altogether is reported, and raw images are taken instead.
 class ImageInput {
  public:
   using Callback = std::function<void(const ImageMessage&)>;
 
-  /// While the callback is busy, the newest `queue` images wait.
+  /// While the callback is busy, the newest `queue` images wait. Throws Error if the transport is
+  /// not installed.
   ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
              Parameters& parameters, Callback callback, std::uint32_t queue);
 
@@ -61,7 +61,7 @@ class ImageInput {
   void onCompressed(const sensor_msgs::CompressedImageConstPtr& message) {
     callback_(ImageMessage(message));
   }
-  void subscribeThroughPlugin();
+  void requireTransport() const;
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;

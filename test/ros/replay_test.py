@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""replay.launch as people call it: nobody but the recognizer listens to what is played."""
+import os
+import sys
+import unittest
+
+import cv2
+import rosbag
+import rospy
+from place_recognition.msg import PlaceRecognition
+from sensor_msgs.msg import CompressedImage
+from std_msgs.msg import String
+
+sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
+from node_case import PROGRAMS, NodeCase, paint  # noqa: E402
+
+FRAMES = 16
+
+
+class ReplayTest(NodeCase):
+    def setUp(self):
+        super().setUp()
+        self.trip = self.folder / "Monday's trip"
+        self.trip.mkdir()
+
+    def write_run(self, path, topic="/camera/image_raw", labels="/place_label"):
+        with rosbag.Bag(str(path), "w") as bag:
+            for i in range(FRAMES):
+                if i % 8 == 0:
+                    bag.write(labels, String(("kitchen", "office")[i // 8]), rospy.Time(1000 + i))
+                image = CompressedImage(format="jpeg", data=cv2.imencode(
+                    ".jpg", paint(("kitchen", "office")[i // 8], i))[1].tobytes())
+                image.header.stamp = rospy.Time(1000 + i)
+                bag.write(topic + "/compressed", image, rospy.Time(1000 + i))
+        return path
+
+    def replay(self, bag, *arguments):
+        """The stamps of the frames that were answered."""
+        heard = []
+        subscriber = rospy.Subscriber("/place_recognizer/recognition", PlaceRecognition, heard.append)
+        self.addCleanup(subscriber.unregister)
+        program = self.launch("replay.launch", f"bag:={bag}", "model:=home", "rate:=10", *arguments,
+                              cwd=self.trip)
+        program.wait()
+        self.assertIn("Playing /", program.output)
+        self.assertNotIn("exit code", program.output)
+        self.assertFalse(rospy.has_param("/use_sim_time"))
+        return sorted(message.header.stamp.secs for message in heard)
+
+    def test_every_frame_is_answered_though_nobody_listens_to_the_labels(self):
+        self.write_run(self.trip / "the run.bag")
+        self.write_run(self.home / "run.bag")
+        bare = self.write_run(self.trip / "bare.bag", "camera/image_raw", "place_label")
+        program = self.start(os.environ["PLACE_TOOL"], "train", bare, "--model", "home", "--config",
+                             "crfh_colour")
+        self.assertEqual(program.wait(), 0, program.output)
+        for given, arguments in ((self.trip / "the run.bag", []), ("the run.bag", ["loop:=no"]),
+                                 ("~/run.bag", ["image:=camera/image_raw"]), ("$HOME/run.bag", []),
+                                 ("bare.bag", [])):
+            with self.subTest(str(given)):
+                self.assertEqual(self.replay(given, *arguments),
+                                 list(range(1000, 1000 + FRAMES)))
+
+    def test_what_cannot_be_played_is_told(self):
+        run = self.write_run(self.trip / "the run.bag")
+        (self.trip / "notes.bag").write_text("notes")
+        settings = {"BAG": run, "RATE": "1", "LOOP": "false", "IMAGE": "/camera/image_raw",
+                    "ODOMETRY": "none"}
+        for name, value, words in (
+                ("BAG", self.trip / "the lost run.bag", "There is no file"),
+                ("BAG", self.trip, "There is no file"),
+                ("BAG", self.trip / "notes.bag", "copy or record it again"),
+                ("RATE", "fast", "The argument rate is 'fast'; give a number above 0"),
+                ("RATE", "0", "give a number above 0"), ("RATE", "nan", "give a number above 0"),
+                ("LOOP", "maybe", "The argument loop is 'maybe'; give true or false"),
+                ("IMAGE", "/front", "has no images on /front; topics of images are: "
+                                    "/camera/image_raw/compressed")):
+            with self.subTest(f"{name} {value}"):
+                program = self.start("env", *(f"{key}={given}" for key, given in
+                                              {**settings, name: value}.items()),
+                                     PROGRAMS / "play_bag.py")
+                self.expect_end(program, 1, words)
+
+    def test_a_relative_path_starts_where_roslaunch_was_called(self):
+        missing = self.launch("replay.launch", "bag:=the lost run.bag", cwd=self.trip)
+        self.expect(missing, f"There is no file {self.trip / 'the lost run.bag'}; give")
+
+
+if __name__ == "__main__":
+    unittest.main()
