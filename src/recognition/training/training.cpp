@@ -6,6 +6,7 @@
 
 #include "base/place_name.h"
 #include "base/text.h"
+#include "learning/classifier_parts.h"
 #include "recognition/frames/color_normalization.h"
 #include "recognition/model/embeddings.h"
 #include "recognition/training/block_choice.h"
@@ -114,8 +115,9 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
     KernelOptions& kernel = model.options.cues[c].kernel;
     kernel.gamma = cues[c].gamma;
     training.unreduced_vectors.push_back(cues[c].vectors.size());
-    model.classifiers.emplace_back(kernel, std::move(cues[c].machines[chosen]),
-                                   std::move(cues[c].vectors), cues[c].vector_places);
+    model.classifiers.push_back(
+        ClassifierParts::assemble(kernel, std::move(cues[c].machines[chosen]),
+                                  std::move(cues[c].vectors), cues[c].vector_places));
   }
 
   report(progress, "Calibrating", 0);
