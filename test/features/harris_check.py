@@ -27,7 +27,7 @@ def sigma(n):
 
 
 def blur(image, s, half_width):
-    return gaussian_filter(image, s, radius=int(np.ceil(half_width * s)), mode="mirror")
+    return gaussian_filter(image, s, truncate=np.ceil(half_width * s) / s, mode="mirror")  # its radius
 
 
 def peak(before, middle, after):
