@@ -135,8 +135,8 @@ class AutoLabelers : public testing::Test {
   /// Sends a picture that the robot takes at (x, 2) and, as robots do, a little later where it was.
   void visit(double x, int room, unsigned number) {
     geometry_msgs::TransformStamped transform;
+    transform.header = headerAt(ros::Time::now().toSec());  // rounded as the picture's stamp is
     transform.header.frame_id = "map";
-    transform.header.stamp = ros::Time::now();
     transform.child_frame_id = "base_link";
     transform.transform.translation.x = x;
     transform.transform.translation.y = 2;

@@ -22,7 +22,7 @@ class FullDiskTest(FieldCase):
             env=self.environment(),
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
         self.assertEqual(result.returncode, 1, result.stderr)
-        lines = [line for line in result.stderr.splitlines() if not line.endswith(" %")]
+        lines = self.without_progress(result.stderr)
         self.assertEqual(len(lines), 1, result.stderr)
         self.assert_names(lines[0], "Cannot write", "make room")
         self.assertEqual(self.files(), before)
