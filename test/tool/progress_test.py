@@ -67,7 +67,7 @@ class StopTest(ToolCase):
                 errors = self.stop(number, "simulate", "--out", "runs", "--format", form,
                                    "--size", "64x48")
                 self.assertEqual(errors, "place_tool simulate: stopped.\n")
-                self.assertEqual(self.files(), ["runs"])
+                self.assertEqual(self.files(), [])
 
     def test_training_writes_no_model(self):
         self.write_run("monday")
