@@ -63,7 +63,7 @@ def show(server, options):
 def serve(server):
     """Until the page is closed, or Ctrl-C."""
     stopped = threading.Event()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda *_: stopped.set())
     threading.Thread(target=server.serve_forever, daemon=True).start()
     while not stopped.wait(0.2):

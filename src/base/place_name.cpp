@@ -51,14 +51,16 @@ bool isPlaceName(const std::string& name) {
 
 std::string placeName(const std::string& text) { return isUtf8(text) ? tidied(text) : text; }
 
-std::vector<std::string> warnOfCase(const std::vector<std::string>& names) {
+std::vector<std::string> warnOfLikeNames(const std::vector<std::string>& names) {
   std::vector<std::string> warnings;
   std::map<std::string, std::string> seen;
   for (const std::string& name : names) {
-    const auto [first, is_new] = seen.emplace(caseFolded(name), name);
+    const auto [first, is_new] = seen.emplace(likeness(name), name);
     if (is_new || first->second == name) continue;
-    warnings.push_back("'" + first->second + "' and '" + name +
-                       "' differ in upper and lower case only, and are two places; rename one of "
+    const bool in_case = caseFolded(first->second) == caseFolded(name);
+    warnings.push_back("'" + first->second + "' and '" + name + "' " +
+                       (in_case ? "differ in upper and lower case only" : "look alike") +
+                       ", and are two places; rename one of "
                        "them if they are the same room.");
   }
   return warnings;

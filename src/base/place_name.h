@@ -24,7 +24,8 @@ bool isPlaceName(const std::string& name);
 /// is.
 std::string placeName(const std::string& text);
 
-/// A sentence for each two of `names` that differ in upper and lower case only.
-std::vector<std::string> warnOfCase(const std::vector<std::string>& names);
+/// A sentence for each two of `names` that may be meant for one place, as they differ in upper and
+/// lower case only, or are alike (see likeness()).
+std::vector<std::string> warnOfLikeNames(const std::vector<std::string>& names);
 
 }  // namespace place_recognition

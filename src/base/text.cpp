@@ -105,6 +105,17 @@ std::string caseFolded(const std::string& text) {
   return utf8(icu::UnicodeString::fromUTF8(text).foldCase());
 }
 
+std::string likeness(const std::string& text) {
+  UErrorCode status = U_ZERO_ERROR;
+  const icu::Normalizer2* folder = icu::Normalizer2::getNFKCCasefoldInstance(status);
+  const icu::UnicodeString original = icu::UnicodeString::fromUTF8(text);
+  std::string folded = utf8(U_SUCCESS(status) ? folder->normalize(original, status) : original);
+  std::replace_if(
+      folded.begin(), folded.end(), [](char c) { return c == '_' || c == '-'; }, ' ');
+  folded.erase(folded.find_last_not_of(" .,;:!") + 1);
+  return tidied(folded);
+}
+
 bool startsWith(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }

@@ -26,6 +26,11 @@ std::string counted(std::uint64_t count, const std::string& noun);
 /// formed UTF-8.
 std::string caseFolded(const std::string& text);
 
+/// The same for texts that a person may have written for one another: beside case, wide letters and
+/// ligatures (Unicode NFKC case folding), '_', '-' and blanks, and stops at the end do not matter.
+/// `text` must be well-formed UTF-8.
+std::string likeness(const std::string& text);
+
 /// Whether `text` begins with `start`.
 bool startsWith(const std::string& text, const std::string& start);
 

@@ -89,7 +89,7 @@ class Evaluator {
           "The model has not learned '" + evaluation_.places[k] +
           "'; its pictures count only for telling known places from unknown ones.");
     }
-    for (const std::string& warning : warnOfCase(evaluation_.places)) {
+    for (const std::string& warning : warnOfLikeNames(evaluation_.places)) {
       evaluation_.warnings.push_back(warning);
     }
     return std::move(evaluation_);

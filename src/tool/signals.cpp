@@ -17,6 +17,9 @@ void stopOnSignals() {
   action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before = {};
+  sigaction(SIGHUP, &action, &before);                                    // the terminal closes
+  if (before.sa_handler == SIG_IGN) sigaction(SIGHUP, &before, nullptr);  // nohup
 }
 
 bool stopRequested() { return g_stop_requested != 0; }

@@ -46,12 +46,32 @@ TEST(PlaceName, LeavesBadOnesForWhoRefusesThem) {
   EXPECT_EQ(placeName("\xff "), "\xff ");
 }
 
+TEST(Names, ThatLookAlikeAreTold) {
+  for (const std::vector<std::string>& pair :
+       {std::vector<std::string>{"lab", "\uff2c\uff41\uff42"},
+        {"\ufb01ling", "filing"},
+        {"IV", "\u2163"},
+        {"office a", "office_a"},
+        {"office-a", "Office A"},
+        {"lab", "lab."},
+        {"lab", "lab "},
+        {"K\u00fcche", "k\u00fcche,"},
+        {"Stra\u00dfe", "STRASSE"}}) {
+    const std::vector<std::string> warnings = warnOfLikeNames(pair);
+    ASSERT_EQ(warnings.size(), 1u) << pair[0];
+    EXPECT_NE(warnings[0].find("'" + pair[0] + "' and '" + pair[1] + "'"), std::string::npos);
+  }
+  EXPECT_TRUE(warnOfLikeNames({"2.14", "214", "lab", "lab1", "lab 1", "lab 2", "Kuche",
+                               "K\u00fcche", "office", "offices"})
+                  .empty());
+}
+
 TEST(Names, ThatDifferInCaseOnlyAreTold) {
-  EXPECT_TRUE(warnOfCase({"kitchen", "office_a", "office_b"}).empty());
+  EXPECT_TRUE(warnOfLikeNames({"kitchen", "office_a", "office_b"}).empty());
   const std::vector<std::string> warnings =
-      warnOfCase({"K\xc3\x9c"
-                  "CHE",
-                  kComposed, "Office_A", "office_a"});
+      warnOfLikeNames({"K\xc3\x9c"
+                       "CHE",
+                       kComposed, "Office_A", "office_a"});
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_NE(warnings[1].find("'Office_A' and 'office_a'"), std::string::npos);
 }

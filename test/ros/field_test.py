@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Nodes where the disk is full, clocks differ, cameras are infrared, and a manager runs two nodelets."""
 import os
+import signal
 import sys
+import threading
 import unittest
 
 import cv2
@@ -100,6 +102,30 @@ class FullDiskTest(FieldCase):
             self.assertIn("make room", answer.message)
         self.assertEqual([path for path in (self.folder / "ros_home").rglob("*")
                           if "places" in path.name], [])
+
+
+class EndTest(FieldCase):
+    def test_a_training_by_a_service_does_not_hold_the_trainer_up(self):
+        run = str(self.folder / self.write_run("run.bag"))
+        for number in (signal.SIGINT, signal.SIGHUP):
+            node = self.start_node("trainer", f"_bag_roots:=[{self.folder}]")
+            rospy.wait_for_service("/trainer/retrain", 60)
+            retrain = rospy.ServiceProxy("/trainer/retrain", Retrain)
+
+            def ask():
+                try:
+                    retrain(bags=[run] * 20, model="home")
+                except rospy.ServiceException:
+                    pass  # the trainer may be gone before it can answer
+
+            caller = threading.Thread(target=ask)
+            caller.start()
+            self.expect(node, "Looking at the images")
+            node.process.send_signal(number)
+            self.assertEqual(node.process.wait(30), 0, node.output)
+            self.assertIn("Training failed: Cancelled", node.output)
+            caller.join(30)
+            self.assertEqual(list((self.folder / "ros_home").rglob("*.places*")), [])
 
 
 class StampsTest(FieldCase):

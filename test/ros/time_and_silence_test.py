@@ -113,6 +113,7 @@ class LastWordsTest(NodeCase):
     def test_the_count_is_said_however_the_node_is_ended(self):
         for end in (lambda node: node.process.send_signal(signal.SIGINT),
                     lambda node: node.process.send_signal(signal.SIGTERM),
+                    lambda node: node.process.send_signal(signal.SIGHUP),  # the terminal closes
                     lambda node: subprocess.run(["rosnode", "kill", "/place_labeler"], check=True,
                                                 stdout=subprocess.DEVNULL)):
             node = self.record()

@@ -78,6 +78,15 @@ class BagTest(FieldCase):
         self.assert_names(self.run_tool("recognize", "film.bag", *MODEL[:2]).stderr, "#1",
                           "no picture")
 
+    def test_a_labels_file_may_end_in_yml_and_a_topic_in_a_slash(self):
+        self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
+                            [(0, "a"), (5, "b")], topic="/my_label")
+        topics = ("--image-topic", "camera/image_raw/", "--label-topic", "my_label/")
+        self.assertEqual(self.rooms_of("run.bag", *topics), ["a", "b"])
+        (self.folder / "run.labels.yml").write_text(
+            "labels: [{from: 0, to: 5, place: kitchen}, {from: 5, place: office}]")
+        self.assertEqual(self.rooms_of("run.bag"), ["kitchen", "office"])
+
     def test_labels_with_commas_are_labels(self):
         self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5, [])
         (self.folder / "labels.dat").write_text("stamp,label\n1000.0,kitchen\n1004.5,office\n")

@@ -62,7 +62,7 @@ class StopTest(ToolCase):
         return errors
 
     def test_nothing_half_written_is_left(self):
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             for form in ("bag", "images"):
                 errors = self.stop(number, "simulate", "--out", "runs", "--format", form,
                                    "--size", "64x48")

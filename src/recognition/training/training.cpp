@@ -137,7 +137,7 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   training.passed_over = samples.passed_over;
   training.warnings = samples.warnings;
   warnOfFewImages(samples, options.validation.folds, training.warnings);
-  for (std::string& warning : warnOfCase(model.places)) {
+  for (std::string& warning : warnOfLikeNames(model.places)) {
     training.warnings.push_back(std::move(warning));
   }
   report(progress, "Calibrating", 1);

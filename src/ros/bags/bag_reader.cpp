@@ -43,10 +43,11 @@ struct Topic {
   bool hasImages() const { return type == kImageType || type == kCompressedType; }
 };
 
-/// What is behind the slashes that old recorders leave out at the start.
+/// A name without the slashes at its start, which old recorders leave out, and at its end.
 std::string bareName(const std::string& topic) {
   const std::size_t start = topic.find_first_not_of('/');
-  return start == std::string::npos ? "" : topic.substr(start);
+  return start == std::string::npos ? ""
+                                    : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
 }
 
 /// Whether the pictures are distances, which no camera's picture can be taken for.

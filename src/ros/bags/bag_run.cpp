@@ -26,8 +26,9 @@ namespace fs = std::filesystem;
 std::string findLabelsFile(const std::string& path, const BagRunOptions& options) {
   if (!options.labels_file.empty()) return options.labels_file;
   const fs::path yaml = fs::path(path).replace_extension(".labels.yaml");
+  const fs::path yml = fs::path(path).replace_extension(".labels.yml");
   const fs::path lines = fs::path(path).replace_filename("labels.dat");
-  for (const fs::path& file : {yaml, lines}) {
+  for (const fs::path& file : {yaml, yml, lines}) {
     if (fs::exists(file)) return file.string();
   }
   return "";

@@ -23,7 +23,7 @@ struct BagRunOptions {
 
 /// Reads the images of a bag (sensor_msgs/Image or CompressedImage; not, bz2- or lz4-compressed)
 /// with their labels, one at a time. The bag is opened by a child process, because rosbag_storage
-/// can crash on a damaged one: that too is an Error. Slashes at the start of topics do not matter.
+/// can crash on a damaged one: that too is an Error. Slashes at the ends of topics do not matter.
 /// Throws Error if the file is no bag, is not indexed, has no images, or more than one topic of
 /// them and none is named.
 std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options = {});

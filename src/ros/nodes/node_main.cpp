@@ -32,11 +32,12 @@ void onShutdownCall(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) {
 
 /// Instead of roscpp's handlers, which end logging and connections before anything else.
 void endOnRequest() {
-  for (const int number : {SIGINT, SIGTERM}) {
-    std::signal(number, [](int) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(number, [](int) {
       // The second time at once, for a node may wait for a master that is gone.
       if (end_requested.exchange(true)) ros::requestShutdown();
     });
+    if (number == SIGHUP && before == SIG_IGN) std::signal(number, SIG_IGN);  // nohup
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a write that a limit stops fails like one on a full disk
   ros::XMLRPCManager::instance()->unbind("shutdown");
@@ -93,12 +94,13 @@ int runNode(int argc, char** argv, const char* name, const std::function<void()>
   return status;
 }
 
-void spinUntilEnd(unsigned threads) {
+void spinUntilEnd(unsigned threads, const std::function<void()>& before_end) {
   warnOfBadClockParameter();
   ros::AsyncSpinner spinner(threads);
   spinner.start();
   for (ClockWatch clock; ros::ok() && !end_requested; clock.look())
     ros::WallDuration(kPoll).sleep();
+  if (before_end) before_end();
 }
 
 void requestEnd() { end_requested = true; }

@@ -10,8 +10,9 @@ namespace place_recognition {
 int runNode(int argc, char** argv, const char* name, const std::function<void()>& work);
 
 /// For `work`: serves callbacks in `threads` threads until the node is asked to end, by Ctrl-C,
-/// kill, rosnode or requestEnd(). Warns while simulated time does not start for want of a clock.
-void spinUntilEnd(unsigned threads);
+/// kill, a terminal that closes, rosnode or requestEnd(). `before_end` is called then, before the
+/// callbacks at work are waited for. Warns while simulated time does not start for want of a clock.
+void spinUntilEnd(unsigned threads, const std::function<void()>& before_end = {});
 
 /// Ends spinUntilEnd(). From any thread.
 void requestEnd();

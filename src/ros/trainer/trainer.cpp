@@ -67,16 +67,19 @@ Trainer::Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_nod
 }
 
 Trainer::~Trainer() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (job_) job_->cancel();
-  }
+  finish();
   if (worker_.joinable()) worker_.join();
+}
+
+void Trainer::finish() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  finished_ = true;
+  if (job_) job_->cancel();
 }
 
 std::shared_ptr<TrainJob> Trainer::begin(const TrainGoal& goal) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (job_) return nullptr;
+  if (job_ || finished_) return nullptr;
   if (worker_.joinable()) worker_.join();  // has nothing left to do
   job_ = std::make_shared<TrainJob>(goal, bag_roots_);
   return job_;

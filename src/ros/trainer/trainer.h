@@ -26,6 +26,9 @@ class Trainer {
   Trainer(const Trainer&) = delete;
   Trainer& operator=(const Trainer&) = delete;
 
+  /// Cancels the training at work, and refuses all that are asked for from now on.
+  void finish();
+
  private:
   using ActionServer = actionlib::ActionServer<TrainAction>;
   using GoalHandle = ActionServer::GoalHandle;
@@ -45,7 +48,8 @@ class Trainer {
   ros::NodeHandle node_;
   std::vector<std::string> bag_roots_;
 
-  std::mutex mutex_;  // of the three below
+  std::mutex mutex_;  // of the four below
+  bool finished_ = false;
   std::shared_ptr<TrainJob> job_;
   GoalHandle goal_;  // that of job_, if an action has asked for it
   std::thread worker_;

@@ -7,7 +7,8 @@
 
 int main(int argc, char** argv) {
   return place_recognition::runNode(argc, argv, "trainer", [] {
-    const place_recognition::Trainer trainer(ros::NodeHandle(), ros::NodeHandle("~"));
-    place_recognition::spinUntilEnd(4);  // a training by ~retrain leaves three for the rest
+    place_recognition::Trainer trainer(ros::NodeHandle(), ros::NodeHandle("~"));
+    // A training by ~retrain leaves three for the rest, and is not waited for in the end.
+    place_recognition::spinUntilEnd(4, [&trainer] { trainer.finish(); });
   });
 }
