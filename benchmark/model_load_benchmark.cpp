@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/model_file.h"
 #include "sample_model.h"
 
@@ -80,7 +80,7 @@ void load(benchmark::State& state) {
 /// What loading would take more if the file held the vectors one by one: laying them out.
 void index(benchmark::State& state) {
   const Model model = loadModel(modelFile().path());
-  const SupportSet& set = model.classifiers.front().supportSet();
+  const SupportSet& set = ClassifierParts::of(model.classifiers.front()).support_set;
   const std::vector<Feature> vectors = set.vectors();
   for (auto _ : state) benchmark::DoNotOptimize(SupportSet(set.kernel(), vectors));
 }

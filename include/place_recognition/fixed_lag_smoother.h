@@ -46,7 +46,7 @@ class FixedLagSmoother {
 
  private:
   struct Seen {
-    FilterStep step;
+    TemporalFilter::Step step;
     Eigen::RowVectorXd belief;
   };
   std::size_t windowEnd() const;

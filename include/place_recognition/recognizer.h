@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "place_recognition/feature.h"
+#include "place_recognition/light.h"
 #include "place_recognition/model.h"
 
 namespace place_recognition {
@@ -16,7 +17,6 @@ class CueMean;
 class EvidenceShift;
 class LightEstimate;
 class RateLimit;
-struct Light;
 
 /// The answer to one frame.
 struct Recognition {
@@ -57,8 +57,9 @@ class Recognizer {
   /// `decorrelation_time`, s: 0 lets them count for nothing.
   void setEmbeddingRate(double rate, double decorrelation_time);
 
-  /// Light of the current stream, estimated from its frames so far.
-  const LightEstimate& light() const { return *light_; }
+  /// What frames of the current stream are to be multiplied by to look as in the training, by what
+  /// its frames so far have shown.
+  const Light& lightCorrection() const;
 
   /// By how much the places are less evident in the frames of the current stream than they were
   /// in the training, which Recognition::evidence makes up for: log odds, 0..4.

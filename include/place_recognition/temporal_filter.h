@@ -26,14 +26,6 @@ struct FilteredAnswer {
   bool changed = false;  ///< `place` differs from the last frame's, or this is the first frame
 };
 
-/// What a frame did to the belief.
-struct FilterStep {
-  double stamp = 0;                ///< s
-  bool first = true;               ///< the filter began anew with this frame
-  double changes = 0;              ///< mean number of changes of room since the frame before
-  Eigen::RowVectorXd likelihoods;  ///< L^w, see TemporalFilter; as answer().probabilities
-};
-
 /// Turns the answers to single frames into a steady one: a hidden Markov model whose states are the
 /// rooms and 'unknown', followed by the forward algorithm (Rabiner 1989). Between frames the belief
 /// b moves as a chain in continuous time, see TransitionModel; a frame multiplies it by
@@ -69,8 +61,7 @@ class TemporalFilter {
   const FilteredAnswer& update(double stamp, const Recognition& recognition,
                                const std::optional<Motion>& motion = std::nullopt);
 
-  /// Step and answer of the frame seen last.
-  const FilterStep& step() const { return step_; }
+  /// The answer of the frame seen last.
   const FilteredAnswer& answer() const { return answer_; }
 
   /// Forgets all frames.
@@ -80,6 +71,16 @@ class TemporalFilter {
   void setUnknownThreshold(double threshold);
 
  private:
+  friend class FixedLagSmoother;
+
+  /// What a frame did to the belief.
+  struct Step {
+    double stamp = 0;                // s
+    bool first = true;               // the filter began anew with this frame
+    double changes = 0;              // mean number of changes of room since the frame before
+    Eigen::RowVectorXd likelihoods;  // L^w; as answer().probabilities
+  };
+
   void start();
   void move(double elapsed, const std::optional<Motion>& motion);
   void weigh(const Recognition& recognition);
@@ -93,7 +94,7 @@ class TemporalFilter {
   int state_ = 0;         // answered; the number of rooms: 'unknown'
   double answer_since_ = 0;
   Eigen::RowVectorXd room_shares_;  // q
-  FilterStep step_;
+  Step step_;
   FilteredAnswer answer_;
 };
 

@@ -2,50 +2,50 @@
 
 #include <cassert>
 
-#include "learning/binary_svms.h"
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 
 namespace place_recognition {
 
-Classifier::Classifier(const KernelOptions& kernel, BinarySvms machines,
-                       std::vector<Feature> vectors, const std::vector<int>& vector_places) {
+Classifier ClassifierParts::assemble(ClassifierParts parts) {
+  assert(supportVectors(parts.machines).size() == parts.support_set.size());
+  assert(parts.vector_places.size() == parts.support_set.size());
+  return Classifier(std::make_unique<const ClassifierParts>(std::move(parts)));
+}
+
+Classifier ClassifierParts::assemble(const KernelOptions& kernel, BinarySvms machines,
+                                     std::vector<Feature> vectors,
+                                     const std::vector<int>& vector_places) {
   assert(machines.weights.rows() == static_cast<Eigen::Index>(vectors.size()));
   assert(vector_places.size() == vectors.size());
   const std::vector<int> used = supportVectors(machines);
   Eigen::MatrixXd weights(used.size(), machines.weights.cols());
   std::vector<Feature> kept;
+  std::vector<int> kept_places;
   for (std::size_t i = 0; i < used.size(); ++i) {
     weights.row(static_cast<Eigen::Index>(i)) = machines.weights.row(used[i]);
     const auto vector = static_cast<std::size_t>(used[i]);
     kept.push_back(std::move(vectors[vector]));
-    vector_places_.push_back(vector_places[vector]);
+    kept_places.push_back(vector_places[vector]);
   }
   machines.weights = std::move(weights);
-  support_set_ = std::make_unique<SupportSet>(Kernel(kernel), kept);
-  machines_ = std::make_unique<BinarySvms>(std::move(machines));
+  return assemble({std::move(machines), SupportSet(Kernel(kernel), kept), std::move(kept_places)});
 }
 
-Classifier::Classifier(BinarySvms machines, SupportSet support_set, std::vector<int> vector_places)
-    : support_set_(std::make_unique<SupportSet>(std::move(support_set))),
-      machines_(std::make_unique<BinarySvms>(std::move(machines))),
-      vector_places_(std::move(vector_places)) {
-  assert(supportVectors(*machines_).size() == support_set_->size());
-  assert(vector_places_.size() == support_set_->size());
-}
-
+Classifier::Classifier(std::unique_ptr<const ClassifierParts> parts) : parts_(std::move(parts)) {}
 Classifier::~Classifier() = default;
 Classifier::Classifier(Classifier&&) noexcept = default;
 Classifier& Classifier::operator=(Classifier&&) noexcept = default;
 
 void Classifier::margins(const Feature& feature, Eigen::VectorXd& kernel_values,
                          Eigen::RowVectorXd& place_margins) const {
-  kernel_values.resize(static_cast<Eigen::Index>(support_set_->size()));
-  support_set_->kernelValues(feature, kernel_values);
-  place_margins = placeMargins(*machines_, machines_->margins(kernel_values.transpose()));
+  const auto& [machines, support_set, vector_places] = *parts_;
+  kernel_values.resize(static_cast<Eigen::Index>(support_set.size()));
+  support_set.kernelValues(feature, kernel_values);
+  place_margins = placeMargins(machines, machines.margins(kernel_values.transpose()));
 }
 
-std::size_t Classifier::places() const { return machines_->places; }
+std::size_t Classifier::places() const { return parts_->machines.places; }
 
-std::size_t Classifier::supportVectorCount() const { return support_set_->size(); }
+std::size_t Classifier::supportVectorCount() const { return parts_->support_set.size(); }
 
 }  // namespace place_recognition

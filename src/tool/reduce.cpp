@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "base/atomic_file.h"
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/model_file.h"
 #include "recognition/training/model_reduction.h"
 #include "recognition/training/reduction_sweep.h"
@@ -109,7 +109,7 @@ class Reducer {
     if (!options_.train.empty()) return training_.features;
     std::vector<std::vector<Feature>> features;
     for (const Classifier& classifier : model_.classifiers) {
-      features.push_back(classifier.supportSet().vectors());
+      features.push_back(ClassifierParts::of(classifier).support_set.vectors());
     }
     return features;
   }

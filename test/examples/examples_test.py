@@ -51,11 +51,16 @@ class InstalledCase(ToolCase):
         run(CMAKE, "-S", source, "-B", folder, "-DCMAKE_BUILD_TYPE=Release",
             f"-DCMAKE_PREFIX_PATH={self.prefix};{os.environ.get('CMAKE_PREFIX_PATH', '').replace(':', ';')}",
             "-DPYTHON_EXECUTABLE=/usr/bin/python3")
-        run(CMAKE, "--build", folder)
+        run(CMAKE, "--build", folder, "--parallel")
         return folder
 
 
 class PlainTest(InstalledCase):
+    def test_every_header_compiles_by_itself(self):
+        headers = len(list((SOURCE / "include/place_recognition").iterdir()))
+        built = self.build(SOURCE / "test/examples/headers")
+        self.assertEqual(len(list(built.rglob("*.o"))), headers)
+
     def test_train_tune_and_recognize(self):
         self.write_run("rooms", views=6)
         picture = self.write_picture("now.png", paint("office", 7))

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/binary_svms.h"
+#include "learning/classifier_parts.h"
 #include "learning/random_features.h"
-#include "learning/support_set.h"
 
 namespace place_recognition {
 namespace {
@@ -21,11 +20,11 @@ TEST(Classifier, MarginsAreTheDirectSum) {
   machines.weights.row(29).setZero();
   machines.biases = Eigen::RowVector3d(0.5, -0.25, 0);
 
-  const Classifier classifier(kernel.options(), machines, vectors,
-                              std::vector<int>(vectors.size(), 0));
+  const Classifier classifier = ClassifierParts::assemble(kernel.options(), machines, vectors,
+                                                          std::vector<int>(vectors.size(), 0));
   EXPECT_EQ(classifier.places(), 3u);
   EXPECT_EQ(classifier.supportVectorCount(), 28u);
-  EXPECT_EQ(classifier.machines().weights.rows(), 28);
+  EXPECT_EQ(ClassifierParts::of(classifier).machines.weights.rows(), 28);
 
   const Feature x = random.histogram(500);
   Eigen::RowVectorXd expected = machines.biases;
@@ -42,7 +41,8 @@ TEST(Classifier, WithoutAnyVectorAnswersItsBias) {
   machines.places = 2;
   machines.weights = Eigen::MatrixXd::Zero(1, 2);
   machines.biases = Eigen::RowVector2d(1, -1);
-  const Classifier classifier(kernelOptions("linear"), machines, {random.dense(3)}, {0});
+  const Classifier classifier =
+      ClassifierParts::assemble(kernelOptions("linear"), machines, {random.dense(3)}, {0});
   EXPECT_EQ(classifier.supportVectorCount(), 0u);
   Eigen::VectorXd scratch;
   Eigen::RowVectorXd margins;

@@ -2,7 +2,8 @@
 
 The table of folders in doc/design.md is the rule: a source may include the public headers, its own
 folder, and the folders and libraries that the table's row for it names. The folders inside a layer
-have an order, too, and the CMake targets link nothing that the table does not name.
+have an order, too, and the CMake targets link nothing that the table does not name. What a public
+header shows its users is declared in public headers: a type of src/ is a matter of private members.
 """
 import pathlib
 import re
@@ -28,6 +29,7 @@ LIBRARIES = {
 ROW = re.compile(r"^\| `src/(\w+)/` \| .* \| (.*) \|$", re.MULTILINE)
 SUBFOLDERS = re.compile(r"^\| `src/(\w+)/(\w+)/` \| .* \| (.*) \|$", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+FORWARD = re.compile(r"^(?:class|struct) (\w+);$", re.MULTILINE)
 LAYER_TARGET = re.compile(r"place_recognition_(\w+)")
 
 
@@ -89,6 +91,27 @@ def source_complaints(root, rule):
                 yield f"{path.relative_to(root)} includes {include}: not for a public header"
 
 
+def shown(header):
+    """The lines that users of a header may use: not those of private members."""
+    private = False
+    for line in header.splitlines():
+        word = line.strip()
+        if word in ("public:", "protected:", "private:"):
+            private = word == "private:"
+        elif line.startswith("}"):
+            private = False
+        elif not private and not word.startswith(("//", "friend ")) and not FORWARD.match(line):
+            yield line
+
+
+def header_complaints(root):
+    for path in sorted((root / "include").rglob("*.h")):
+        header = path.read_text()
+        for name in FORWARD.findall(header):
+            if any(re.search(rf"\b{name}\b", line) for line in shown(header)):
+                yield f"{path.relative_to(root)} shows its users {name}, which they cannot use"
+
+
 def target_complaints(root, rule):
     for layer, uses in rule.layers.items():
         for target in LAYER_TARGET.findall((root / "src" / layer / "CMakeLists.txt").read_text()):
@@ -100,6 +123,7 @@ def complaints(root):
     rule = Rule((root / "doc/design.md").read_text())
     yield from rule.mistakes(root)
     yield from source_complaints(root, rule)
+    yield from header_complaints(root)
     yield from target_complaints(root, rule)
 
 

@@ -68,10 +68,13 @@ Eigen::RowVectorXd bySummation(const std::vector<Recognition>& frames, std::size
     move.row(state) = belief;
   }
   TemporalFilter filter = filterOf();
-  std::vector<Eigen::RowVectorXd> likelihoods;
+  Eigen::RowVectorXd belief = chain.prior();
+  std::vector<Eigen::RowVectorXd> likelihoods;  // what each frame multiplied the belief by
   for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (i > 0) belief *= move;
     filter.update(100 + kPeriod * static_cast<double>(i), frames[i]);
-    likelihoods.push_back(filter.step().likelihoods);
+    likelihoods.push_back(filter.answer().probabilities.cwiseQuotient(belief));
+    belief = filter.answer().probabilities;
   }
   Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(kStates);
   const auto paths = static_cast<std::size_t>(std::pow(kStates, frames.size()));

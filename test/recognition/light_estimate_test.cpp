@@ -51,11 +51,15 @@ class Stream {
   std::normal_distribution<double> normal_;
 };
 
+void expectGains(const Light& light, double red, double green, double blue, double within) {
+  EXPECT_NEAR(std::log(light.red), std::log(red), within);
+  EXPECT_NEAR(std::log(light.green), std::log(green), within);
+  EXPECT_NEAR(std::log(light.blue), std::log(blue), within);
+}
+
 void expectCorrection(const LightEstimate& estimate, double red, double green, double blue,
                       double within) {
-  EXPECT_NEAR(std::log(estimate.correction().red), std::log(red), within);
-  EXPECT_NEAR(std::log(estimate.correction().green), std::log(green), within);
-  EXPECT_NEAR(std::log(estimate.correction().blue), std::log(blue), within);
+  expectGains(estimate.correction(), red, green, blue, within);
 }
 
 TEST(LightEstimate, FindsTheGainsOfTheRun) {
@@ -187,7 +191,8 @@ TEST(Recognizer, FollowsTheLightOfAStream) {
   }
   EXPECT_GE(in_stream, alone);
   EXPECT_GE(in_stream, 54);
-  expectCorrection(recognizer.light(), 1 / evening.red, 1 / evening.green, 1 / evening.blue, 0.1);
+  expectGains(recognizer.lightCorrection(), 1 / evening.red, 1 / evening.green, 1 / evening.blue,
+              0.1);
 }
 
 }  // namespace

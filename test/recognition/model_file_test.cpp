@@ -11,8 +11,7 @@
 #include <random>
 
 #include "base/atomic_file.h"
-#include "learning/binary_svms.h"
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 #include "recognition/drawn_run.h"
 #include "recognition/fitting_header.h"
@@ -39,7 +38,7 @@ TEST(ModelFile, KeepsEveryMargin) {
   const Model read = parseModel(smallModelBytes(), "test");
   ASSERT_EQ(read.classifiers.size(), model.classifiers.size());
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
-    for (const Feature& feature : model.classifiers[c].supportSet().vectors()) {
+    for (const Feature& feature : ClassifierParts::of(model.classifiers[c]).support_set.vectors()) {
       Eigen::VectorXd scratch;
       Eigen::RowVectorXd margins, read_margins;
       model.classifiers[c].margins(feature, scratch, margins);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 #include "recognition/drawn_run.h"
 #include "recognition/frames/light.h"
@@ -31,7 +31,8 @@ TEST(Recalibrate, LeavesTheMachinesAsTheyAre) {
   const Model before = drawnModel();
   const Recalibration result = recalibrate(drawnModel(), {opener(drawFrames(3, 20, 800))});
   for (std::size_t c = 0; c < before.classifiers.size(); ++c) {
-    for (const Feature& feature : before.classifiers[c].supportSet().vectors()) {
+    for (const Feature& feature :
+         ClassifierParts::of(before.classifiers[c]).support_set.vectors()) {
       Eigen::VectorXd scratch;
       Eigen::RowVectorXd margins, margins_after;
       before.classifiers[c].margins(feature, scratch, margins);

@@ -7,15 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace place_recognition {
+#include "place_recognition/light.h"
 
-/// A change of light, as a gain of each channel: the camera's exposure and white balance do not
-/// follow the sun and the lamps.
-struct Light {
-  double red = 1;
-  double green = 1;
-  double blue = 1;
-};
+namespace place_recognition {
 
 /// The gains of both.
 inline Light operator*(const Light& a, const Light& b) {

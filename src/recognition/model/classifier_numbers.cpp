@@ -5,8 +5,7 @@
 #include <variant>
 
 #include "base/require.h"
-#include "learning/binary_svms.h"
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -110,21 +109,21 @@ SupportSet supportSetOf(ClassifierNumbers& numbers, const CueOptions& cue) {
 
 ClassifierNumbers numbersOf(const Classifier& classifier) {
   ClassifierNumbers numbers;
-  numbers.vector_places.assign(classifier.vectorPlaces().begin(), classifier.vectorPlaces().end());
-  const RowMajor weights = classifier.machines().weights;
-  const Eigen::RowVectorXd& biases = classifier.machines().biases;
+  const ClassifierParts& parts = ClassifierParts::of(classifier);
+  numbers.vector_places.assign(parts.vector_places.begin(), parts.vector_places.end());
+  const RowMajor weights = parts.machines.weights;
+  const Eigen::RowVectorXd& biases = parts.machines.biases;
   numbers.weights.assign(weights.data(), weights.data() + weights.size());
   numbers.biases.assign(biases.data(), biases.data() + biases.size());
-  std::visit([&numbers](const auto& index) { write(index, numbers); },
-             classifier.supportSet().index());
+  std::visit([&numbers](const auto& index) { write(index, numbers); }, parts.support_set.index());
   return numbers;
 }
 
 Classifier classifierOf(ClassifierNumbers numbers, const Model& model, std::size_t cue) {
   BinarySvms machines = machinesOf(numbers, model);
   std::vector<int> places = placesOf(numbers, model);
-  return Classifier(std::move(machines), supportSetOf(numbers, model.options.cues[cue]),
-                    std::move(places));
+  return ClassifierParts::assemble(
+      {std::move(machines), supportSetOf(numbers, model.options.cues[cue]), std::move(places)});
 }
 
 }  // namespace place_recognition

@@ -18,7 +18,7 @@ FixedLagSmoother::FixedLagSmoother(const Adjacency& adjacency, const TemporalFil
 FixedLagSmoother::~FixedLagSmoother() = default;
 
 void FixedLagSmoother::add(const TemporalFilter& filter) {
-  seen_.push_back({filter.step(), filter.answer().probabilities});
+  seen_.push_back({filter.step_, filter.answer().probabilities});
   finished_ = false;
 }
 

@@ -56,6 +56,8 @@ const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
   return recognition_;
 }
 
+const Light& Recognizer::lightCorrection() const { return light_->correction(); }
+
 void Recognizer::forgetStream() {
   light_->reset();
   evidence_shift_->reset();

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "base/parallel.h"
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 #include "recognition/model/scores.h"
 #include "recognition/training/combination.h"
@@ -59,10 +59,10 @@ double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<i
 
 /// How much less familiar frames look to the vectors that `machines` use than to all.
 double familiarityLost(const Classifier& classifier, const BinarySvms& machines) {
-  const SupportSet& support_set = classifier.supportSet();
+  const auto& [used, support_set, vector_places] = ClassifierParts::of(classifier);
   const Eigen::MatrixXd values =
       kernelValues(pointers(support_set.vectors()), support_set, Progress());
-  return meanFamiliarity(values, supportVectors(classifier.machines())) -
+  return meanFamiliarity(values, supportVectors(used)) -
          meanFamiliarity(values, supportVectors(machines));
 }
 
@@ -72,7 +72,7 @@ ModelReduction::ModelReduction(const Model& model, const Samples* training,
                                const Progress& progress)
     : model_(model) {
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
-    const SupportSet& support_set = model.classifiers[c].supportSet();
+    const SupportSet& support_set = ClassifierParts::of(model.classifiers[c]).support_set;
     const std::vector<Feature> own = training ? std::vector<Feature>() : support_set.vectors();
     const std::vector<Feature>& rows = training ? training->features[c] : own;
     kernel_values_.push_back(kernelValues(pointers(rows), support_set, progress));
@@ -83,8 +83,8 @@ std::vector<BinarySvms> ModelReduction::reduce(const ReductionOptions& options,
                                                const Progress& progress) const {
   std::vector<BinarySvms> reduced;
   for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
-    reduced.push_back(place_recognition::reduce(model_.classifiers[c].machines(), kernel_values_[c],
-                                                options, progress));
+    reduced.push_back(place_recognition::reduce(ClassifierParts::of(model_.classifiers[c]).machines,
+                                                kernel_values_[c], options, progress));
   }
   return reduced;
 }
@@ -93,8 +93,8 @@ std::vector<std::unique_ptr<const Reduction>> ModelReduction::factorize(
     const ReductionOptions& options, const Progress& progress) const {
   std::vector<std::unique_ptr<const Reduction>> reductions;
   for (std::size_t c = 0; c < model_.classifiers.size(); ++c) {
-    reductions.push_back(place_recognition::factorize(model_.classifiers[c].machines(),
-                                                      kernel_values_[c], options, progress));
+    reductions.push_back(place_recognition::factorize(
+        ClassifierParts::of(model_.classifiers[c]).machines, kernel_values_[c], options, progress));
   }
   return reductions;
 }
@@ -105,7 +105,8 @@ MarginChange ModelReduction::change(const std::vector<BinarySvms>& machines) con
   double count = 0;
   for (std::size_t c = 0; c < machines.size(); ++c) {
     const Eigen::MatrixXd& values = kernel_values_[c];
-    const Eigen::MatrixXd before = model_.classifiers[c].machines().margins(values);
+    const Eigen::MatrixXd before =
+        ClassifierParts::of(model_.classifiers[c]).machines.margins(values);
     const Eigen::ArrayXXd change = (machines[c].margins(values) - before).array().abs();
     if (change.size() > 0) result.largest = std::max(result.largest, change.maxCoeff());
     sum += change.sum();
@@ -129,8 +130,9 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
   for (const SampleOrigin& origin : samples.origins) truth_.push_back(index_in_model[origin.place]);
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     rows_.push_back(rowsWithFeature(samples.features[c]));
-    kernel_values_.push_back(
-        kernelValues(pointers(samples.features[c]), model.classifiers[c].supportSet(), progress));
+    kernel_values_.push_back(kernelValues(pointers(samples.features[c]),
+                                          ClassifierParts::of(model.classifiers[c]).support_set,
+                                          progress));
   }
 }
 
@@ -160,7 +162,9 @@ double RateOnSamples::operator()(const std::vector<BinarySvms>& machines) const 
 
 std::vector<BinarySvms> machinesOf(const Model& model) {
   std::vector<BinarySvms> machines;
-  for (const Classifier& classifier : model.classifiers) machines.push_back(classifier.machines());
+  for (const Classifier& classifier : model.classifiers) {
+    machines.push_back(ClassifierParts::of(classifier).machines);
+  };
   return machines;
 }
 
@@ -170,10 +174,10 @@ Model withMachines(Model model, std::vector<BinarySvms> machines, const Reductio
     model.calibration.weights.offset += model.calibration.weights.familiarity *
                                         model.cue_weights[c] *
                                         familiarityLost(model.classifiers[c], machines[c]);
-    std::vector<Feature> vectors = model.classifiers[c].supportSet().vectors();
-    const std::vector<int> vector_places = model.classifiers[c].vectorPlaces();
-    model.classifiers[c] = Classifier(model.options.cues[c].kernel, std::move(machines[c]),
-                                      std::move(vectors), vector_places);
+    std::vector<Feature> vectors = ClassifierParts::of(model.classifiers[c]).support_set.vectors();
+    const std::vector<int> vector_places = ClassifierParts::of(model.classifiers[c]).vector_places;
+    model.classifiers[c] = ClassifierParts::assemble(
+        model.options.cues[c].kernel, std::move(machines[c]), std::move(vectors), vector_places);
   }
   return model;
 }

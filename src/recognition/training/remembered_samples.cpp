@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "learning/support_set.h"
+#include "learning/classifier_parts.h"
 
 namespace place_recognition {
 namespace {
@@ -63,11 +63,11 @@ Samples rememberedSamples(const Model& model) {
   samples.adjacency = model.adjacency;
   samples.features.resize(model.classifiers.size());
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
-    const Classifier& classifier = model.classifiers[c];
-    std::vector<Feature> vectors = classifier.supportSet().vectors();
-    for (std::size_t i = 0; i < classifier.supportVectorCount(); ++i) {
+    const ClassifierParts& parts = ClassifierParts::of(model.classifiers[c]);
+    std::vector<Feature> vectors = parts.support_set.vectors();
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
       samples.source.push_back(static_cast<int>(samples.origins.size()));
-      samples.origins.push_back({classifier.vectorPlaces()[i], 0, static_cast<double>(i)});
+      samples.origins.push_back({parts.vector_places[i], 0, static_cast<double>(i)});
       for (std::size_t other = 0; other < model.classifiers.size(); ++other) {
         samples.features[other].push_back(other == c ? std::move(vectors[i]) : Feature());
       }
