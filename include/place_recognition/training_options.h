@@ -82,13 +82,17 @@ struct AugmentationOptions {
 
 /// Cross-validation within the training runs: for gamma, for the probabilities, for `unknown`.
 struct ValidationOptions {
+  static constexpr int kMaxFolds = 10000;
   int folds = 5;
   double block = 0;
   double gap = 0;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("folds", self.folds, "trainings, each without some blocks of time of the runs, 2..20");
+    visitor(
+        "folds", self.folds,
+        "trainings, each without some blocks of time of the runs, 2..10000; as many as there are "
+        "pictures, which suits small sets: leave-one-out");
     visitor("block", self.block,
             "s, length of the blocks that are held out in turn; at most a share of 1 / folds of a "
             "room; pictures of a folder count as a second apart; 0: as long as the gap");

@@ -106,6 +106,16 @@ TEST(Folds, LeaveTwoFifthsToTrainOnAtTheLargestGap) {
   }
 }
 
+TEST(Folds, AreLeaveOneOutWhenThereAreAsManyAsSamples) {
+  const std::vector<SampleOrigin> samples = samplesOf(1, 3, 8);
+  const std::vector<Fold> folds = timeBlockFolds(samples, 24, blocks(0, 0));
+  expectEachTestedOnce(folds, samples.size());
+  for (const Fold& fold : folds) {
+    EXPECT_EQ(fold.test.size(), 1u);
+    EXPECT_EQ(fold.train.size(), samples.size() - 1);
+  }
+}
+
 TEST(Folds, CutEveryRoomIntoAsManyBlocksAtLeast) {
   const std::vector<SampleOrigin> samples = samplesOf(2, 3, 23);
   const double gap = 2;

@@ -31,8 +31,6 @@ void readTrainingOptions(const std::string& text, TrainingOptions& options) {
   options.check();
 }
 
-/// As the options allow.
-constexpr std::uint32_t kMaxFolds = 20;
 /// More runs than a command line can name.
 constexpr std::size_t kMaxInputs = 100000;
 /// Limit of the length of an embedding.
@@ -167,7 +165,7 @@ void readHeldOut(const proto::Model& message, Model& model) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t place = message.held_out_frames(static_cast<int>(2 * i));
     const std::uint32_t fold = message.held_out_frames(static_cast<int>(2 * i + 1));
-    require(place < model.places.size() && fold < kMaxFolds,
+    require(place < model.places.size() && fold < ValidationOptions::kMaxFolds,
             "a held-out frame shows a place that there is not");
     frames.places.push_back(static_cast<int>(place));
     frames.folds.push_back(static_cast<int>(fold));

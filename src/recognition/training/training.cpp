@@ -51,8 +51,10 @@ Judges judgesOf(const Samples& samples, const std::vector<Fold>& folds,
 
 /// Warnings about places that cross-validation cannot judge.
 void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>& warnings) {
+  constexpr int kEnoughFolds = 5;
+  const auto enough = static_cast<std::uint64_t>(2 * std::min(folds, kEnoughFolds));
   for (std::size_t k = 0; k < samples.images.size(); ++k) {
-    if (samples.images[k] >= 2 * static_cast<std::uint64_t>(folds)) continue;
+    if (samples.images[k] >= enough) continue;
     warnings.push_back("The place '" + samples.places[k] + "' has only " +
                        counted(samples.images[k], "picture") +
                        "; its answers and their confidence will be poor.");

@@ -84,8 +84,9 @@ void SamplingOptions::check() const {
 }
 
 void ValidationOptions::check() const {
-  if (folds < 2 || folds > 20) {
-    throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to 20.");
+  if (folds < 2 || folds > kMaxFolds) {
+    throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to " +
+                std::to_string(kMaxFolds) + ".");
   }
   if (!(block >= 0 && block <= kMostSeconds)) throw Error(notSeconds("block", block));
   if (!(gap >= 0 && gap <= kMostSeconds)) throw Error(notSeconds("gap", gap));
