@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/place_name.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 
@@ -16,7 +17,10 @@ constexpr char kNoPlaceKey = '0';
 
 LabelKeys::LabelKeys(std::vector<std::string> places, std::vector<int> buttons, int no_place_button)
     : places_(std::move(places)), buttons_(std::move(buttons)), no_place_button_(no_place_button) {
-  for (const std::string& place : places_) checkNewLabel(place, "The parameter ~places");
+  for (std::string& place : places_) {
+    checkNewLabel(place, "The parameter ~places");
+    place = placeName(place);
+  }
   if (places_.size() > kKeys.size()) {
     throw Error("The parameter ~places lists more than " + std::to_string(kKeys.size()) +
                 " places; list those of this run.");

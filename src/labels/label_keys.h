@@ -20,6 +20,9 @@ class LabelKeys {
   /// What the button says that is down in `buttons` (0: up) and was not in the call before.
   std::optional<std::string> placeOfButtons(const std::vector<int>& buttons);
 
+  /// As placeName() has them, in order.
+  const std::vector<std::string>& places() const { return places_; }
+
   /// "1 kitchen, 2 corridor, 0 no place".
   std::string help() const;
 

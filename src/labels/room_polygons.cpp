@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/options.h"
+#include "base/place_name.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 
@@ -62,7 +63,7 @@ double distanceToBorder(const std::vector<Eigen::Vector2d>& corners, const Eigen
 
 RoomPolygon toPolygon(const PlaceEntry& entry, const std::string& where) {
   checkNewLabel(entry.name, where);
-  RoomPolygon room{entry.name, {}};
+  RoomPolygon room{placeName(entry.name), {}};
   for (const std::vector<double>& corner : entry.position) {
     if (corner.size() != 2) throw Error(where + ": a corner is not of the form [x, y].");
     room.corners.emplace_back(corner[0], corner[1]);
@@ -82,6 +83,12 @@ std::string RoomPolygons::at(const Eigen::Vector2d& point, double margin) const 
     name = room.name;
   }
   return name;
+}
+
+std::vector<std::string> RoomPolygons::names() const {
+  std::vector<std::string> names;
+  for (const RoomPolygon& room : rooms_) names.push_back(room.name);
+  return names;
 }
 
 RoomPolygons readRoomPolygons(const std::string& path) {

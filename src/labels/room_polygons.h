@@ -21,6 +21,8 @@ class RoomPolygons {
   /// `margin`, m, to the border of its polygon, where doorways are.
   std::string at(const Eigen::Vector2d& point, double margin) const;
 
+  /// Of each polygon, in the order of the file.
+  std::vector<std::string> names() const;
   std::size_t size() const { return rooms_.size(); }
 
  private:
@@ -33,7 +35,7 @@ class RoomPolygons {
 ///       - name: kitchen
 ///         position: [[0, 0], [4.2, 0], [4.2, 3.1], [0, 3.1]]   # corners, m, in the map frame
 ///
-/// Throws Error, naming the place at fault.
+/// Names are read as placeName() has them. Throws Error, naming the place at fault.
 RoomPolygons readRoomPolygons(const std::string& path);
 
 }  // namespace place_recognition

@@ -26,6 +26,12 @@ TEST(LabelKeys, DigitsSayPlacesInTheirOrder) {
   EXPECT_EQ(keys.help(), "1 kitchen, 2 corridor, 0 no place");
 }
 
+TEST(LabelKeys, NamesAreTidied) {
+  const LabelKeys keys({" Ku\u0308che ", "meeting\u00a0 room"}, {}, -1);
+  EXPECT_EQ(keys.placeOfKey('1'), "K\u00fcche");
+  EXPECT_EQ(keys.placeOfKey('2'), "meeting room");
+}
+
 TEST(LabelKeys, LettersFollowTheDigits) {
   std::vector<std::string> many;
   for (int i = 0; i < 34; ++i) many.push_back("room" + std::to_string(i));

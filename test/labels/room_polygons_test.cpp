@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "place_recognition/error.h"
 #include "scratch_folder.h"
@@ -51,6 +52,17 @@ TEST(RoomPolygons, SayNothingNearABorder) {
   EXPECT_EQ(rooms.at({4.29, 1.5}, 0.3), "");
   EXPECT_EQ(rooms.at({4.31, 1.5}, 0.3), "corridor");
   EXPECT_EQ(rooms.at({3.99, 1.5}, 0), "kitchen");
+}
+
+TEST(RoomPolygons, OfNamesWrittenInTwoWaysAreOneRoom) {
+  const RoomPolygons rooms = roomsOf(
+      "places:\n"
+      "  - name: 'K\u00fcche'\n"
+      "    position: [[0, 0], [4, 0], [4, 3], [0, 3]]\n"
+      "  - name: ' Ku\u0308che '\n"
+      "    position: [[2, 0], [6, 0], [6, 3], [2, 3]]\n");
+  for (const double x : {1.0, 3.0, 5.0}) EXPECT_EQ(rooms.at({x, 1.5}, 0.1), "K\u00fcche");
+  EXPECT_EQ(rooms.names(), (std::vector<std::string>{"K\u00fcche", "K\u00fcche"}));
 }
 
 TEST(RoomPolygons, MayBeOfAnyShape) {

@@ -5,6 +5,7 @@ import sys
 import unittest
 
 import rospy
+from place_recognition.srv import SayPlace
 
 sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
 from node_case import PROGRAMS, NodeCase  # noqa: E402
@@ -22,6 +23,17 @@ class ParametersTest(NodeCase):
         self.assertEqual(self.keys("[101, 102]"), "1 101, 2 102, 0 no place.")
         self.assertEqual(self.keys("[kitchen, 007, on]"), "1 kitchen, 2 007, 3 on, 0 no place.")
         self.assertEqual(self.keys("kitchen"), "1 kitchen, 0 no place.")
+
+    def test_names_are_tidied_and_those_that_look_alike_are_told(self):
+        node = self.start_node("place_labeler", "_places:=[Office_A, office a, 'Ku\u0308che ']")
+        self.expect(node, "1 Office_A, 2 office a, 3 K", "'Office_A' and 'office a' look alike")
+        say = rospy.ServiceProxy("/place_labeler/say", SayPlace)
+        say.wait_for_service(60)
+        self.assertEqual(say(" Ku\u0308che ").message, "In 'K\u00fcche'.")
+        self.assertEqual(say(" ").message, "The place: the label ' ' is no place name (1 to 128 bytes of "
+                         "UTF-8 without line breaks and the like); a file RUN.labels.yaml beside RUN.bag "
+                         "can set it right.")
+        node.interrupt()
 
     def test_typed_lists_are_read_as_they_are_meant(self):
         rospy.set_param("/typed/places", ["kitchen", 101, 1.5])

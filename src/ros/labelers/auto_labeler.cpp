@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/place_name.h"
 #include "base/text.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
@@ -48,6 +49,9 @@ AutoLabeler::AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& pri
           node, private_node, parameters, [this](const ImageMessage& image) { onImage(image); },
           names::kRecordingQueue) {
   parameters.warnOfDoubts();
+  for (const std::string& warning : warnOfLikeNames(rooms_.names())) {
+    ROS_WARN("%s: %s", userPath(parameters.text("rooms")).c_str(), warning.c_str());
+  }
   pose_subscriber_ = ros::NodeHandle(node).subscribe(names::kPose, 1, &AutoLabeler::onPose, this);
   timer_ = ros::NodeHandle(node).createWallTimer(
       ros::WallDuration(kPosePoll), [this](const ros::WallTimerEvent&) { labelWaiting(); });

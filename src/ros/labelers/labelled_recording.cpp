@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "base/place_name.h"
 #include "base/user_path.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
@@ -102,13 +103,15 @@ void LabelledRecording::finish() {
   ROS_INFO("%s: %lu images.", bag->path().c_str(), static_cast<unsigned long>(images_));
 }
 
-void LabelledRecording::say(const std::string& place, const ros::Time& time) {
-  if (!place.empty()) checkNewLabel(place, "The place");
+std::string LabelledRecording::say(const std::string& name, const ros::Time& time) {
+  if (!name.empty()) checkNewLabel(name, "The place");
+  const std::string place = placeName(name);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (place == place_) return;
+  if (place == place_) return place;
   place_ = place;
   publisher_.publish(labelMessage(place));
   recordLabel(time);
+  return place;
 }
 
 void LabelledRecording::add(const ImageMessage& image, const ros::Time& time) {

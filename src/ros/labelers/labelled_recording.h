@@ -34,7 +34,7 @@ class LabelledRecording {
 
   /// From `time` on, which may lie before images that have been added, the robot is in `place`;
   /// empty: in none. Throws Error if it is no place name.
-  void say(const std::string& place, const ros::Time& time);
+  std::string say(const std::string& name, const ros::Time& time);
 
   /// An image that came at `time`.
   void add(const ImageMessage& image, const ros::Time& time);

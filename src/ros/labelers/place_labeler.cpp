@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "base/place_name.h"
 #include "place_recognition/error.h"
 #include "ros/nodes/node_main.h"
 #include "ros/nodes/node_names.h"
@@ -30,6 +31,9 @@ PlaceLabeler::PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& p
           [this](const ImageMessage& image) { recording_.add(image, ros::Time::now()); },
           names::kRecordingQueue) {
   parameters.warnOfDoubts();
+  for (const std::string& warning : warnOfLikeNames(keys_.places())) {
+    ROS_WARN("%s", warning.c_str());
+  }
   ros::NodeHandle public_handle(node);
   ros::NodeHandle private_handle(private_node);
   say_subscriber_ =
@@ -74,18 +78,19 @@ void PlaceLabeler::onJoy(const sensor_msgs::JoyConstPtr& message) {
 
 bool PlaceLabeler::onSayService(SayPlace::Request& request, SayPlace::Response& response) {
   try {
-    say(request.place);
+    const std::string place = say(request.place);
     response.success = true;
-    response.message = request.place.empty() ? "No place." : "In '" + request.place + "'.";
+    response.message = place.empty() ? "No place." : "In '" + place + "'.";
   } catch (const Error& e) {
     response.message = e.what();
   }
   return true;
 }
 
-void PlaceLabeler::say(const std::string& place) {
-  recording_.say(place, ros::Time::now());
+std::string PlaceLabeler::say(const std::string& name) {
+  const std::string place = recording_.say(name, ros::Time::now());
   ROS_INFO("%s", place.empty() ? "No place." : ("In '" + place + "'.").c_str());
+  return place;
 }
 
 }  // namespace place_recognition

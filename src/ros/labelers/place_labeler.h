@@ -33,7 +33,8 @@ class PlaceLabeler {
   void onSay(const std_msgs::StringConstPtr& message);
   void onJoy(const sensor_msgs::JoyConstPtr& message);
   bool onSayService(SayPlace::Request& request, SayPlace::Response& response);
-  void say(const std::string& place);
+  /// Returns the name as it is recorded.
+  std::string say(const std::string& name);
 
   LabelKeys keys_;
   LabelledRecording recording_;
