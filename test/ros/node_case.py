@@ -1,5 +1,6 @@
 """What the tests share that start nodes as people do: a master of their own, programs whose output is
 read, a camera."""
+import atexit
 import os
 import pathlib
 import signal
@@ -75,7 +76,7 @@ class NodeCase(unittest.TestCase):
                               ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
             environment = dict(os.environ, ROS_LOG_DIR=tempfile.gettempdir())
             NodeCase.master = Program(["/usr/bin/rosmaster", "--core", "-p", port], None, environment)
-            unittest.addModuleCleanup(NodeCase.master.end)
+            atexit.register(NodeCase.master.end)
             while not rosgraph.is_master_online():
                 time.sleep(0.05)
             rospy.init_node("person", disable_signals=True)
