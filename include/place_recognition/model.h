@@ -8,6 +8,7 @@
 
 #include "place_recognition/adjacency.h"
 #include "place_recognition/calibration.h"
+#include "place_recognition/camera_correlation.h"
 #include "place_recognition/classifier.h"
 #include "place_recognition/color_statistics.h"
 #include "place_recognition/depth_extent.h"
@@ -67,9 +68,10 @@ struct Model {
   Calibration calibration;              ///< of the summed margins
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;
-  HeldOutFrames held_out;  ///< what the three above rest on; empty in files of earlier versions
-  ColorStatistics colors;  ///< of the images that it was trained on
-  Adjacency adjacency{0};  ///< of `places`; learnt from the runs that are drives
+  HeldOutFrames held_out;     ///< what the three above rest on; empty in files of earlier versions
+  ColorStatistics colors;     ///< of the images that it was trained on
+  Adjacency adjacency{0};     ///< of `places`; learnt from the runs that are drives
+  CameraCorrelation cameras;  ///< that it was trained with, if they are several
   Provenance provenance;
 
   /// Names of the places that held-out frames showed: the ones that the validation speaks of.

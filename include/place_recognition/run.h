@@ -15,6 +15,7 @@ struct Frame {
   cv::Mat image;        ///< CV_8UC3 BGR or CV_8UC1; empty if it could not be decoded, see `problem`
   std::string place;    ///< label; empty: unlabelled
   double stamp = 0;     ///< s
+  int camera = 0;       ///< index in Run::cameras()
   std::string name;     ///< path of the picture, or topic and number in a bag, for messages
   std::string problem;  ///< why there is no image, for a person
 };
@@ -27,6 +28,9 @@ class Run {
 
   /// The next frame, in order of time; false at the end. Throws Error if the run is damaged.
   virtual bool next(Frame& frame) = 0;
+
+  /// The cameras that its frames are of, by the topics of their images; at least one.
+  virtual std::vector<std::string> cameras() const { return {""}; }
 
   /// How much has been read, 0..1.
   virtual double fraction() const = 0;

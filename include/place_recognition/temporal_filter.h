@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "place_recognition/adjacency.h"
 #include "place_recognition/recognizer.h"
@@ -45,21 +46,35 @@ struct FilteredAnswer {
 /// a robot that stands is still in the same room and sees nothing new; one that turns sees
 /// something new of the same room.
 ///
-/// Nothing is allocated after construction. Not thread-safe: one filter a stream of frames.
+/// Several cameras have a w each, of their own frames. What they see at one moment is one moment
+/// still: w is divided by the sum of a camera's correlations r with those that tell something now,
+///   w_a <- w_a / Sum_b r_ab,  r_aa = 1.
+/// Of n measurements with equal variance and all correlations r that is the weight in the
+/// likelihood of them together, 1 / (1 + (n - 1) r) (Winkler 1981): cameras that always err
+/// together count as one, and independent ones in full.
+///
+/// Nothing is allocated after construction. Not thread-safe: one filter a robot.
 class TemporalFilter {
  public:
   /// For the answers of a recognizer with `model`, of whose places `adjacency` is. Throws Error if
   /// an option is out of range.
   TemporalFilter(const Model& model, const Adjacency& adjacency,
                  const TemporalFilterOptions& options);
+  /// The same for several cameras, 1 to kMaxCameras: `models` answers each of them, all of the same
+  /// places; `correlation`: cameras x cameras, see CameraCorrelation.
+  TemporalFilter(const std::vector<const Model*>& models, const Eigen::MatrixXd& correlation,
+                 const Adjacency& adjacency, const TemporalFilterOptions& options);
   ~TemporalFilter();
   TemporalFilter(TemporalFilter&&) noexcept;
   TemporalFilter& operator=(TemporalFilter&&) noexcept;
 
-  /// Takes the frame of time `stamp` (s). A stamp before the last one, or more than the maximum gap
-  /// after it, starts anew; an equal one adds nothing. The result stays valid until the next call.
+  /// Takes the frame of time `stamp` (s). A stamp before the last one of its camera, or further
+  /// than the maximum gap from the last one at all, starts anew; an equal one adds nothing. A frame
+  /// that is earlier than another camera's last one counts as of that time. `motion`: since the
+  /// last call, whichever camera that was of. The result stays valid until the next call.
   const FilteredAnswer& update(double stamp, const Recognition& recognition,
-                               const std::optional<Motion>& motion = std::nullopt);
+                               const std::optional<Motion>& motion = std::nullopt,
+                               std::size_t camera = 0);
 
   /// The answer of the frame seen last.
   const FilteredAnswer& answer() const { return answer_; }
@@ -68,7 +83,7 @@ class TemporalFilter {
   void reset() { started_ = false; }
 
   /// The model's threshold until set, as Recognizer::setUnknownThreshold(); kept within 0.01..0.99.
-  void setUnknownThreshold(double threshold);
+  void setUnknownThreshold(double threshold, std::size_t camera = 0);
 
  private:
   friend class FixedLagSmoother;
@@ -81,19 +96,27 @@ class TemporalFilter {
     Eigen::RowVectorXd likelihoods;  // L^w; as answer().probabilities
   };
 
+  struct Camera {
+    Eigen::RowVectorXd room_shares;  // q
+    double unknown_threshold = 0;
+    std::optional<double> stamp = {};  // s, of its last frame
+    std::optional<double> told = {};   // s, of its last frame that told something
+    double new_share = 1;              // w of its next frame, as if it were alone
+  };
+
   void start();
   void move(double elapsed, const std::optional<Motion>& motion);
-  void weigh(const Recognition& recognition);
+  double independentShare(std::size_t camera) const;
+  void weigh(const Recognition& recognition, std::size_t camera);
   void decide();
 
   TemporalFilterOptions options_;
   std::unique_ptr<TransitionModel> chain_;
-  double unknown_threshold_;
+  std::vector<Camera> cameras_;
+  Eigen::MatrixXd correlation_;  // of the cameras
   bool started_ = false;
-  double new_share_ = 1;  // w of the next frame
-  int state_ = 0;         // answered; the number of rooms: 'unknown'
+  int state_ = 0;  // answered; the number of rooms: 'unknown'
   double answer_since_ = 0;
-  Eigen::RowVectorXd room_shares_;  // q
   Step step_;
   FilteredAnswer answer_;
 };

@@ -16,6 +16,7 @@ struct TemporalFilterOptions {
   double minimum_confidence = 0.3;
   double minimum_dwell = 0.5;
   double maximum_gap = 10;
+  double camera_gap = 1;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -36,6 +37,8 @@ struct TemporalFilterOptions {
     visitor("minimum_dwell", self.minimum_dwell, "s, an answer stays for at least as long");
     visitor("maximum_gap", self.maximum_gap,
             "s, after a longer time without frames everything is forgotten, > 0");
+    visitor("camera_gap", self.camera_gap,
+            "s, one of several cameras that is silent for longer does not count, > 0");
   }
   /// Throws Error naming the first field out of range.
   void check() const;

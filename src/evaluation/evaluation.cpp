@@ -8,14 +8,18 @@
 #include "base/place_name.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
-#include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/model_file.h"
-#include "place_recognition/recognizer.h"
-#include "place_recognition/temporal_filter.h"
-#include "recognition/frames/image_guard.h"
 
 namespace place_recognition {
 namespace {
+
+/// Where `name` stands in `names`, to which it is added if it is new.
+int indexIn(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  names.push_back(name);
+  return static_cast<int>(names.size()) - 1;
+}
 
 std::string joined(const std::vector<std::string>& words, std::size_t first, std::size_t last) {
   std::string text;
@@ -38,10 +42,7 @@ std::string thumbnail(const cv::Mat& image) {
 class Evaluator {
  public:
   Evaluator(const std::shared_ptr<const Model>& model, std::size_t wrong_pictures)
-      : recognizer_(model),
-        filter_(*model, model->adjacency, {}),
-        smoother_(model->adjacency, {}, kSmoothingLag),
-        wrong_pictures_(wrong_pictures) {
+      : recognizer_(model), wrong_pictures_(wrong_pictures) {
     evaluation_.model = model->name;
     evaluation_.places = model->places;
     evaluation_.model_places = model->places.size();
@@ -51,10 +52,11 @@ class Evaluator {
 
   void read(Run& run, const Progress& progress) {
     evaluation_.runs.push_back(run.name());
-    filter_.reset();
-    recognizer_.forgetStream();
-    run.setDepthExtent(recognizer_.model().images.depth);
-    ImageGuard guard(recognizer_.model());
+    recognizer_.begin(run);
+    camera_of_.clear();
+    for (const std::string& camera : run.cameras()) {
+      camera_of_.push_back(indexIn(evaluation_.cameras, camera));
+    }
     const std::string stage = "Recognizing " + run.name();
     report(progress, stage, 0);
     std::uint64_t unlabelled = 0, unreadable = 0;
@@ -67,14 +69,14 @@ class Evaluator {
         if (unreadable++ == 0) first_problem = frame.name + ": " + frame.problem;
         if (first_problem_.empty()) first_problem_ = first_problem;
       } else {
-        for (const std::string& warning : guard.judge(frame.image, frame.stamp)) {
+        for (const std::string& warning : recognizer_.judge(frame)) {
           evaluation_.warnings.push_back(run.name() + ": " + warning);
         }
         add(frame);
       }
       report(progress, stage, run.fraction());
     }
-    smoother_.finish();
+    recognizer_.smoother().finish();
     takeSmoothed();
     evaluation_.warnings.insert(evaluation_.warnings.end(), run.warnings().begin(),
                                 run.warnings().end());
@@ -96,40 +98,33 @@ class Evaluator {
   }
 
  private:
-  int placeIndex(const std::string& name) {
-    std::vector<std::string>& places = evaluation_.places;
-    const auto found = std::find(places.begin(), places.end(), name);
-    if (found != places.end()) return static_cast<int>(found - places.begin());
-    places.push_back(name);
-    return static_cast<int>(places.size()) - 1;
-  }
-
   void add(const Frame& frame) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    const Recognition& answer = recognizer_.recognize(frame.image, frame.stamp);
+    const Recognition& answer = recognizer_.recognize(frame);
     const std::chrono::duration<double> elapsed = Clock::now() - start;
 
     FrameResult result;
     result.name = frame.name;
     result.run = static_cast<int>(evaluation_.runs.size()) - 1;
+    result.camera = camera_of_[static_cast<std::size_t>(frame.camera)];
     result.stamp = frame.stamp;
-    result.truth = placeIndex(frame.place);
+    result.truth = indexIn(evaluation_.places, frame.place);
     result.place = answer.place;
     result.known = answer.known;
     result.confidence = answer.confidence;
     result.evidence = answer.evidence;
     result.seconds = elapsed.count();
-    result.place_over_time = filter_.update(frame.stamp, answer).place;
+    result.place_over_time = recognizer_.follow(frame, answer).place;
     evaluation_.frames.push_back(result);
-    smoother_.add(filter_);
     takeSmoothed();
     if (!result.correct() && result.place >= 0) keepIfAmongTheWorst(result, frame.image);
   }
 
   void takeSmoothed() {
-    for (; smoother_.ready(); ++smoothed_) {
-      evaluation_.frames[smoothed_].place_smoothed = smoother_.next().place;
+    FixedLagSmoother& smoother = recognizer_.smoother();
+    for (; smoother.ready(); ++smoothed_) {
+      evaluation_.frames[smoothed_].place_smoothed = smoother.next().place;
     }
   }
 
@@ -171,10 +166,9 @@ class Evaluator {
                 "; give a run of these.");
   }
 
-  Recognizer recognizer_;
-  TemporalFilter filter_;  // of the current run
-  FixedLagSmoother smoother_;
-  std::size_t smoothed_ = 0;  // frames that have their smoothed answer
+  RunRecognizer recognizer_;
+  std::vector<int> camera_of_;  // of each camera of the current run: index into evaluation_.cameras
+  std::size_t smoothed_ = 0;    // frames that have their smoothed answer
   std::size_t wrong_pictures_;
   std::uint64_t pictures_ = 0;
   std::string first_problem_;  // of a labelled picture that cannot be used

@@ -5,19 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/run_recognizer.h"
 #include "place_recognition/model.h"
 #include "place_recognition/progress.h"
 #include "place_recognition/training.h"
 
 namespace place_recognition {
 
-/// How long the smoothed answer waits, s.
-constexpr double kSmoothingLag = 1;
-
 /// The answer to one labelled picture.
 struct FrameResult {
   std::string name;       ///< of the picture
   int run = 0;            ///< index into Evaluation::runs
+  int camera = 0;         ///< index into Evaluation::cameras
   double stamp = 0;       ///< s
   int truth = 0;          ///< index into Evaluation::places
   int place = -1;         ///< the most probable place, also where the answer is 'unknown'; -1: none
@@ -39,10 +38,11 @@ struct WrongPicture {
 
 /// What a model answered to labelled runs.
 struct Evaluation {
-  std::string model;                ///< its name
-  std::vector<std::string> places;  ///< those of the model, in its order, then others that occur
-  std::size_t model_places = 0;     ///< how many of them are the model's
-  std::vector<std::string> runs;    ///< names; a run is one condition
+  std::string model;                 ///< its name
+  std::vector<std::string> places;   ///< those of the model, in its order, then others that occur
+  std::size_t model_places = 0;      ///< how many of them are the model's
+  std::vector<std::string> runs;     ///< names; a run is one condition
+  std::vector<std::string> cameras;  ///< of all runs, by the topics of their images
   std::vector<FrameResult> frames;
   std::vector<WrongPicture> wrong;  ///< the most confidently wrong ones, worst first
   std::size_t support_vectors = 0;

@@ -27,6 +27,15 @@ Json runsJson(const Summary& summary) {
   return json;
 }
 
+Json camerasJson(const Summary& summary) {
+  Json json = Json::array();
+  for (const CameraSummary& camera : summary.cameras) {
+    json.push_back(
+        {{"name", camera.name}, {"count", camera.count}, {"average_rate", camera.average_rate}});
+  }
+  return json;
+}
+
 Json reliabilityJson(const std::vector<ReliabilityBin>& bins) {
   Json json = Json::array();
   for (const ReliabilityBin& bin : bins) {
@@ -79,6 +88,7 @@ nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary) 
           {"images", evaluation.frames.size()},
           {"rooms", roomsJson(summary.rooms, summary.places)},
           {"runs", runsJson(summary)},
+          {"cameras", camerasJson(summary)},
           {"confusion",
            {{"labels", summary.places},
             {"counts", summary.confusion.counts},

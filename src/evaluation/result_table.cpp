@@ -36,6 +36,16 @@ std::string ratesTable(const Summary& summary) {
   return alignColumns(rows);
 }
 
+/// Empty unless there are several cameras.
+std::string camerasTable(const Summary& summary) {
+  if (summary.cameras.empty()) return "";
+  TextRows rows{{"camera", "pictures", "mean of the rooms"}};
+  for (const CameraSummary& camera : summary.cameras) {
+    rows.push_back({camera.name, std::to_string(camera.count), percent(camera.average_rate)});
+  }
+  return alignColumns(rows) + "\n";
+}
+
 std::string confusionTable(const Summary& summary) {
   const Confusion& confusion = summary.confusion;
   const bool some_none = std::any_of(confusion.none.begin(), confusion.none.end(),
@@ -119,7 +129,7 @@ TextRows riskRows(const Summary& summary) {
 }
 
 std::string resultTable(const Evaluation& evaluation, const Summary& summary) {
-  return ratesTable(summary) + "\n" + confusionTable(summary) + "\n" +
+  return ratesTable(summary) + "\n" + camerasTable(summary) + confusionTable(summary) + "\n" +
          alignColumns(reliabilityRows(summary)) + "\n" + alignColumns(riskRows(summary)) + "\n" +
          overTimeTable(summary) + otherFigures(evaluation, summary);
 }

@@ -60,6 +60,17 @@ void summarizeRuns(const Evaluation& evaluation, Summary& summary) {
   summary.test_set_rate = sets == 0 ? 0 : sum / static_cast<double>(sets);
 }
 
+void summarizeCameras(const Evaluation& evaluation, Summary& summary) {
+  if (evaluation.cameras.size() < 2) return;
+  for (std::size_t c = 0; c < evaluation.cameras.size(); ++c) {
+    const auto ofCamera = [c](const FrameResult& f) { return f.camera == static_cast<int>(c); };
+    const std::vector<RoomSummary> rooms = summarizeRooms(evaluation, ofCamera);
+    CameraSummary camera{evaluation.cameras[c], 0, meanRate(rooms)};
+    for (const RoomSummary& room : rooms) camera.count += room.count;
+    summary.cameras.push_back(std::move(camera));
+  }
+}
+
 Confusion confusionOf(const Evaluation& evaluation) {
   const std::size_t places = evaluation.places.size();
   Confusion confusion{{places, std::vector<std::uint64_t>(places, 0)},
@@ -117,6 +128,7 @@ Summary summarize(const Evaluation& evaluation) {
   summary.rooms = summarizeRooms(evaluation, [](const FrameResult&) { return true; });
   summary.average_rate = meanRate(summary.rooms);
   summarizeRuns(evaluation, summary);
+  summarizeCameras(evaluation, summary);
   summary.confusion = confusionOf(evaluation);
   summarizeConfidence(evaluation, summary);
   summarizeUnknown(evaluation, summary);

@@ -31,6 +31,13 @@ struct RunSummary {
   double average_rate = 0;         ///< mean of their rates
 };
 
+/// The answers to the single frames of one of several cameras.
+struct CameraSummary {
+  std::string name;         ///< its topic
+  std::uint64_t count = 0;  ///< pictures of learned rooms
+  double average_rate = 0;  ///< mean of the rooms' rates
+};
+
 /// Counts of true place (row) and most probable place (column).
 struct Confusion {
   std::vector<std::vector<std::uint64_t>> counts;
@@ -53,6 +60,7 @@ struct Summary {
   std::vector<RunSummary> runs;
   double test_set_rate = 0;  ///< mean over the rooms of all runs, each such set of equal weight
                              ///< (thesis section 8.1); equals average_rate for a single run
+  std::vector<CameraSummary> cameras;  ///< if there are several
   Confusion confusion;
   std::vector<ReliabilityBin> reliability;  ///< from here on: pictures of learned places
   double calibration_error = 0;

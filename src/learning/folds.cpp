@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace place_recognition {
@@ -78,11 +79,22 @@ struct Cut {
 };
 
 Cut cutOf(const Sequence& sequence, int folds, const TimeBlocks& wanted) {
-  const std::size_t size = sequence.samples.size();
+  const auto moments = sequence.samples.size() / static_cast<std::size_t>(sequence.cameras);
   const double step = medianStep(sequence.times);
-  const std::size_t parts = blockCount(size, step, wanted.length, folds);
-  const double length = step * static_cast<double>(size) / static_cast<double>(parts);
+  const std::size_t parts = blockCount(moments, step, wanted.length, folds);
+  const double length = step * static_cast<double>(moments) / static_cast<double>(parts);
   return {parts, std::min(wanted.gap, largestGap(length, folds))};
+}
+
+/// The first sample of a part. What several cameras saw at a moment stays together.
+std::size_t startOf(std::size_t part, std::size_t parts, const Sequence& sequence) {
+  const std::size_t size = sequence.samples.size();
+  std::size_t i = part * size / parts;
+  const auto splits = [&] {
+    return i > 0 && i < size && sequence.times[i] == sequence.times[i - 1];
+  };
+  while (sequence.cameras > 1 && splits()) --i;
+  return i;
 }
 
 /// Blocks of time within each run and place.
@@ -96,10 +108,10 @@ Assignment assignBlocks(const Samples& samples, int count, const std::vector<Tim
   }
   int next_fold = 0;
   for (std::size_t s = 0; s < sequences.size(); ++s) {
-    const std::size_t size = sequences[s].samples.size();
     for (std::size_t part = 0; part < cuts[s].parts; ++part) {
-      const std::size_t begin = part * size / cuts[s].parts;
-      const std::size_t end = (part + 1) * size / cuts[s].parts;
+      const std::size_t begin = startOf(part, cuts[s].parts, sequences[s]);
+      const std::size_t end = startOf(part + 1, cuts[s].parts, sequences[s]);
+      if (begin == end) continue;
       for (std::size_t i = begin; i < end; ++i) {
         assignment.tested_in[sequences[s].samples[i]] = next_fold;
       }
@@ -115,28 +127,46 @@ Assignment assignBlocks(const Samples& samples, int count, const std::vector<Tim
   return assignment;
 }
 
+/// The samples for which `key` is the same, in ascending order of it.
+template <typename Key>
+std::vector<Sequence> grouped(const Samples& samples, const Key& key) {
+  std::map<decltype(key(samples[0])), std::vector<int>> groups;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    groups[key(samples[i])].push_back(static_cast<int>(i));
+  }
+  std::vector<Sequence> sequences;
+  for (auto& group : groups) {
+    std::vector<int>& members = group.second;
+    std::stable_sort(members.begin(), members.end(),
+                     [&](int a, int b) { return samples[a].stamp < samples[b].stamp; });
+    Sequence sequence;
+    std::set<int> cameras;
+    for (const int i : members) {
+      sequence.times.push_back(samples[i].stamp);
+      cameras.insert(samples[i].camera);
+    }
+    sequence.run = samples[members.front()].run;
+    sequence.cameras = static_cast<int>(cameras.size());
+    sequence.samples = std::move(members);
+    std::vector<double>& times = sequence.times;
+    sequence.stamped = times.back() > times.front();
+    if (!sequence.stamped) std::iota(times.begin(), times.end(), 0.0);
+    sequences.push_back(std::move(sequence));
+  }
+  return sequences;
+}
+
 }  // namespace
 
 double largestGap(double length, int folds) { return length * (0.6 * folds - 1) / 2; }
 
 std::vector<Sequence> sequencesOf(const Samples& samples) {
-  std::map<std::pair<int, int>, Sequence> sequences;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    Sequence& sequence = sequences[{samples[i].run, samples[i].place}];
-    sequence.run = samples[i].run;
-    sequence.samples.push_back(static_cast<int>(i));
-  }
-  std::vector<Sequence> ordered;
-  for (auto& [run_and_place, sequence] : sequences) {
-    std::stable_sort(sequence.samples.begin(), sequence.samples.end(),
-                     [&](int a, int b) { return samples[a].stamp < samples[b].stamp; });
-    for (const int i : sequence.samples) sequence.times.push_back(samples[i].stamp);
-    std::vector<double>& times = sequence.times;
-    sequence.stamped = times.back() > times.front();
-    if (!sequence.stamped) std::iota(times.begin(), times.end(), 0.0);
-    ordered.push_back(std::move(sequence));
-  }
-  return ordered;
+  return grouped(samples, [](const SampleOrigin& s) { return std::tuple(s.run, s.place); });
+}
+
+std::vector<Sequence> cameraSequencesOf(const Samples& samples) {
+  return grouped(samples,
+                 [](const SampleOrigin& s) { return std::tuple(s.run, s.place, s.camera); });
 }
 
 double medianStep(const std::vector<double>& times) {

@@ -9,6 +9,7 @@ struct SampleOrigin {
   int place = 0;     ///< label
   int run = 0;       ///< number of the recording
   double stamp = 0;  ///< s; only differences within a run count
+  int camera = 0;    ///< of several that record a run together
 };
 
 /// How a run is cut for cross-validation.
@@ -30,6 +31,7 @@ struct Fold {
 /// The samples of one run and place.
 struct Sequence {
   int run = 0;
+  int cameras = 1;            ///< how many they are of
   std::vector<int> samples;   ///< in order of time
   std::vector<double> times;  ///< of each, s; a second apart if all have the same stamp
   bool stamped = false;       ///< they have not
@@ -38,6 +40,9 @@ struct Sequence {
 /// In order of run, then of place.
 std::vector<Sequence> sequencesOf(const std::vector<SampleOrigin>& samples);
 
+/// The same, those of each camera apart, in order of run, place and camera.
+std::vector<Sequence> cameraSequencesOf(const std::vector<SampleOrigin>& samples);
+
 /// Median of the steps of ascending `times` that are not zero; 0 if there is none.
 double medianStep(const std::vector<double>& times);
 
@@ -45,12 +50,12 @@ double medianStep(const std::vector<double>& times);
 bool wholeRuns(const std::vector<SampleOrigin>& samples, int count);
 
 /// Splits samples into `count` folds by contiguous blocks of time, never by random frames. Each
-/// sequence is cut into equal blocks of about `blocks[run].length`, but into `count` of them at
-/// least, which are tested in the folds in turn. Samples of the run that lie within the gap of a
-/// tested one are not trained on in that fold, whatever their place: a frame before a door would
-/// find the frames behind it, but none of its own room. The gap is no larger than largestGap() of
-/// the blocks that the sequence was cut into.
-/// If wholeRuns(), runs are the blocks instead.
+/// sequence, all of its cameras together, is cut into equal blocks of about `blocks[run].length`,
+/// but into `count` of them at least, which are tested in the folds in turn. Samples of the run
+/// that lie within the gap of a tested one are not trained on in that fold, whatever their place: a
+/// frame before a door would find the frames behind it, but none of its own room. The gap is no
+/// larger than largestGap() of the blocks that the sequence was cut into. If wholeRuns(), runs are
+/// the blocks instead.
 std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count,
                                  const std::vector<TimeBlocks>& blocks);
 

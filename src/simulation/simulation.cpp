@@ -1,6 +1,9 @@
 #include "simulation/simulation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -24,6 +27,10 @@ constexpr std::size_t kBatch = 8;
 constexpr float kStray = 0.1f;
 
 constexpr unsigned kMostVisits = 1000;
+
+/// Cameras by their names: how far each is turned to the left, rad.
+constexpr std::pair<const char*, float> kMounts[] = {
+    {"front", 0.0f}, {"left", 1.5707963f}, {"rear", 3.1415927f}, {"right", -1.5707963f}};
 
 enum Stream : std::uint64_t {
   kFurnitureStream = 1000,
@@ -57,8 +64,24 @@ std::vector<Pose> prepare(const SimulationOptions& options, Scene& scene) {
                                                : driveRun(options.rate, stray, jitter);
 }
 
-SimulatedFrame frameOf(const Pose& pose) {
+/// The number of a camera in kMounts; throws Error if there is none of this name.
+std::size_t mountOf(const std::string& camera) {
+  const auto found = std::find_if(std::begin(kMounts), std::end(kMounts),
+                                  [&camera](const auto& mount) { return camera == mount.first; });
+  if (found != std::end(kMounts)) return static_cast<std::size_t>(found - std::begin(kMounts));
+  throw Error("Unknown camera '" + camera + "'; choose front, left, rear or right.");
+}
+
+/// What the camera of a robot with this view sees: turned about the vertical through the eye.
+View turned(View view, float angle) {
+  view.yaw += angle;
+  view.pitch *= std::cos(angle);
+  return view;
+}
+
+SimulatedFrame frameOf(const Pose& pose, const std::string& camera) {
   SimulatedFrame frame;
+  frame.camera = camera;
   frame.room = pose.room;
   frame.name = pose.name;
   frame.stamp = pose.stamp;
@@ -110,6 +133,11 @@ void SimulationOptions::check() const {
     throw Error("Simulation rate " + std::to_string(rate) +
                 " is out of range; give 0.1 to 100 frames a second.");
   }
+  for (auto camera = cameras.begin(); camera != cameras.end(); ++camera) {
+    mountOf(*camera);
+    if (std::find(cameras.begin(), camera, *camera) == camera) continue;
+    throw Error("Camera '" + *camera + "' is there twice; name each once.");
+  }
 }
 
 void simulate(const SimulationOptions& options, const FrameSink& sink) {
@@ -123,16 +151,22 @@ void simulate(const SimulationOptions& options, const FrameSink& sink) {
   const Renderer renderer(scene, tracer, lighting, options.size);
 
   const std::uint64_t noise_seed = randomOf(options, kNoiseStream).next();
+  const std::vector<std::string> cameras =
+      options.cameras.empty() ? std::vector<std::string>{""} : options.cameras;
+  const std::size_t frames = poses.size() * cameras.size();
   std::vector<SimulatedFrame> batch(kBatch);
-  for (std::size_t start = 0; start < poses.size(); start += kBatch) {
-    const std::size_t count = std::min(kBatch, poses.size() - start);
+  for (std::size_t start = 0; start < frames; start += kBatch) {
+    const std::size_t count = std::min(kBatch, frames - start);
     parallelFor(count, options.threads, [&](std::size_t i, unsigned) {
-      const Pose& pose = poses[start + i];
-      batch[i] = frameOf(pose);
-      batch[i].image = develop(renderer.render(pose.view), Random(noise_seed, start + i));
+      const std::size_t number = (start + i) / cameras.size();
+      const std::string& camera = cameras[(start + i) % cameras.size()];
+      const std::size_t mount = camera.empty() ? 0 : mountOf(camera);
+      const View view = turned(poses[number].view, kMounts[mount].second);
+      batch[i] = frameOf(poses[number], camera);
+      batch[i].image = develop(renderer.render(view), Random(noise_seed + mount, number));
     });
     for (std::size_t i = 0; i < count; ++i) {
-      if (!sink(batch[i], start + i, poses.size())) return;
+      if (!sink(batch[i], start + i, frames)) return;
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -35,6 +36,9 @@ struct SimulationOptions {
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
   unsigned threads = 0;     ///< 0: one per core
   double rate = 5.0;        ///< frames a second (0.1..100); indecs: one picture every 1/rate s
+  /// Those that the robot has at one spot: front, left, rear, right, by where they look, each once.
+  /// Each takes a picture at every stamp. Empty: one that looks ahead and has no name.
+  std::vector<std::string> cameras;
 
   /// Throws Error naming the field that is out of range.
   void check() const;
@@ -43,12 +47,13 @@ struct SimulationOptions {
 /// One labelled picture of a run.
 struct SimulatedFrame {
   cv::Mat image;       ///< CV_8UC3, BGR
+  std::string camera;  ///< as in SimulationOptions::cameras; empty: the only one
   std::string room;    ///< the room the camera stands in
   std::string name;    ///< file stem: kitchen_07_120 (room, marker, degrees) or drive_000123
   double stamp = 0.0;  ///< s since the start of the run
   double x = 0.0;      ///< m, along the corridor
   double y = 0.0;      ///< m, to the left of x
-  double yaw = 0.0;    ///< rad, anticlockwise from x; the direction the camera looks in
+  double yaw = 0.0;    ///< rad, anticlockwise from x; the direction the robot looks in
 };
 
 /// Takes frame `index` of `count`; returns false to stop the run.
@@ -56,8 +61,8 @@ using FrameSink =
     std::function<bool(const SimulatedFrame& frame, std::size_t index, std::size_t count)>;
 
 /// Renders a run of five rooms (office_a, office_b, kitchen, corridor, printer_area) and hands
-/// each frame to `sink` in order, from the calling thread. Throws Error on bad options and lets
-/// pass what the sink throws.
+/// each frame to `sink` in order of time, then of cameras, from the calling thread. Throws Error on
+/// bad options and lets pass what the sink throws.
 void simulate(const SimulationOptions& options, const FrameSink& sink);
 
 }  // namespace place_recognition

@@ -62,6 +62,17 @@ void printModel(const Model& model, const std::string& path, std::uint64_t bytes
   if (!model.adjacency.empty()) {
     std::cout << "adjoining " << writeAdjacency(model.adjacency, model.places);
   }
+  if (model.cameras.known()) {
+    std::cout << "cameras, correlation of their errors\n" << std::fixed << std::setprecision(2);
+    for (std::size_t a = 0; a < model.cameras.cameras.size(); ++a) {
+      const auto row = static_cast<Eigen::Index>(a);
+      for (Eigen::Index b = 0; b < model.cameras.coefficients.cols(); ++b) {
+        std::cout << std::setw(8) << model.cameras.coefficients(row, b);
+      }
+      std::cout << "  " << model.cameras.cameras[a] << "\n";
+    }
+    std::cout << std::defaultfloat;
+  }
   std::cout << "cues\n";
   for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
     std::cout << std::setw(8) << model.classifiers[i].supportVectorCount() << " vectors, weight "
@@ -81,6 +92,11 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
       if (model.adjacency.joined(a, b)) adjoining.push_back({model.places[a], model.places[b]});
     }
   }
+  Json correlations = Json::array();  // a row per camera
+  for (Eigen::Index a = 0; a < model.cameras.coefficients.rows(); ++a) {
+    const Eigen::VectorXd row = model.cameras.coefficients.row(a);
+    correlations.push_back(std::vector<double>(row.data(), row.data() + row.size()));
+  }
   return {{"model", model.name},
           {"path", path},
           {"version", model.version},
@@ -89,6 +105,8 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
           {"skipped_images", model.provenance.skipped_images},
           {"rooms", rooms},
           {"adjoining", adjoining},
+          {"cameras", model.cameras.cameras},
+          {"camera_correlations", correlations},
           {"support_vectors", model.supportVectorCount()},
           {"model_bytes", bytes},
           {"unknown_threshold", model.unknown_threshold},

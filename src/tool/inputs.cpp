@@ -128,8 +128,10 @@ const char* const kInputHelp =
 
 void InputOptions::addTo(Verb& verb) {
   const char* const kGroup = "Options on bags";
-  verb.option("--image-topic", "TOPIC", bag.image_topic,
-              "Topic of the images; needed if there are several")
+  verb.option("--image-topic", "TOPIC", bag.image_topics,
+              "Topic of the images; needed if there are several. Several with commas between them: "
+              "cameras of one robot")
+      .commaSeparated()
       .group(kGroup);
   verb.option("--label-topic", "TOPIC", bag.label_topic,
               "Topic of the labels, std_msgs/String (default " + bag.label_topic + ")")

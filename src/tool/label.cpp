@@ -54,12 +54,15 @@ void label(const LabelOptions& options) {
   std::vector<std::string> arguments{PLACE_RECOGNITION_PYTHON, "-B", packageFolder("label_page"),
                                      "--tool", program};
   const BagRunOptions& bag = options.input.bag;
+  if (bag.image_topics.size() > 1) {
+    throw UsageError("--image-topic: the page shows one camera; name one");
+  }
   const auto pass = [&arguments](const char* option, const std::string& value) {
     if (!value.empty()) arguments.push_back(std::string(option) + "=" + value);
   };
   pass("--model", options.model);
   pass("--port", std::to_string(options.port));
-  pass("--image-topic", bag.image_topic);
+  pass("--image-topic", bag.image_topics.empty() ? "" : bag.image_topics.front());
   pass("--label-topic", bag.label_topic);
   pass("--labels", bag.labels_file);
   pass("--label", bag.label);

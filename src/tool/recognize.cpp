@@ -10,13 +10,9 @@
 #include "base/atomic_file.h"
 #include "base/place_name.h"
 #include "datasets/picture_folder.h"
-#include "evaluation/evaluation.h"
+#include "evaluation/run_recognizer.h"
 #include "place_recognition/error.h"
-#include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/model_file.h"
-#include "place_recognition/recognizer.h"
-#include "place_recognition/temporal_filter.h"
-#include "recognition/frames/image_guard.h"
 #include "ros/bags/bag_file.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
@@ -66,10 +62,7 @@ class Recognitions {
  public:
   explicit Recognitions(const RecognizeOptions& options)
       : output_(options.output),
-        recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))),
-        guard_(recognizer_.model()),
-        filter_(recognizer_.model(), recognizer_.model().adjacency, {}),
-        smoother_(recognizer_.model().adjacency, {}, kSmoothingLag) {
+        recognizer_(std::make_shared<const Model>(loadModel(modelPath(options.model)))) {
     for (const std::string& place : recognizer_.model().places) {
       place_width_ = std::max(place_width_, place.size());
     }
@@ -79,25 +72,22 @@ class Recognitions {
 
   /// A picture by itself.
   void addPicture(const Frame& frame) {
-    if (isUsable(frame)) add(frame, recognizer_.recognize(frame.image));
+    if (isUsable(frame)) add(frame, recognizer_.recognizePicture(frame.image));
   }
 
   /// Frames of `run` follow. `in_time`: by their stamps they follow one another.
   void startRun(Run& run, bool in_time) {
-    run.setDepthExtent(recognizer_.model().images.depth);
-    recognizer_.forgetStream();
-    guard_ = ImageGuard(recognizer_.model());
+    recognizer_.begin(run);
     smooths_ = in_time;
   }
 
   void addFrame(const Frame& frame) {
-    if (isUsable(frame)) add(frame, recognizer_.recognize(frame.image, frame.stamp));
+    if (isUsable(frame)) add(frame, recognizer_.recognize(frame));
   }
 
   void endRun() {
-    smoother_.finish();
+    recognizer_.smoother().finish();
     writeSmoothed();
-    filter_.reset();
     smooths_ = false;
   }
 
@@ -123,7 +113,7 @@ class Recognitions {
       addUnusable(frame);
       return false;
     }
-    for (const std::string& warning : guard_.judge(frame.image, frame.stamp)) {
+    for (const std::string& warning : recognizer_.judge(frame)) {
       std::cerr << "warning: " << frame.name << ": " << warning << "\n";
     }
     return true;
@@ -138,10 +128,7 @@ class Recognitions {
                    {"known", answer.known},       {"confidence", answer.confidence},
                    {"evidence", answer.evidence}, {"scores", scores(recognizer_.model(), answer)}};
     if (answer.place < 0) object["reason"] = answer.reason;
-    if (smooths_) {
-      filter_.update(frame.stamp, answer);
-      smoother_.add(filter_);
-    }
+    if (smooths_) recognizer_.follow(frame, answer);
     write({std::move(object), smooths_});
   }
 
@@ -170,9 +157,11 @@ class Recognitions {
   void writeSmoothed() {
     for (; !waiting_.empty(); waiting_.pop_front()) {
       Waiting& next = waiting_.front();
-      if (next.for_answer && !smoother_.ready()) return;
-      if (next.for_answer)
-        next.object["smoothed"] = overTime(recognizer_.model(), smoother_.next());
+      FixedLagSmoother& smoother = recognizer_.smoother();
+      if (next.for_answer && !smoother.ready()) return;
+      if (next.for_answer) {
+        next.object["smoothed"] = overTime(recognizer_.model(), smoother.next());
+      }
       if (output_.json == "-") {
         std::cout << jsonLine(next.object) << std::flush;
       } else {
@@ -192,14 +181,11 @@ class Recognitions {
   }
 
   const OutputOptions& output_;
-  Recognizer recognizer_;
-  ImageGuard guard_;
+  RunRecognizer recognizer_;
   UnusablePictures unusable_;
   std::size_t frames_ = 0;
   bool smooths_ = false;
-  TemporalFilter filter_;  // of the current run, as are the next two
-  FixedLagSmoother smoother_;
-  std::deque<Waiting> waiting_;
+  std::deque<Waiting> waiting_;  // of the current run
   std::string json_lines_;
   std::size_t name_width_ = 0;
   std::size_t place_width_ = std::string(kUnknownPlace).size();

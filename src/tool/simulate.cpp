@@ -46,7 +46,7 @@ Counts renderBag(const SimulationOptions& options, const std::string& path,
   LabelledBagWriter bag(path);
   simulate(options, [&](const SimulatedFrame& frame, std::size_t index, std::size_t count) {
     report(progress, "Rendering " + path, static_cast<double>(index) / count);
-    bag.write(frame.image, frame.room, frame.stamp);
+    bag.write(frame.image, frame.room, frame.stamp, frame.camera);
     ++counts[frame.room];
     return true;
   });
@@ -64,7 +64,8 @@ Counts renderFolder(const SimulationOptions& options, const std::string& path,
     fs::create_directories(room);
     std::vector<unsigned char> png;
     cv::imencode(".png", frame.image, png);
-    writeFileAtomically(room / (frame.name + ".png"),
+    const std::string camera = frame.camera.empty() ? "" : "_" + frame.camera;
+    writeFileAtomically(room / (frame.name + camera + ".png"),
                         {reinterpret_cast<const char*>(png.data()), png.size()});
     ++counts[frame.room];
     return true;
@@ -118,8 +119,17 @@ void addSimulate(CommandLine& tool) {
       .oneOf({"bag", "images"});
   verb.option("--rate", "HZ", options->simulation.rate, "Frames a second");
   verb.option("--size", "WxH", options->size, "Pixels (default 512x384)");
+  verb.option(
+          "--cameras", "LIST", options->simulation.cameras,
+          "Cameras of the robot, front,left,rear,right: each with a topic /CAMERA/image_raw of its "
+          "own (default one that looks ahead, /camera/image_raw)")
+      .commaSeparated()
+      .oneOf({"front", "left", "rear", "right"});
   options->output.addTo(verb);
-  verb.footer("Example:\n  place_tool simulate --out runs --conditions cloudy,night");
+  verb.footer(
+      "Example:\n"
+      "  place_tool simulate --out runs --conditions cloudy,night\n"
+      "  place_tool simulate --out drives --protocol drive --cameras front,rear");
   verb.run([options] { simulateRuns(*options); });
 }
 

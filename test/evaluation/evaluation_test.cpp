@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "evaluation/made_up_evaluation.h"
+#include "evaluation/result_table.h"
 #include "evaluation/summary.h"
 #include "place_recognition/error.h"
 #include "recognition/drawn_run.h"
@@ -86,6 +87,23 @@ TEST(Evaluate, AnswersEveryLabelledPicture) {
   EXPECT_EQ(evaluation.frames.back().run, 1);
   EXPECT_EQ(evaluation.warnings.size(), 3u);
   EXPECT_GT(summarize(evaluation).average_rate, 0.8);
+}
+
+TEST(Evaluate, KeepsSeveralCamerasApart) {
+  std::vector<Frame> frames = drawFrames(3, 20);
+  const auto model = std::make_shared<const Model>(train({opener(frames)}, quickOptions()).model);
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].camera = i % 2 == 0 ? 1 : 0;
+  for (std::size_t i = 1; i < frames.size(); i += 2) frames[i].image = drawRoom(2, 900);
+  const Evaluation evaluation = evaluate(model, {opener(frames, "robot.bag", {"/rear", "/front"}),
+                                                 opener(drawFrames(3, 20), "one.bag")});
+  EXPECT_EQ(evaluation.cameras, (std::vector<std::string>{"/rear", "/front", ""}));
+  const Summary summary = summarize(evaluation);
+  ASSERT_EQ(summary.cameras.size(), 3u);
+  EXPECT_EQ(summary.cameras[0].count, 30u);  // the rear camera sees one room everywhere
+  EXPECT_NEAR(summary.cameras[0].average_rate, 1.0 / 3, 1e-9);
+  EXPECT_EQ(summary.cameras[1].count, 30u);
+  EXPECT_NEAR(summary.cameras[1].average_rate, 1, 0.1);
+  EXPECT_NE(resultTable(evaluation, summary).find("/front"), std::string::npos);
 }
 
 TEST(Evaluate, KeepsTheMostConfidentMistakes) {

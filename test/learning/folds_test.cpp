@@ -96,6 +96,26 @@ TEST(Folds, LeaveOutWhatIsBehindTheDoorToo) {
   }
 }
 
+TEST(Folds, OfSeveralCamerasAreThoseOfOneForEachMoment) {
+  const std::vector<SampleOrigin> alone = roomAt(5, 0.2, 303);
+  std::vector<SampleOrigin> together;
+  for (const SampleOrigin& sample : alone) {
+    for (const int camera : {0, 1, 2}) together.push_back({0, 0, sample.stamp, camera});
+  }
+  const std::vector<Fold> expected = timeBlockFolds(alone, 5, blocks(0.7, 0.5));
+  const std::vector<Fold> folds = timeBlockFolds(together, 5, blocks(0.7, 0.5));
+  for (std::size_t f = 0; f < folds.size(); ++f) {
+    std::vector<int> test, train;
+    for (const int i : folds[f].test) test.push_back(i / 3);
+    for (const int i : folds[f].train) train.push_back(i / 3);
+    test.erase(std::unique(test.begin(), test.end()), test.end());
+    train.erase(std::unique(train.begin(), train.end()), train.end());
+    EXPECT_EQ(test, expected[f].test);
+    EXPECT_EQ(train, expected[f].train);
+    EXPECT_EQ(folds[f].test.size(), 3 * test.size());
+  }
+}
+
 TEST(Folds, LeaveTwoFifthsToTrainOnAtTheLargestGap) {
   const std::vector<SampleOrigin> samples = roomAt(0, 0.01, 6000);
   for (const int count : {2, 3, 5, 20}) {

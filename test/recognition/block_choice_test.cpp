@@ -62,6 +62,18 @@ TEST(BlockChoice, GapIsAsLongAtAnyRateOfFrames) {
   }
 }
 
+TEST(BlockChoice, LooksAtEachCameraByItself) {
+  const Recording alone = circle(5);
+  Recording together = alone;
+  for (std::size_t i = 0; i < alone.samples.size(); ++i) {
+    together.add(0, alone.samples[i].stamp, alone.features[i]);
+    together.samples.back().camera = 1;
+  }
+  EXPECT_NEAR(together.likeness().step, alone.likeness().step, 1e-9);
+  EXPECT_NEAR(together.blocks().gap, alone.blocks().gap, 1e-9);
+  EXPECT_NEAR(together.blocks().length, alone.blocks().length, 1e-9);
+}
+
 TEST(BlockChoice, LeavesTheNextPictureOutIfItIsTheMostAlike) {
   const TimeBlocks blocks = circle(0.2).blocks();  // 5 s apart: already less alike than an eighth
   EXPECT_DOUBLE_EQ(blocks.gap, 1.5 * 5);

@@ -28,8 +28,11 @@ inline cv::Mat drawRoom(int room, unsigned frame) {
 /// A run of given frames.
 class FrameList : public Run {
  public:
-  FrameList(const std::string& name, std::vector<Frame> frames)
-      : Run(name), frames_(std::move(frames)) {}
+  FrameList(const std::string& name, std::vector<Frame> frames,
+            std::vector<std::string> cameras = {""})
+      : Run(name), frames_(std::move(frames)), cameras_(std::move(cameras)) {}
+
+  std::vector<std::string> cameras() const override { return cameras_; }
 
   bool next(Frame& frame) override {
     if (position_ == frames_.size()) return false;
@@ -42,6 +45,7 @@ class FrameList : public Run {
 
  private:
   std::vector<Frame> frames_;
+  std::vector<std::string> cameras_;
   std::size_t position_ = 0;
 };
 
@@ -61,8 +65,9 @@ inline std::vector<Frame> drawFrames(int rooms, int count, unsigned first_frame 
   return frames;
 }
 
-inline RunOpener opener(const std::vector<Frame>& frames, const std::string& name = "drawn") {
-  return [frames, name] { return std::make_unique<FrameList>(name, frames); };
+inline RunOpener opener(const std::vector<Frame>& frames, const std::string& name = "drawn",
+                        const std::vector<std::string>& cameras = {""}) {
+  return [frames, name, cameras] { return std::make_unique<FrameList>(name, frames, cameras); };
 }
 
 /// Options that train on drawn rooms within a moment.

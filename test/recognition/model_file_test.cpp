@@ -255,6 +255,23 @@ INSTANTIATE_TEST_SUITE_P(
                   [](auto& c) { message(c).mutable_held_out_margins()->RemoveLast(); }},
         Tampering{"HeldOutMarginNan",
                   [](auto& c) { message(c).set_held_out_margins(1, std::nanf("")); }},
+        Tampering{"CameraWithoutEnd", [](auto& c) { message(c).set_cameras("/front"); }},
+        Tampering{"CamerasWithoutCorrelation", [](auto& c) { message(c).set_cameras("a\0b", 4); }},
+        Tampering{"MoreCamerasThanARobotHas",
+                  [](auto& c) {
+                    message(c).set_cameras(std::string(18, '\0'));
+                    for (int i = 0; i < 153; ++i) message(c).add_camera_correlations(0);
+                  }},
+        Tampering{"CorrelationAboveOne",
+                  [](auto& c) {
+                    message(c).set_cameras("a\0b", 4);
+                    message(c).add_camera_correlations(1.5);
+                  }},
+        Tampering{"CorrelationNan",
+                  [](auto& c) {
+                    message(c).set_cameras("a\0b", 4);
+                    message(c).add_camera_correlations(kNan);
+                  }},
         Tampering{"CountsMissing",
                   [](auto& c) { message(c).mutable_provenance()->clear_place_images(); }}),
     [](const auto& info) { return info.param.name; });

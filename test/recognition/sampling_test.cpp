@@ -9,6 +9,7 @@
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
 #include "recognition/drawn_run.h"
+#include "recognition/training/held_out_frames.h"
 
 namespace place_recognition {
 namespace {
@@ -73,6 +74,26 @@ TEST(StratifiedSample, SeesEveryAngleOfATripod) {
   }
   EXPECT_EQ(stratifiedSample(one_room, 100, 1), stratifiedSample(one_room, 100, 1));
   EXPECT_NE(stratifiedSample(one_room, 100, 1), stratifiedSample(one_room, 100, 2));
+}
+
+TEST(HeldOutFrames, AreNoMoreThanAModelKeeps) {
+  // Shares of 1000 that all have a rest.
+  const std::vector<int> rooms{231, 252, 249, 341, 458};
+  Judges judges;
+  for (std::size_t k = 0; k < rooms.size(); ++k) {
+    for (int i = 0; i < rooms[k]; ++i) judges.samples.push_back({static_cast<int>(k), 0, 1.0 * i});
+  }
+  const auto count = static_cast<Eigen::Index>(judges.samples.size());
+  judges.reductions = {
+      {HeldOut{Eigen::MatrixXd::Zero(count, 5), std::vector<bool>(judges.samples.size(), true),
+               Eigen::VectorXd::Zero(count)}}};
+  const HeldOutFrames kept = keptFrames(judges, 0, 1);
+  EXPECT_LE(kept.places.size(), kMaxHeldOutFrames);
+  EXPECT_GT(kept.places.size(), kMaxHeldOutFrames - 10);
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_NEAR(std::count(kept.places.begin(), kept.places.end(), k),
+                1000.0 * rooms[static_cast<std::size_t>(k)] / static_cast<double>(count), 5);
+  }
 }
 
 TEST(StratifiedStream, KeepsTheFirstAndOneOfEachStretch) {

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(All, BagFormats,
 TEST_F(Bags, AreReadByTheNameOfTheirTopicWithoutCompressed) {
   writeRun(path_);
   BagRunOptions options;
-  options.image_topic = "/camera/image_raw";
+  options.image_topics = {"/camera/image_raw"};
   EXPECT_EQ(readAll(path_, options).size(), kRooms.size());
 }
 
@@ -68,14 +68,14 @@ TEST_F(Bags, SlashesBeforeTopicsDoNotMatter) {
        {"/camera/image_raw", "camera/image_raw", "/camera/image_raw/compressed"}) {
     for (const char* label : {"/place_label", "place_label", "//place_label"}) {
       BagRunOptions options;
-      options.image_topic = image;
+      options.image_topics = {image};
       options.label_topic = label;
       EXPECT_EQ(places(readAll(path_, options)), kRooms) << image << " " << label;
     }
   }
   writeRun(path_);
   BagRunOptions bare;
-  bare.image_topic = "camera/image_raw";
+  bare.image_topics = {"camera/image_raw"};
   bare.label_topic = "place_label";
   EXPECT_EQ(places(readAll(path_, bare)), kRooms);
 }
@@ -290,10 +290,43 @@ TEST_F(Bags, WithTwoCamerasAskForOne) {
   EXPECT_NE(errorOf(path_).find("/left (sensor_msgs/Image), /right (sensor_msgs/Image)"),
             std::string::npos);
   BagRunOptions options;
-  options.image_topic = "/right";
+  options.image_topics = {"/right"};
   ASSERT_EQ(readAll(path_, options).size(), 1u);
-  options.image_topic = "/middle";
+  options.image_topics = {"/middle"};
   EXPECT_NE(errorOf(path_, options).find("no images on /middle"), std::string::npos);
+}
+
+TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
+  {
+    LabelledBagOptions raw;
+    raw.jpeg = false;
+    LabelledBagWriter writer(path_, raw);
+    writer.write(picture(1), "hall", 0, "front");
+    writer.write(picture(2), "hall", 0.5, "rear");
+    writer.write(picture(3), "lab", 1, "rear");
+    writer.write(picture(4), "lab", 1, "left");
+    writer.write(picture(5), "lab", 2, "front");
+    writer.close();
+  }
+  BagRunOptions options;
+  options.image_topics = {"rear/image_raw", "/front/image_raw"};
+  const std::vector<Frame> frames = readAll(path_, options);
+  ASSERT_EQ(frames.size(), 4u);
+  const std::vector<int> cameras{1, 0, 0, 1};
+  const std::vector<int> pictures{1, 2, 3, 5};
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].camera, cameras[i]);
+    EXPECT_EQ(cv::norm(frames[i].image, picture(pictures[i]), cv::NORM_INF), 0);
+  }
+  EXPECT_EQ(frames[1].name, "/rear/image_raw #1");
+  EXPECT_EQ(openBagRun(path_, options)->cameras(),
+            (std::vector<std::string>{"/rear/image_raw", "/front/image_raw"}));
+  options.image_topics.push_back("rear/image_raw");
+  EXPECT_NE(errorOf(path_, options).find("/rear/image_raw is named twice"), std::string::npos);
+  options.image_topics.back() = "/right";
+  EXPECT_NE(errorOf(path_, options).find("no images on /right"), std::string::npos);
+  options.image_topics.assign(9, "rear/image_raw");
+  EXPECT_NE(errorOf(path_, options).find("at most 8 cameras"), std::string::npos);
 }
 
 TEST_F(Bags, ALabelTopicThatWasAskedForMustBeThere) {

@@ -58,6 +58,23 @@ TEST(NewestImage, ReplacesTheOneThatWaits) {
   EXPECT_TRUE(newest.put(numbered(4)));
 }
 
+TEST(NewestImage, HoldsOneOfEachCameraAndLetsThemTakeTurns) {
+  NewestImage newest(3);
+  EXPECT_TRUE(newest.put(numbered(1), 2));
+  EXPECT_TRUE(newest.put(numbered(2), 0));
+  EXPECT_FALSE(newest.put(numbered(3), 0));
+  EXPECT_TRUE(newest.put(numbered(4), 1));
+  const auto next = [&newest] {
+    const auto arrived = std::get<ArrivedImage>(*newest.take());
+    return std::pair(arrived.camera, arrived.message.header().seq);
+  };
+  EXPECT_EQ(next(), std::pair(std::size_t{1}, 4u));
+  newest.put(numbered(5), 1);  // a fast camera does not keep the others from their turn
+  EXPECT_EQ(next(), std::pair(std::size_t{2}, 1u));
+  EXPECT_EQ(next(), std::pair(std::size_t{0}, 3u));
+  EXPECT_EQ(next(), std::pair(std::size_t{1}, 5u));
+}
+
 TEST(NewestImage, WakesTheWorker) {
   NewestImage newest;
   std::uint32_t last = 0;

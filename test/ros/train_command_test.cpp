@@ -120,6 +120,7 @@ TEST_F(TrainCommand, BadFieldsAreNamed) {
   expectNamed("calibrate", [](TrainGoal& g) { g.calibrate = true, g.add_to = "home"; });
   expectNamed("threads", [](TrainGoal& g) { g.threads = 100000; });
   expectNamed("image_topic", [](TrainGoal& g) { g.image_topic = "a topic"; });
+  expectNamed("image_topic", [](TrainGoal& g) { g.image_topic = "/front,a topic"; });
   expectNamed("label_topic", [](TrainGoal& g) { g.label_topic = std::string(1000, 'a'); });
   expectNamed("label", [](TrainGoal& g) { g.label = "a\nb"; });
   expectNamed("recognizers", [](TrainGoal& g) { g.recognizers = {"not a name"}; });

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -62,6 +63,31 @@ TEST(Simulation, AnotherVisitIsToTheSameBuildingOnAnotherDay) {
     another += cv::norm(first[i].image, elsewhere[i].image, cv::NORM_L1);
   }
   EXPECT_LT(moved, 0.7 * another);
+}
+
+TEST(Simulation, CamerasOfOneRobotLookTheirWayAtEachMoment) {
+  SimulationOptions options = small(Condition::kNight);
+  const auto alone = firstFrames(options, 12);
+  options.cameras = {"rear", "front"};
+  const auto both = firstFrames(options, 24);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const SimulatedFrame& rear = both[2 * i];
+    const SimulatedFrame& front = both[2 * i + 1];
+    EXPECT_EQ(rear.camera, "rear");
+    EXPECT_EQ(front.camera, "front");
+    EXPECT_EQ(rear.stamp, alone[i].stamp);
+    EXPECT_EQ(rear.room, front.room);
+    EXPECT_TRUE(sameImages({front}, {alone[i]}));
+  }
+  // A tripod turns by twelve angles: behind it is what is ahead six pictures on.
+  for (std::size_t i = 0; i < 6; ++i) {
+    std::vector<double> differences;
+    for (const SimulatedFrame& ahead : alone) {
+      differences.push_back(cv::norm(both[2 * i].image, ahead.image, cv::NORM_L1));
+    }
+    const auto least = std::min_element(differences.begin(), differences.end());
+    EXPECT_EQ(least - differences.begin(), static_cast<std::ptrdiff_t>(i) + 6);
+  }
 }
 
 TEST(Simulation, EachConditionGivesItsOwnWellExposedPictures) {
@@ -136,6 +162,11 @@ TEST(Simulation, OptionsOutOfRangeAreRefused) {
   options.rate = 0.0;
   EXPECT_THROW(simulate(options, [](const auto&, std::size_t, std::size_t) { return true; }),
                Error);
+  options = {};
+  for (const char* second : {"front", "up", ""}) {
+    options.cameras = {"front", second};
+    EXPECT_THROW(options.check(), Error) << second;
+  }
 }
 
 }  // namespace

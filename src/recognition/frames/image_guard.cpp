@@ -44,6 +44,7 @@ ImageGuard::ImageGuard(const ImageProfile& trained, const ImageOptions& options)
 
 std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
   problem_.clear();
+  blind_ = false;
   news_.clear();
   const ImageStatistics statistics = statisticsOf(image);
   if (trained_.known()) {
@@ -100,6 +101,7 @@ bool ImageGuard::isFrozen(const cv::Mat& image, double stamp) {
 
 void ImageGuard::fault(Kind kind, const std::string& what, const std::string& advice) {
   problem_ += (problem_.empty() ? "" : "; ") + what;
+  blind_ |= kind == kBlack || kind == kWhite || kind == kFrozen;
   say(kind, what + "; " + advice + ".");
 }
 

@@ -25,6 +25,10 @@ class ImageGuard {
   /// What is wrong with the last image, without a full stop; empty: nothing.
   const std::string& problem() const { return problem_; }
 
+  /// Whether the camera shows nothing: the last image was black or white, or the same again and
+  /// again.
+  bool blind() const { return blind_; }
+
  private:
   enum Kind { kSize, kAspectRatio, kGrey, kBlack, kWhite, kFrozen, kKinds };
 
@@ -38,6 +42,7 @@ class ImageGuard {
   ImageScaler scaler_;
   std::array<bool, kKinds> said_{};
   std::string problem_;
+  bool blind_ = false;
   std::vector<std::string> news_;
   cv::Mat last_rows_;      // sampledRows() of the last image
   int repeats_ = 0;        // how many before it had the same

@@ -240,6 +240,36 @@ void readColors(const proto::Model& message, Model& model) {
   require(isSoundCovariance(colors.covariance), "its statistics of colours contradict themselves");
 }
 
+void writeCameras(const CameraCorrelation& cameras, proto::Model& message) {
+  if (!cameras.known()) return;
+  message.set_cameras(joined(cameras.cameras));
+  const auto count = static_cast<Eigen::Index>(cameras.cameras.size());
+  for (Eigen::Index a = 0; a < count; ++a) {
+    for (Eigen::Index b = a + 1; b < count; ++b) {
+      message.add_camera_correlations(cameras.coefficients(a, b));
+    }
+  }
+}
+
+void readCameras(const proto::Model& message, Model& model) {
+  CameraCorrelation& cameras = model.cameras;
+  cameras.cameras = separated(message.cameras(), kMaxCameras);
+  const auto count = static_cast<Eigen::Index>(cameras.cameras.size());
+  require(message.camera_correlations_size() == count * (count - 1) / 2,
+          "it has not one correlation for each pair of cameras");
+  cameras.coefficients.setIdentity(count, count);
+  int next = 0;
+  for (Eigen::Index a = 0; a < count; ++a) {
+    require(isUtf8(cameras.cameras[static_cast<std::size_t>(a)]),
+            "the topic of a camera is not UTF-8 text");
+    for (Eigen::Index b = a + 1; b < count; ++b) {
+      const double correlation = message.camera_correlations(next++);
+      require(isShare(correlation), "the correlation of two cameras is not in 0..1");
+      cameras.coefficients(a, b) = cameras.coefficients(b, a) = correlation;
+    }
+  }
+}
+
 void writeImages(const ImageProfile& images, proto::Model& message) {
   if (!images.known()) return;
   proto::ImageProfile& profile = *message.mutable_images();
@@ -303,6 +333,7 @@ proto::Model toMessage(const Model& model) {
   writeHeldOut(model.held_out, message);
   writeAdjacency(model.adjacency, message);
   writeImages(model.images, message);
+  writeCameras(model.cameras, message);
   writeEmbeddings(model, message);
 
   proto::Provenance& provenance = *message.mutable_provenance();
@@ -327,6 +358,7 @@ Model fromMessage(const proto::Model& message) {
   readHeldOut(message, model);
   readAdjacency(message, model);
   readImages(message, model);
+  readCameras(message, model);
   readProvenance(message.provenance(), model);
   return model;
 }

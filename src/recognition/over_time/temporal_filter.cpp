@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "place_recognition/camera_correlation.h"
 #include "recognition/over_time/transition_model.h"
 
 namespace place_recognition {
@@ -26,12 +27,23 @@ Eigen::RowVectorXd trainingShares(const Model& model) {
 
 TemporalFilter::TemporalFilter(const Model& model, const Adjacency& adjacency,
                                const TemporalFilterOptions& options)
-    : options_(options), room_shares_(trainingShares(model)) {
-  assert(adjacency.places() == model.places.size());
+    : TemporalFilter({&model}, Eigen::MatrixXd::Ones(1, 1), adjacency, options) {}
+
+TemporalFilter::TemporalFilter(const std::vector<const Model*>& models,
+                               const Eigen::MatrixXd& correlation, const Adjacency& adjacency,
+                               const TemporalFilterOptions& options)
+    : options_(options), correlation_(correlation) {
+  assert(!models.empty() && models.size() <= kMaxCameras);
+  assert(correlation.rows() == static_cast<Eigen::Index>(models.size()) &&
+         correlation.cols() == correlation.rows());
   options_.check();
+  for (const Model* model : models) {
+    assert(adjacency.places() == model->places.size());
+    cameras_.push_back({trainingShares(*model)});
+    setUnknownThreshold(model->unknown_threshold, cameras_.size() - 1);
+  }
   chain_ =
       std::make_unique<TransitionModel>(adjacency, options_.unknown_share, options_.jump_share);
-  setUnknownThreshold(model.unknown_threshold);
   step_.likelihoods = answer_.probabilities = chain_->prior();
 }
 
@@ -39,29 +51,37 @@ TemporalFilter::~TemporalFilter() = default;
 TemporalFilter::TemporalFilter(TemporalFilter&&) noexcept = default;
 TemporalFilter& TemporalFilter::operator=(TemporalFilter&&) noexcept = default;
 
-void TemporalFilter::setUnknownThreshold(double threshold) {
-  unknown_threshold_ = std::clamp(threshold, 0.01, 0.99);
+void TemporalFilter::setUnknownThreshold(double threshold, std::size_t camera) {
+  cameras_[camera].unknown_threshold = std::clamp(threshold, 0.01, 0.99);
 }
 
 const FilteredAnswer& TemporalFilter::update(double stamp, const Recognition& recognition,
-                                             const std::optional<Motion>& motion) {
-  assert(std::isfinite(stamp));
+                                             const std::optional<Motion>& motion,
+                                             std::size_t camera) {
+  assert(std::isfinite(stamp) && camera < cameras_.size());
   const double elapsed = stamp - step_.stamp;
-  step_.stamp = stamp;
-  step_.first = !started_ || elapsed < 0 || elapsed > options_.maximum_gap;
+  const bool back = cameras_[camera].stamp && stamp < *cameras_[camera].stamp;
+  step_.first = !started_ || back || std::abs(elapsed) > options_.maximum_gap;
   if (step_.first) {
+    step_.stamp = stamp;
     start();
   } else {
-    move(elapsed, motion);
+    step_.stamp = std::max(step_.stamp, stamp);
+    move(std::max(elapsed, 0.0), motion);
   }
-  weigh(recognition);
+  cameras_[camera].stamp = stamp;
+  weigh(recognition, camera);
   decide();
   return answer_;
 }
 
 void TemporalFilter::start() {
   started_ = true;
-  new_share_ = 1;
+  for (Camera& camera : cameras_) {
+    camera.new_share = 1;
+    camera.stamp.reset();
+    camera.told.reset();
+  }
   step_.changes = 0;
   answer_.probabilities = chain_->prior();
 }
@@ -76,10 +96,21 @@ void TemporalFilter::move(double elapsed, const std::optional<Motion>& motion) {
                 motion->angle / options_.decorrelation_angle;
   }
   chain_->advance(step_.changes, answer_.probabilities);
-  new_share_ = std::min(1.0, new_share_ + new_share);
+  for (Camera& camera : cameras_) camera.new_share = std::min(1.0, camera.new_share + new_share);
 }
 
-void TemporalFilter::weigh(const Recognition& recognition) {
+/// The share of what a camera says that no other one says at the same moment.
+double TemporalFilter::independentShare(std::size_t camera) const {
+  double sum = 1;
+  for (std::size_t other = 0; other < cameras_.size(); ++other) {
+    const std::optional<double>& told = cameras_[other].told;
+    if (other == camera || !told || step_.stamp - *told > options_.camera_gap) continue;
+    sum += correlation_(static_cast<Eigen::Index>(camera), static_cast<Eigen::Index>(other));
+  }
+  return 1 / sum;
+}
+
+void TemporalFilter::weigh(const Recognition& recognition, std::size_t number) {
   Eigen::RowVectorXd& likelihoods = step_.likelihoods;
   if (recognition.place < 0) {  // no feature, nothing seen: what is new waits for the next
     likelihoods.setOnes();
@@ -87,18 +118,20 @@ void TemporalFilter::weigh(const Recognition& recognition) {
   }
   const Eigen::Index rooms = recognition.probabilities.size();
   assert(rooms + 1 == likelihoods.size());
+  Camera& camera = cameras_[number];
   const double outliers = options_.outlier_share;
   const auto tempered = [outliers](double ratio) { return (1 - outliers) * ratio + outliers; };
-  const double any_room = tempered(recognition.evidence / unknown_threshold_);
+  const double any_room = tempered(recognition.evidence / camera.unknown_threshold);
   auto by_room = likelihoods.head(rooms).array();
-  by_room = (recognition.probabilities.array() / room_shares_.array()).unaryExpr(tempered);
+  by_room = (recognition.probabilities.array() / camera.room_shares.array()).unaryExpr(tempered);
   by_room *= any_room / by_room.maxCoeff();
-  likelihoods[rooms] = tempered((1 - recognition.evidence) / (1 - unknown_threshold_));
-  likelihoods = likelihoods.array().pow(new_share_);
+  likelihoods[rooms] = tempered((1 - recognition.evidence) / (1 - camera.unknown_threshold));
+  likelihoods = likelihoods.array().pow(camera.new_share * independentShare(number));
 
   answer_.probabilities.array() *= likelihoods.array();
   answer_.probabilities /= answer_.probabilities.sum();
-  new_share_ = 0;
+  camera.new_share = 0;
+  camera.told = step_.stamp;
 }
 
 void TemporalFilter::decide() {

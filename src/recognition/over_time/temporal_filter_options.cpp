@@ -32,6 +32,7 @@ void TemporalFilterOptions::check() const {
   requireWithin(minimum_confidence, "minimum_confidence", 0, 1, "a probability, 0 to 1");
   requireWithin(minimum_dwell, "minimum_dwell", 0, 3600, "seconds, 0 to 3600");
   requirePositive(maximum_gap, "maximum_gap");
+  requirePositive(camera_gap, "camera_gap");
 }
 
 }  // namespace place_recognition

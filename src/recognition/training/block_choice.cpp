@@ -121,7 +121,7 @@ double gapFor(const LikenessOverTime& likeness) {
 LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int run,
                                   const std::vector<std::vector<Feature>>& features,
                                   const std::vector<CueOptions>& cues, unsigned threads) {
-  std::vector<Sequence> rooms = sequencesOf(samples);
+  std::vector<Sequence> rooms = cameraSequencesOf(samples);
   rooms.erase(std::remove_if(rooms.begin(), rooms.end(),
                              [run](const Sequence& room) { return room.run != run; }),
               rooms.end());

@@ -76,6 +76,22 @@ void keep(const HeldOut& held_out, const std::vector<int>& samples, HeldOutFrame
   frames.familiarity.push_back(std::move(familiarity));
 }
 
+/// Which samples, of these places, a model keeps. stratifiedSample() rounds the share of each place
+/// up, so that it may have to be asked for less than there is room for.
+std::vector<bool> keptOf(const std::vector<int>& places, std::uint64_t seed) {
+  std::size_t most = kMaxHeldOutFrames;
+  std::vector<bool> kept = stratifiedSample(places, most, seed);
+  const auto excess = [&kept] {
+    const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), true));
+    return count - std::min(count, kMaxHeldOutFrames);
+  };
+  while (excess() > 0 && most > 1) {
+    most -= std::min(most - 1, excess());
+    kept = stratifiedSample(places, most, seed);
+  }
+  return kept;
+}
+
 }  // namespace
 
 void Judges::add(const HeldOutFrames& frames, const std::vector<int>& place_of,
@@ -97,9 +113,9 @@ HeldOutFrames keptFrames(const Judges& judges, std::size_t reduction, std::uint6
   std::vector<int> valid = validSamples(cues);
   std::vector<int> places;
   for (const int sample : valid) places.push_back(judges.samples[sample].place);
-  const std::vector<bool> kept = stratifiedSample(places, kMaxHeldOutFrames, seed);
+  const std::vector<bool> kept = keptOf(places, seed);
   std::vector<int> samples;
-  for (std::size_t i = 0; i < valid.size(); ++i) {
+  for (std::size_t i = 0; i < valid.size() && samples.size() < kMaxHeldOutFrames; ++i) {
     if (kept[i]) samples.push_back(valid[i]);
   }
 

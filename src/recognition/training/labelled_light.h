@@ -6,15 +6,13 @@
 
 namespace place_recognition {
 
-/// The light of a run, held against the training of a model by the labels of its frames: as
-/// Recognizer does by its own answers. Not thread-safe.
+/// The light of a run as one camera sees it, held against the training of a model by the labels of
+/// its frames: as Recognizer does by its own answers. Not thread-safe.
 class LabelledLight {
  public:
   /// Without a model, or one of a cue that follows the light of a run, the light is always that of
   /// the training. `model` must outlive this.
   explicit LabelledLight(const Model* model);
-
-  void beginRun() { estimate_.reset(); }
 
   /// What the image of `frame`, not empty, is multiplied by to look as in the training. Its colour
   /// counts from the next frame on, if the model knows its place.

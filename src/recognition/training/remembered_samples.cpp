@@ -23,6 +23,8 @@ std::vector<int> positions(const std::vector<std::string>& names,
 void append(Samples part, int first_run, Samples& samples) {
   const std::vector<int> places = positions(part.places, samples.places);
   const int first_sample = static_cast<int>(samples.origins.size());
+  // Remembered samples come first and have no camera.
+  if (!part.cameras.empty()) samples.cameras = part.cameras;
   for (const int source : part.source) samples.source.push_back(first_sample + source);
   samples.recorded += part.recorded;
   for (SampleOrigin origin : part.origins) {

@@ -25,6 +25,7 @@ struct Record {
   std::string place;
   int run = 0;
   double stamp = 0;
+  int camera = 0;  // index into Samples::cameras
   std::string name;
   ExtractedFeatures extracted;
   ExtractedFeatures changed;  // if that is asked for
@@ -62,6 +63,14 @@ std::string warningOf(const std::string& run, const Skipped& skipped) {
   return text + ".";
 }
 
+/// One camera during a run.
+struct CameraStream {
+  int number;  // index into Samples::cameras
+  ImageGuard guard;
+  FrameRate rate;
+  LabelledLight light;
+};
+
 /// Other light, if that is to be learned.
 PictureChange changeOfLight(const TrainingOptions& options) {
   if (!options.augmentation.other_light) return {};
@@ -79,7 +88,7 @@ class Collector {
       : image_options_(options.image),
         expected_(profile),
         profile_(profile),
-        light_(model),
+        model_(model),
         sampling_(options.sampling),
         change_(std::move(change)),
         seed_(options.seed),
@@ -97,23 +106,37 @@ class Collector {
     inputs_.push_back(run.name());
     skipped_.emplace_back();
     seen_.emplace_back();
-    rate_ = FrameRate(sampling_.rate);
     run.setDepthExtent(expected_.depth);
-    light_.beginRun();
-    ImageGuard guard(expected_, image_options_);
+    std::vector<CameraStream> streams = streamsOf(run);
     const std::string stage = "Reading " + run.name();
     report(progress, stage, 0);
     for (Frame frame; run.next(frame);) {
-      add(std::move(frame), guard);
+      CameraStream& stream = streams[static_cast<std::size_t>(frame.camera)];
+      add(std::move(frame), stream);
       report(progress, stage, run.fraction());
     }
     warnings_.insert(warnings_.end(), run.warnings().begin(), run.warnings().end());
+  }
+
+  std::vector<CameraStream> streamsOf(const Run& run) {
+    std::vector<CameraStream> streams;
+    for (const std::string& camera : run.cameras()) {
+      if (!isUtf8(camera))
+        throw Error("A topic of images in " + run.name() + " is not UTF-8 text.");
+      const auto known = std::find(cameras_.begin(), cameras_.end(), camera);
+      streams.push_back({static_cast<int>(known - cameras_.begin()),
+                         ImageGuard(expected_, image_options_), FrameRate(sampling_.rate),
+                         LabelledLight(model_)});
+      if (known == cameras_.end()) cameras_.push_back(camera);
+    }
+    return streams;
   }
 
   Samples finish(std::size_t least_places) {
     pool_.finish();
     Samples samples;
     samples.inputs = inputs_;
+    samples.cameras = cameras_;
     samples.image_profile = profile_;
     dropFeatureless();
     requirePlaces(least_places);
@@ -130,7 +153,7 @@ class Collector {
     return samples;
   }
 
-  void add(Frame frame, ImageGuard& guard) {
+  void add(Frame frame, CameraStream& camera) {
     ++frames_;
     seen_.back().push_back({frame.stamp, frame.place});
     if (frame.place.empty()) {
@@ -145,16 +168,16 @@ class Collector {
                   "place, or leave its pictures unlabelled.");
     } else if (frame.image.empty()) {
       leaveOut(skipped_.back(), frame.place, frame.name, frame.problem);
-    } else if (!rate_.admits(frame.stamp)) {
+    } else if (!camera.rate.admits(frame.stamp)) {
       ++passed_over_;
     } else {
-      for (const std::string& warning : guard.judge(frame.image, frame.stamp)) {
+      for (const std::string& warning : camera.guard.judge(frame.image, frame.stamp)) {
         warnings_.push_back(inputs_.back() + ": " + warning);
       }
       include(statisticsOf(frame.image), profile_);
       const int run = static_cast<int>(inputs_.size()) - 1;
-      records_.push_back({frame.place, run, frame.stamp, frame.name, {}, {}});
-      const Light light = light_.next(frame);
+      records_.push_back({frame.place, run, frame.stamp, camera.number, frame.name, {}, {}});
+      const Light light = camera.light.next(frame);
       pool_.submit(frame.image, records_.back().extracted, light);
       if (change_) {
         const ChangedPicture changed = change_(frame.image, frame.place);
@@ -253,7 +276,7 @@ class Collector {
     samples.colors.assign(samples.places.size(), {});
     samples.features.resize(cues_);
     for (Record& record : records_) {
-      const SampleOrigin origin{placeOf(record, samples), record.run, record.stamp};
+      const SampleOrigin origin{placeOf(record, samples), record.run, record.stamp, record.camera};
       ++samples.images[static_cast<std::size_t>(origin.place)];
       samples.colors[static_cast<std::size_t>(origin.place)].add(record.extracted.color);
       append(origin, static_cast<int>(samples.origins.size()), record.extracted, samples);
@@ -290,6 +313,7 @@ class Collector {
   }
 
   std::vector<std::string> inputs_;
+  std::vector<std::string> cameras_;                     // of all runs
   std::vector<std::vector<Seen>> seen_;                  // one per run
   std::vector<Skipped> skipped_;                         // one per run
   std::vector<std::string> warnings_;                    // of the runs
@@ -300,9 +324,8 @@ class Collector {
   const ImageOptions image_options_;
   const ImageProfile expected_;  // to which images are brought, and are held against
   ImageProfile profile_;         // with those that came
-  LabelledLight light_;
+  const Model* model_;           // null: none
   SamplingOptions sampling_;
-  FrameRate rate_{0};  // of the current run
   std::uint64_t passed_over_ = 0;
   PictureChange change_;
   std::uint64_t seed_;

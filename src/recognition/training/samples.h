@@ -35,6 +35,7 @@ struct Samples {
   std::vector<std::uint64_t> images;  ///< of each place, that it was learnt from in all
   std::vector<ColorMoments> colors;   ///< of each place, of the recorded images
   std::vector<std::string> inputs;    ///< names of the runs
+  std::vector<std::string> cameras;   ///< of `origins`, by topics; of several runs together
   ImageProfile image_profile;         ///< of `profile`'s images and those learnt from
   Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
   std::uint64_t skipped = 0;          ///< frames without label, picture or any feature

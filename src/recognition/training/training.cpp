@@ -10,6 +10,7 @@
 #include "recognition/frames/color_normalization.h"
 #include "recognition/model/embeddings.h"
 #include "recognition/training/block_choice.h"
+#include "recognition/training/camera_correlation_training.h"
 #include "recognition/training/combination.h"
 #include "recognition/training/cue_training.h"
 #include "recognition/training/held_out_frames.h"
@@ -133,6 +134,8 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   model.images = samples.image_profile;
   if (followsLight(options)) model.colors = colorStatistics(samples.colors);
   model.adjacency = samples.adjacency;
+  model.cameras = learnCameraCorrelation(samples.cameras, samples.recordedOrigins(),
+                                         held_out[chosen], model.calibration);
   model.provenance = provenanceOf(samples);
 
   training.images = samples.recorded - samples.remembered;
@@ -195,6 +198,7 @@ Training trainIncrementally(const Model& model, const std::vector<RunOpener>& ru
     Training training =
         learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads, progress);
     training.model.asked = model.asked;
+    if (!training.model.cameras.known()) training.model.cameras = model.cameras;
     return training;
   });
 }

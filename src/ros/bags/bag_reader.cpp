@@ -1,4 +1,4 @@
-// bag_reader info|images BAG IMAGE_TOPIC LABEL_TOPIC
+// bag_reader info|images BAG LABEL_TOPIC [IMAGE_TOPIC...]
 //
 // Reads a bag for openBagRun() and bagInfo() and writes what it finds to standard output
 // (bag_records.h). A program of its own, because rosbag_storage can crash on a damaged bag.
@@ -21,6 +21,7 @@
 
 #include "base/process_limits.h"
 #include "datasets/depth_scale.h"
+#include "place_recognition/camera_correlation.h"
 #include "place_recognition/depth_extent.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
@@ -211,6 +212,14 @@ void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string&
   }
 }
 
+/// The topic of a camera by that of its images, which may end in "/compressed".
+std::string cameraOf(const std::string& topic) {
+  const std::string ending = "/compressed";
+  const bool ends = topic.size() > ending.size() &&
+                    topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
+  return "/" + bareName(topic.substr(0, topic.size() - (ends ? ending.size() : 0)));
+}
+
 /// The topic that is meant by `wanted`, also by its name without "/compressed" or slashes at its
 /// start; the only camera's if it is empty.
 std::string chooseImageTopic(const Topics& topics, const std::string& wanted) {
@@ -236,17 +245,39 @@ std::string chooseImageTopic(const Topics& topics, const std::string& wanted) {
       candidates.begin(), candidates.end(),
       [&first](const std::string& name) { return name == first || name == first + "/compressed"; });
   if (!one_camera) {
-    throw Error("it has several topics of images; name one with --image-topic: " +
-                join(topics, true));
+    throw Error(
+        "it has several topics of images; name one with --image-topic, or those of several cameras "
+        "of one robot with commas between them: " +
+        join(topics, true));
   }
   return first;
 }
 
-/// Tells the extent of images of 16 bits, by some from all of a topic.
-void sendDepth(const rosbag::Bag& bag, const std::string& topic) {
+/// The topics that are meant by `wanted`, one per camera; the only camera's if there are none.
+std::vector<std::string> chooseImageTopics(const Topics& topics,
+                                           const std::vector<std::string>& wanted) {
+  std::vector<std::string> chosen;
+  if (wanted.size() > kMaxCameras) {
+    throw Error("a robot has at most " + std::to_string(kMaxCameras) +
+                " cameras here; name fewer topics of images");
+  }
+  if (wanted.empty()) chosen.push_back(chooseImageTopic(topics, ""));
+  for (const std::string& one : wanted) {
+    const std::string topic = chooseImageTopic(topics, one);
+    const bool again = std::any_of(chosen.begin(), chosen.end(), [&](const std::string& other) {
+      return cameraOf(other) == cameraOf(topic);
+    });
+    if (again) throw Error("its camera " + cameraOf(topic) + " is named twice; name each once");
+    chosen.push_back(topic);
+  }
+  return chosen;
+}
+
+/// Tells the extent of images of 16 bits, by some from all of the topics.
+void sendDepth(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
   DepthExtent extent;
   constexpr std::uint32_t kSamples = 16;
-  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  rosbag::View view(bag, rosbag::TopicQuery(topics));
   const std::uint32_t step = std::max(view.size() / kSamples, std::uint32_t{1});
   std::uint32_t number = 0;
   for (const rosbag::MessageInstance& instance : view) {
@@ -265,15 +296,28 @@ void sendDepth(const rosbag::Bag& bag, const std::string& topic) {
   send(depth);
 }
 
-void sendImages(const rosbag::Bag& bag, const std::string& topic) {
-  sendDepth(bag, topic);
-  int number = 0;
-  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+void sendCameras(const std::vector<std::string>& topics) {
+  for (const std::string& topic : topics) {
+    BagRecord record;
+    record.kind = BagRecordKind::kCamera;
+    record.text = cameraOf(topic);
+    send(record);
+  }
+}
+
+void sendImages(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
+  sendDepth(bag, topics);
+  sendCameras(topics);
+  std::vector<int> numbers(topics.size());
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topics))) {
+    const auto camera = static_cast<std::size_t>(
+        std::find(topics.begin(), topics.end(), instance.getTopic()) - topics.begin());
     boost::shared_ptr<void> owner;
     BagRecord record;
     const cv::Mat image = readImage(instance, record, owner);
     record.type = image.type();
-    record.text = topic + " #" + std::to_string(++number);
+    record.number = camera;
+    record.text = topics[camera] + " #" + std::to_string(++numbers[camera]);
     send(record);
     if (record.kind != BagRecordKind::kImage) continue;
     for (int row = 0; row < image.rows; ++row) {
@@ -283,12 +327,13 @@ void sendImages(const rosbag::Bag& bag, const std::string& topic) {
   }
 }
 
-void sendAll(const rosbag::Bag& bag, bool images, const std::string& image_topic,
-             const std::string& label_topic) {
+void sendAll(const rosbag::Bag& bag, bool images, const std::string& label_topic,
+             const std::vector<std::string>& image_topics) {
   const Topics topics = listTopics(bag);
   sendSpan(bag);
   sendTopics(bag, topics, !images);
-  const std::string chosen = images ? chooseImageTopic(topics, image_topic) : "";
+  std::vector<std::string> chosen;
+  if (images) chosen = chooseImageTopics(topics, image_topics);
   sendLabels(bag, topics, label_topic);
   if (images) sendImages(bag, chosen);
   send(BagRecord());
@@ -296,11 +341,11 @@ void sendAll(const rosbag::Bag& bag, bool images, const std::string& image_topic
 
 /// Sends all of a bag; `failed_at` tells how far that came, for once the bag is closed its
 /// position is gone.
-void readBag(bool images, const std::string& path, const std::string& image_topic,
-             const std::string& label_topic, std::uint64_t& failed_at) {
+void readBag(bool images, const std::string& path, const std::string& label_topic,
+             const std::vector<std::string>& image_topics, std::uint64_t& failed_at) {
   rosbag::Bag bag(path, rosbag::bagmode::Read);
   try {
-    sendAll(bag, images, image_topic, label_topic);
+    sendAll(bag, images, label_topic, image_topics);
   } catch (const Error&) {
     throw;  // of what was asked for, not of a place in the bag
   } catch (...) {
@@ -315,13 +360,13 @@ std::string whyUnindexed(const std::string& path) {
 }
 
 /// readBag() with every error told to the other end of the pipe.
-int run(bool images, const std::string& path, const std::string& image_topic,
-        const std::string& label_topic) {
+int run(bool images, const std::string& path, const std::string& label_topic,
+        const std::vector<std::string>& image_topics) {
   BagRecord record;
   record.kind = BagRecordKind::kError;
   try {
     guardBag(path);
-    readBag(images, path, image_topic, label_topic, record.number);
+    readBag(images, path, label_topic, image_topics, record.number);
     return 0;
   } catch (const rosbag::BagUnindexedException&) {
     record.detail = whyUnindexed(path);
@@ -342,6 +387,7 @@ int run(bool images, const std::string& path, const std::string& image_topic,
 }  // namespace place_recognition
 
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
-  return place_recognition::run(std::string(argv[1]) == "images", argv[2], argv[3], argv[4]);
+  if (argc < 4) return 2;
+  return place_recognition::run(std::string(argv[1]) == "images", argv[2], argv[3],
+                                {argv + 4, argv + argc});
 }

@@ -37,11 +37,10 @@ std::string findLabelsFile(const std::string& path, const BagRunOptions& options
 /// The records that bag_reader writes about one bag, checked one by one.
 class BagRecords {
  public:
-  BagRecords(const std::string& path, const std::string& mode, const std::string& image_topic,
-             const std::string& label_topic)
+  BagRecords(const std::string& path, const std::string& mode, const std::string& label_topic,
+             const std::vector<std::string>& image_topics)
       : path_(path),
-        reader_({findExecutable("bag_reader"), mode, path, image_topic, label_topic},
-                ChildProcess::Stderr::kDiscard) {}
+        reader_(command(mode, path, label_topic, image_topics), ChildProcess::Stderr::kDiscard) {}
 
   /// The next record. Throws Error if the bag turns out to be damaged or the reader has died.
   BagRecord next() {
@@ -52,7 +51,9 @@ class BagRecords {
       throw Error("Cannot read " + path_ + ": " + record->detail + position(record->number) +
                   remedy + ".");
     }
+    if (record->kind == BagRecordKind::kCamera) ++cameras_;
     if (record->kind == BagRecordKind::kImage || record->kind == BagRecordKind::kProblem) {
+      if (record->number >= cameras_) throwCrash(std::nullopt);
       ++images_;
     }
     return *std::move(record);
@@ -75,6 +76,14 @@ class BagRecords {
   const std::string& path() const { return path_; }
 
  private:
+  static std::vector<std::string> command(const std::string& mode, const std::string& path,
+                                          const std::string& label_topic,
+                                          const std::vector<std::string>& image_topics) {
+    std::vector<std::string> words{findExecutable("bag_reader"), mode, path, label_topic};
+    words.insert(words.end(), image_topics.begin(), image_topics.end());
+    return words;
+  }
+
   /// How far the reader got; nothing while it has not read any image.
   std::string position(std::uint64_t offset) const {
     if (images_ == 0 && offset == 0) return "";
@@ -93,6 +102,7 @@ class BagRecords {
 
   std::string path_;
   ChildProcess reader_;
+  std::uint64_t cameras_ = 0;
   std::uint64_t images_ = 0;
 };
 
@@ -122,8 +132,8 @@ Labels readLabels(BagRecords& records, const BagInfo& info, const BagRunOptions&
 struct OpenBag {
   OpenBag(const std::string& path, const std::string& mode, const BagRunOptions& options)
       : labels_file(findLabelsFile(path, options)),
-        records(path, mode, options.image_topic,
-                options.label.empty() && labels_file.empty() ? options.label_topic : "") {
+        records(path, mode, options.label.empty() && labels_file.empty() ? options.label_topic : "",
+                options.image_topics) {
     BagRecord record = records.next();
     info.start = record.time;
     info.duration = record.stamp - record.time;
@@ -135,6 +145,9 @@ struct OpenBag {
     for (; record.kind == BagRecordKind::kDepth; record = records.next()) {
       depth = {std::min(record.rows, record.cols), record.cols};
     }
+    for (; record.kind == BagRecordKind::kCamera; record = records.next()) {
+      cameras.push_back(record.text);
+    }
     following = std::move(record);
   }
 
@@ -142,8 +155,9 @@ struct OpenBag {
   BagRecords records;
   BagInfo info;
   Labels labels;
-  DepthExtent depth;    ///< of images of 16 bits
-  BagRecord following;  ///< the first record after the labels
+  DepthExtent depth;  ///< of images of 16 bits
+  std::vector<std::string> cameras;
+  BagRecord following;  ///< the first record after these
 };
 
 class BagRun : public Run {
@@ -172,6 +186,7 @@ class BagRun : public Run {
     frame.place = bag_.labels.at(record.time);
     seen_.insert(frame.place);
     frame.stamp = record.stamp;
+    frame.camera = static_cast<int>(record.number);
     frame.name = record.text;
     frame.problem = record.detail;
     frame.image = record.kind == BagRecordKind::kImage ? bag_.records.pixels(record) : cv::Mat();
@@ -180,6 +195,8 @@ class BagRun : public Run {
     bag_.following = bag_.records.next();
     return true;
   }
+
+  std::vector<std::string> cameras() const override { return bag_.cameras; }
 
   void setDepthExtent(const DepthExtent& extent) override {
     scale_ = DepthScale(extent);

@@ -12,7 +12,7 @@ namespace place_recognition {
 /// Which pictures of a bag are read and where their labels come from. Labels are looked for in this
 /// order: `label`, `labels_file`, a file beside the bag, `label_topic`.
 struct BagRunOptions {
-  std::string image_topic;  ///< empty: the only topic of images
+  std::vector<std::string> image_topics;  ///< one per camera; empty: the only topic of images
   std::string label_topic =
       "/place_label";         ///< std_msgs/String: holds until the next; see labels.h
   std::string label;          ///< one place for the whole bag

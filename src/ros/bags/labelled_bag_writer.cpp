@@ -59,13 +59,16 @@ LabelledBagWriter::~LabelledBagWriter() {
   if (!bag_->complete) bag_->file.discard();
 }
 
-void LabelledBagWriter::write(const cv::Mat& image, const std::string& place, double stamp) {
+void LabelledBagWriter::write(const cv::Mat& image, const std::string& place, double stamp,
+                              const std::string& camera) {
   assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
   if (!place.empty()) checkLabel(place, bag_->file.path());
   std_msgs::Header header;
   header.seq = bag_->images++;
   header.stamp = ros::Time(bag_->options.base_time + stamp);
-  header.frame_id = bag_->options.frame_id;
+  header.frame_id = camera.empty() ? bag_->options.frame_id : camera;
+  const std::string topic =
+      camera.empty() ? bag_->options.image_topic : "/" + camera + "/image_raw";
   if (bag_->place != place) {
     std_msgs::String label;
     label.data = place;
@@ -73,10 +76,10 @@ void LabelledBagWriter::write(const cv::Mat& image, const std::string& place, do
     bag_->place = place;
   }
   if (bag_->options.jpeg) {
-    bag_->file.write(bag_->options.image_topic + "/compressed", header.stamp,
+    bag_->file.write(topic + "/compressed", header.stamp,
                      toJpegMessage(image, header, bag_->options.jpeg_quality));
   } else {
-    bag_->file.write(bag_->options.image_topic, header.stamp, toImageMessage(image, header));
+    bag_->file.write(topic, header.stamp, toImageMessage(image, header));
   }
 }
 

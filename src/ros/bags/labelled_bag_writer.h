@@ -30,8 +30,10 @@ class LabelledBagWriter {
   ~LabelledBagWriter();
 
   /// `image`: CV_8UC3 BGR or CV_8UC1, not empty. `place`: empty is unlabelled. `stamp`: s, not
-  /// before the one before it. Throws Error if the disk refuses.
-  void write(const cv::Mat& image, const std::string& place, double stamp);
+  /// before the one before it. `camera`, if it is not empty, is the frame of the image and the
+  /// first part of its topic, /CAMERA/image_raw. Throws Error if the disk refuses.
+  void write(const cv::Mat& image, const std::string& place, double stamp,
+             const std::string& camera = "");
 
   /// Completes the bag. Throws Error if the disk refuses.
   void close();

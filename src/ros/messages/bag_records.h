@@ -7,16 +7,18 @@
 namespace place_recognition {
 
 // What bag_reader tells openBagRun() and bagInfo() through a pipe. In this order: one kSpan, a
-// kTopic each topic, the kLabel in order of time, perhaps a kDepth, the kImage or kProblem in order
-// of time, kEnd; or, at any point, kError or kCrash as the last.
+// kTopic each topic, the kLabel in order of time, perhaps a kDepth, a kCamera each topic that is
+// read, the kImage or kProblem in order of time, kEnd; or, at any point, kError or kCrash as the
+// last.
 
 enum class BagRecordKind : std::uint32_t {
   kSpan,     ///< time and stamp: first and last bag time
   kTopic,    ///< text: name; detail: type; number: messages; rows and cols of the first picture
   kLabel,    ///< text: label; time
   kDepth,    ///< rows and cols: the lowest and highest value of images of 16 bits, see DepthExtent
-  kImage,    ///< text: name; time; stamp; rows, cols, type; rows x cols pixels follow
-  kProblem,  ///< a picture that cannot be decoded: text: name; detail: why; time; stamp
+  kCamera,   ///< text: the topic without /compressed
+  kImage,    ///< text: name; time; stamp; number: of its camera; rows, cols, type; pixels follow
+  kProblem,  ///< a picture that cannot be decoded: as kImage, but detail: why, and no pixels
   kError,    ///< detail: why the bag cannot be read, for a person; text: what to do, unless that
              ///< says it; number: byte offset
   kCrash,    ///< number: byte offset that had been read to

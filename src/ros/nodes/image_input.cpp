@@ -20,9 +20,11 @@ cv::Mat ImageMessage::image() const {
 }
 
 ImageInput::ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                       Parameters& parameters, Callback callback, std::uint32_t queue)
+                       Parameters& parameters, Callback callback, std::uint32_t queue,
+                       std::string topic)
     : node_(node),
       private_node_(private_node),
+      topic_(std::move(topic)),
       transport_name_(parameters.text("image_transport", "raw")),
       callback_(std::move(callback)),
       queue_(queue),
@@ -53,8 +55,7 @@ void ImageInput::subscribe() {
                                              &ImageInput::onCompressed, this);
   } else {
     const image_transport::TransportHints hints("raw", ros::TransportHints(), private_node_);
-    plugin_subscriber_ =
-        transport_.subscribe(names::kImage, queue_, &ImageInput::onImage, this, hints);
+    plugin_subscriber_ = transport_.subscribe(topic_, queue_, &ImageInput::onImage, this, hints);
   }
 }
 

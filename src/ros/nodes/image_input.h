@@ -37,23 +37,25 @@ class ImageMessage {
   std::variant<sensor_msgs::ImageConstPtr, sensor_msgs::CompressedImageConstPtr> message_;
 };
 
-/// The subscription to `image`, by the transport that the parameter `~image_transport` names.
-/// `compressed` is decoded here, for not every installation has image_transport's plugin for it.
+/// The subscription to a topic of images, by the transport that the parameter `~image_transport`
+/// names. `compressed` is decoded here, for not every installation has image_transport's plugin for
+/// it.
 class ImageInput {
  public:
   using Callback = std::function<void(const ImageMessage&)>;
 
-  /// While the callback is busy, the newest `queue` images wait. Throws Error if the transport is
-  /// not installed.
+  /// While the callback is busy, the newest `queue` images wait. `topic`: without what the
+  /// transport appends to it. Throws Error if the transport is not installed.
   ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-             Parameters& parameters, Callback callback, std::uint32_t queue);
+             Parameters& parameters, Callback callback, std::uint32_t queue,
+             std::string topic = names::kImage);
 
   /// Both may be called at any time, by one thread at a time.
   void subscribe();
   void unsubscribe();
 
   /// The topic without what the transport appends to it.
-  std::string topic() const { return node_.resolveName(names::kImage); }
+  std::string topic() const { return node_.resolveName(topic_); }
   const std::string& transport() const { return transport_name_; }
 
  private:
@@ -65,6 +67,7 @@ class ImageInput {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
+  const std::string topic_;
   const std::string transport_name_;
   Callback callback_;
   const std::uint32_t queue_;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "ros/nodes/image_input.h"
 
@@ -19,6 +20,7 @@ namespace place_recognition {
 struct ArrivedImage {
   ImageMessage message;
   std::chrono::steady_clock::time_point arrival;
+  std::size_t camera;  ///< that it is of
 };
 
 /// A picture that somebody asks about, and where the answer goes.
@@ -29,16 +31,19 @@ struct Question {
 
 using Work = std::variant<ArrivedImage, Question>;
 
-/// Hands images from the thread that receives them to the one that works on them. Holds one at
-/// most: while the worker is busy, the newest takes the place of the one before. Questions, for
-/// which somebody waits, go first and none is lost. Thread-safe.
+/// Hands images from the threads that receive them to the one that works on them. Holds one per
+/// camera at most: while the worker is busy, the newest takes the place of the one before, and the
+/// cameras take turns. Questions, for which somebody waits, go first and none is lost. Thread-safe.
 class NewestImage {
  public:
+  explicit NewestImage(std::size_t cameras = 1) : images_(cameras) {}
+
   /// False: an image that nobody has taken was replaced.
-  bool put(const ImageMessage& message) {
+  bool put(const ImageMessage& message, std::size_t camera = 0) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const bool free = !image_;
-    image_ = ArrivedImage{message, std::chrono::steady_clock::now()};
+    std::optional<ArrivedImage>& image = images_[camera];
+    const bool free = !image;
+    image = ArrivedImage{message, std::chrono::steady_clock::now(), camera};
     changed_.notify_one();
     return free;
   }
@@ -56,12 +61,17 @@ class NewestImage {
   /// Waits for work; nothing after close().
   std::optional<Work> take() {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] { return image_ || !questions_.empty() || closed_; });
+    std::optional<ArrivedImage>* image = nullptr;
+    changed_.wait(lock, [&] {
+      image = nextImage();
+      return image != nullptr || !questions_.empty() || closed_;
+    });
     if (closed_) return std::nullopt;
     std::optional<Work> taken;
     if (questions_.empty()) {
-      taken = std::move(*image_);
-      image_.reset();
+      last_ = (*image)->camera;
+      taken = std::move(**image);
+      image->reset();
     } else {
       taken = std::move(questions_.front());
       questions_.pop_front();
@@ -69,10 +79,10 @@ class NewestImage {
     return taken;
   }
 
-  /// Forgets the image that waits.
+  /// Forgets the images that wait.
   void clear() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    image_.reset();
+    for (std::optional<ArrivedImage>& image : images_) image.reset();
   }
 
   void close() {
@@ -83,9 +93,19 @@ class NewestImage {
   }
 
  private:
+  /// Of the cameras after the one that was last; null: none.
+  std::optional<ArrivedImage>* nextImage() {
+    for (std::size_t i = 1; i <= images_.size(); ++i) {
+      std::optional<ArrivedImage>& image = images_[(last_ + i) % images_.size()];
+      if (image) return &image;
+    }
+    return nullptr;
+  }
+
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<ArrivedImage> image_;
+  std::vector<std::optional<ArrivedImage>> images_;
+  std::size_t last_ = 0;  // camera of the image taken last
   std::deque<Question> questions_;
   bool closed_ = false;
 };

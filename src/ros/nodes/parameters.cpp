@@ -127,6 +127,17 @@ std::vector<int> Parameters::integers(const std::string& name) {
   return integers;
 }
 
+std::vector<double> Parameters::reals(const std::string& name, double least, double most) {
+  std::vector<double> reals;
+  const XmlRpcValue* value = find(name);
+  if (value == nullptr) return reals;
+  for (const XmlRpcValue& element : toList(*value, where(name))) {
+    reals.push_back(toReal(element, whereElement(name, reals.size())));
+    requireWithin(reals.back(), least, most, name);
+  }
+  return reals;
+}
+
 std::string Parameters::meantBy(const std::string& name, const XmlRpcValue& value) const {
   if (value.getType() != XmlRpcValue::TypeStruct) return nearestName(name, known_);
   // A mapping is the namespace of another node or of a library, or else was indented too far.

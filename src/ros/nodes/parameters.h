@@ -31,6 +31,7 @@ class Parameters {
   /// A list; a single value stands for a list of one, and nothing for an empty one.
   std::vector<std::string> texts(const std::string& name);
   std::vector<int> integers(const std::string& name);
+  std::vector<double> reals(const std::string& name, double least, double most);
 
   /// A sentence for all that a person may have meant otherwise: each parameter that is set but that
   /// no function above was asked for, with the name that may be meant, but for those that belong to

@@ -3,77 +3,31 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
-#include <chrono>
-#include <cstdint>
-#include <mutex>
 #include <string>
+#include <vector>
 
 #include "recognition/recognizer/model_slot.h"
-#include "ros/nodes/image_input.h"
-#include "ros/nodes/parameters.h"
+#include "ros/recognizer/image_status.h"
 
 namespace place_recognition {
 
-/// What place_recognizer tells on /diagnostics each second: the state of the model, and of the
-/// images and answers. Once in each silence of the camera it also logs what may be wrong.
-/// Thread-safe.
+/// What place_recognizer tells on /diagnostics each second: the state of its models, and of the
+/// images and answers of each camera. Thread-safe.
 class Diagnostics {
  public:
-  using Clock = std::chrono::steady_clock;
-
-  /// `model_slot` and `input` must outlive it.
   Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-              Parameters& parameters, const std::string& node_name, const ModelSlot& model_slot,
-              const ImageInput& input);
+              const std::string& node_name);
 
-  void listening(bool subscribed);  ///< no image is missed while the node does not listen
-  void arrived();
-  void skipped();  ///< a newer image came before its turn
-  void leftOut();  ///< by the limit of the rate
-  void unusable(const std::string& problem);
-  /// What is wrong with the last image, see ImageGuard; empty: nothing.
-  void judged(const std::string& problem);
-  /// An answer was published to the image of `stamp` that came at `arrival`.
-  void answered(const ros::Time& stamp, Clock::time_point arrival);
+  /// What it reports as `name`; they must outlive it.
+  void add(const std::string& name, const ModelSlot& model_slot);
+  void add(const std::string& name, ImageStatus& images);
+
+  /// Reports from now on, when all have been added.
+  void start();
 
  private:
-  using Status = diagnostic_updater::DiagnosticStatusWrapper;
-
-  /// What happened since the last report.
-  struct Recent {
-    int images = 0;
-    int unusable = 0;
-    int answers = 0;
-    double latency_sum = 0;  ///< s
-    double latency_max = 0;
-  };
-
-  void reportModel(Status& status) const;
-  void reportImages(Status& status);
-  void summarize(const Recent& recent, double seconds, Status& status) const;
-  void warnOfSilence();
-  /// Whether a silence has become worth a warning just now.
-  bool silenceBegins();
-
-  const ModelSlot& model_slot_;
-  const ImageInput& input_;
-  const double timeout_;        // s without an image that are worth a warning; 0: none
-  const double max_image_age_;  // s between stamp and answer; 0: any, as in a replay
-
-  std::mutex mutex_;  // of all below
-  Recent recent_;
-  std::uint64_t skipped_ = 0;
-  std::uint64_t left_out_ = 0;
-  std::uint64_t unusable_ = 0;
-  std::uint64_t answers_ = 0;
-  std::string last_problem_;
-  std::string image_problem_;  // as long as it lasts
-  double last_age_ = 0;        // s, of the image last answered
-  bool listening_ = false;
-  bool warned_of_silence_ = false;
-  Clock::time_point last_arrival_ = Clock::now();
-  Clock::time_point last_report_ = Clock::now();
-
+  ros::NodeHandle node_;
+  std::vector<ImageStatus*> images_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
 };

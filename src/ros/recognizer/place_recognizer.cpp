@@ -4,6 +4,7 @@
 #include <place_recognition/PlaceRecognition.h>
 #include <std_msgs/String.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <exception>
 #include <opencv2/core/utility.hpp>
@@ -12,27 +13,35 @@
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
-#include "ros/recognizer/debug_image.h"
 #include "ros/recognizer/place_marker.h"
 
 namespace place_recognition {
 namespace {
 
-/// A stamp that lies further back than this, s, means that time has jumped, as in a looped bag.
-constexpr double kTimeJump = 0.5;
 /// Between two looks at whether images have stopped, s.
 constexpr double kCameraPeriod = 0.2;
 /// Between two warnings of one kind, s.
 constexpr double kWarningPeriod = 10;
 
-/// Seconds of a clock that also runs when a camera repeats its stamp.
-double secondsOf(std::chrono::steady_clock::time_point time) {
-  return std::chrono::duration<double>(time.time_since_epoch()).count();
-}
-
 std::string modelText(const Model& model) {
   return model.name + " (version " + model.version + "): " + std::to_string(model.places.size()) +
          " places, " + std::to_string(model.supportVectorCount()) + " support vectors";
+}
+
+/// Those of the models in use, with commas between them.
+std::string modelTexts(const std::deque<ModelSlot>& slots) {
+  std::string text;
+  for (const ModelSlot& slot : slots) {
+    if (const auto model = slot.model()) text += (text.empty() ? "" : ", ") + modelText(*model);
+  }
+  return text;
+}
+
+std::vector<std::string> topicsOf(const ros::NodeHandle& node,
+                                  const std::vector<CameraName>& cameras) {
+  std::vector<std::string> topics;
+  for (const CameraName& camera : cameras) topics.push_back(node.resolveName(camera.topic));
+  return topics;
 }
 
 ImageMessage pictureOf(const Recognize::Request& request) {
@@ -70,13 +79,12 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
                                  const std::string& name, Parameters parameters)
     : node_(node),
       private_node_(private_node),
-      input_(
-          node, private_node, parameters, [this](const ImageMessage& message) { onImage(message); },
-          names::kImageQueue),
-      diagnostics_(node, private_node, parameters, name, model_slot_, input_),
+      names_(readCameras(parameters)),
       image_timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
+      newest_(names_.size()),
+      diagnostics_(node, private_node, name),
       lazy_(parameters.flag("lazy", true)),
-      place_tracker_(node, parameters) {
+      place_tracker_(node, parameters, topicsOf(node, names_)) {
   const std::string model = parameters.text("model");
   const int threads = parameters.integer("threads", 0, 0);
   if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
@@ -85,17 +93,23 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
         "does.");
   }
   checkLiveParameters(parameters, private_node);
+  {
+    // Those who listen at once must wait until all is there.
+    const std::lock_guard<std::mutex> lock(control_mutex_);
+    startCameras(parameters);
+    advertise();
+  }
   parameters.warnOfDoubts();
   if (threads > 0) cv::setNumThreads(threads);
-  advertise();
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaceRecognizerConfig>>(
       reconfigure_mutex_, private_node_);
   reconfigure_server_->setCallback(
       [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
   publishPlace(kUnknownPlace);
-  loadFirstModel(model);
+  loadFirstModels(model);
   worker_ = std::thread([this] { work(); });
   updateSubscription();
+  diagnostics_.start();
   // Wall time, as in diagnostics.
   if (image_timeout_ > 0) {
     camera_timer_ = private_node_.createWallTimer(
@@ -107,10 +121,26 @@ PlaceRecognizer::~PlaceRecognizer() {
   {
     const std::lock_guard<std::mutex> lock(control_mutex_);
     enabled_ = false;
-    input_.unsubscribe();
+    for (const auto& camera : cameras_) camera->unsubscribe();
   }
   newest_.close();
   worker_.join();
+}
+
+void PlaceRecognizer::startCameras(Parameters& parameters) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const CameraName& name = names_[i];
+    const std::string of_camera = name.name.empty() ? "" : " of " + name.name;
+    if (i == 0 || !name.model.empty()) {
+      model_slots_.emplace_back();
+      diagnostics_.add(name.model.empty() ? "Model" : "Model" + of_camera, model_slots_.back());
+    }
+    cameras_.push_back(std::make_unique<CameraRecognizer>(
+        node_, private_node_, parameters, name, model_slots_.back(),
+        [this, i](const ImageMessage& message) { onImage(i, message); },
+        [this] { updateSubscription(); }));
+    diagnostics_.add("Images" + of_camera, cameras_.back()->status());
+  }
 }
 
 void PlaceRecognizer::advertise() {
@@ -118,9 +148,6 @@ void PlaceRecognizer::advertise() {
   const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
     updateSubscription();
   };
-  const image_transport::SubscriberStatusCallback debug_changed =
-      [this](const image_transport::SingleSubscriberPublisher&) { updateSubscription(); };
-  const std::lock_guard<std::mutex> lock(control_mutex_);
   recognition_publisher_ = private_node_.advertise<PlaceRecognition>(
       names::kRecognition, names::kAnswerQueue, changed, changed);
   place_publisher_ = private_node_.advertise<std_msgs::String>(names::kPlace, names::kAnswerQueue,
@@ -130,8 +157,6 @@ void PlaceRecognizer::advertise() {
   model_info_publisher_ = private_node_.advertise<ModelInfo>(names::kModelInfo, 1, true);
   marker_publisher_ = private_node_.advertise<visualization_msgs::Marker>(
       names::kMarker, names::kAnswerQueue, changed, changed);
-  debug_image_publisher_ = image_transport::ImageTransport(private_node_)
-                               .advertise(names::kDebugImage, 1, debug_changed, debug_changed);
   services_ = {
       private_node_.advertiseService(names::kLoadModel, &PlaceRecognizer::onLoadModel, this),
       private_node_.advertiseService(names::kReloadModel, &PlaceRecognizer::onReloadModel, this),
@@ -140,17 +165,20 @@ void PlaceRecognizer::advertise() {
       private_node_.advertiseService(names::kRecognize, &PlaceRecognizer::onRecognize, this)};
 }
 
-void PlaceRecognizer::loadFirstModel(const std::string& name) {
-  try {
-    if (name.empty()) throw Error("The parameter ~model is not set.");
-    model_slot_.load(name);
-    publishModelInfo();
-  } catch (const Error& e) {
-    ROS_ERROR(
-        "There is no model to recognize with: %s Learn one with `rosrun place_recognition "
-        "place_tool train RUN.bag --model NAME` or with the node trainer, then call %s.",
-        e.what(), private_node_.resolveName(names::kLoadModel).c_str());
+void PlaceRecognizer::loadFirstModels(const std::string& name) {
+  for (std::size_t i = 0; i < model_slots_.size(); ++i) {
+    const std::string& wanted = names_[i].model.empty() ? name : names_[i].model;
+    try {
+      if (wanted.empty()) throw Error("The parameter ~model is not set.");
+      model_slots_[i].load(wanted);
+    } catch (const Error& e) {
+      ROS_ERROR(
+          "There is no model to recognize with: %s Learn one with `rosrun place_recognition "
+          "place_tool train RUN.bag --model NAME` or with the node trainer, then call %s.",
+          e.what(), private_node_.resolveName(names::kLoadModel).c_str());
+    }
   }
+  publishModelInfo();
 }
 
 bool PlaceRecognizer::isWanted() const {
@@ -158,7 +186,8 @@ bool PlaceRecognizer::isWanted() const {
          (!lazy_ || recognition_publisher_.getNumSubscribers() > 0 ||
           place_publisher_.getNumSubscribers() > 0 || smoothed_publisher_.getNumSubscribers() > 0 ||
           marker_publisher_.getNumSubscribers() > 0 ||
-          debug_image_publisher_.getNumSubscribers() > 0);
+          std::any_of(cameras_.begin(), cameras_.end(),
+                      [](const auto& camera) { return camera->debugImageIsWanted(); }));
 }
 
 void PlaceRecognizer::updateSubscription() {
@@ -167,12 +196,8 @@ void PlaceRecognizer::updateSubscription() {
     const bool wanted = isWanted();
     if (wanted == subscribed_) return;
     subscribed_ = wanted;
-    diagnostics_.listening(wanted);
-    if (wanted) {
-      input_.subscribe();
-      return;
-    }
-    input_.unsubscribe();
+    for (const auto& camera : cameras_) wanted ? camera->subscribe() : camera->unsubscribe();
+    if (wanted) return;
     newest_.clear();
   }
   // The latched room must not wait for whoever listens next.
@@ -180,9 +205,10 @@ void PlaceRecognizer::updateSubscription() {
   forgetPlace();
 }
 
-void PlaceRecognizer::onImage(const ImageMessage& message) {
-  diagnostics_.arrived();
-  if (!newest_.put(message)) diagnostics_.skipped();
+void PlaceRecognizer::onImage(std::size_t camera, const ImageMessage& message) {
+  ImageStatus& status = cameras_[camera]->status();
+  status.arrived();
+  if (!newest_.put(message, camera)) status.skipped();
 }
 
 void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
@@ -196,7 +222,7 @@ void PlaceRecognizer::changeModel(const Load& load, Response& response) {
     load();
     publishModelInfo();
     response.success = true;
-    response.message = "Recognizing with " + modelText(*model_slot_.model()) + ".";
+    response.message = "Recognizing with " + modelTexts(model_slots_) + ".";
   } catch (const Error& e) {
     response.success = false;
     response.message = e.what();
@@ -205,13 +231,21 @@ void PlaceRecognizer::changeModel(const Load& load, Response& response) {
 }
 
 bool PlaceRecognizer::onLoadModel(LoadModel::Request& request, LoadModel::Response& response) {
-  changeModel([&] { model_slot_.load(request.name); }, response);
+  changeModel(
+      [&] {
+        for (ModelSlot& slot : model_slots_) slot.load(request.name);
+      },
+      response);
   return true;
 }
 
 bool PlaceRecognizer::onReloadModel(std_srvs::Trigger::Request&,
                                     std_srvs::Trigger::Response& response) {
-  changeModel([&] { model_slot_.reload(); }, response);
+  changeModel(
+      [&] {
+        for (ModelSlot& slot : model_slots_) slot.reload();
+      },
+      response);
   return true;
 }
 
@@ -254,15 +288,14 @@ void PlaceRecognizer::work() {
 void PlaceRecognizer::answer(Question& question) {
   try {
     const std::lock_guard<std::mutex> lock(state_mutex_);
-    if (!followModel()) throw Error("There is no model to recognize with; call ~load_model.");
-    const auto start = Diagnostics::Clock::now();
-    DepthScale scale = depth_scale_;
-    const cv::Mat arrived = question.message.image();
-    const cv::Mat image = arrived.depth() == CV_16U ? scale.toEightBits(arrived) : arrived;
-    const Recognition& recognition = recognizer_->recognize(image);
-    const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
-    question.answer.set_value(toPlaceRecognition(recognition, recognizer_->model(),
-                                                 question.message.header(), spent.count()));
+    followModels();
+    CameraRecognizer& camera = *cameras_.front();
+    if (!camera.model()) throw Error("There is no model to recognize with; call ~load_model.");
+    const auto start = ImageStatus::Clock::now();
+    const Recognition recognition = camera.recognizePicture(question.message);
+    const std::chrono::duration<double> spent = ImageStatus::Clock::now() - start;
+    question.answer.set_value(
+        toPlaceRecognition(recognition, *camera.model(), question.message.header(), spent.count()));
   } catch (...) {
     question.answer.set_exception(std::current_exception());
   }
@@ -272,72 +305,56 @@ void PlaceRecognizer::answer(const ArrivedImage& arrived) {
   try {
     recognize(arrived);
   } catch (const std::exception& e) {
-    diagnostics_.unusable(e.what());
-    ROS_WARN_THROTTLE(kWarningPeriod, "An image cannot be used: %s", e.what());
+    CameraRecognizer& camera = *cameras_[arrived.camera];
+    camera.status().unusable(e.what());
+    ROS_WARN_THROTTLE(kWarningPeriod, "An image on %s cannot be used: %s", camera.topic().c_str(),
+                      e.what());
   }
 }
 
 void PlaceRecognizer::recognize(const ArrivedImage& arrived) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
+  CameraRecognizer& camera = *cameras_[arrived.camera];
   const ros::Time stamp = arrived.message.header().stamp;
   const double seconds = (stamp.isZero() ? ros::Time::now() : stamp).toSec();
-  followClock(seconds);
-  if (!rate_limit_.admits(seconds, config_.maximum_rate)) {
-    diagnostics_.leftOut();
+  if (!camera.admits(seconds, config_.maximum_rate)) {
+    camera.status().leftOut();
     last_image_ = arrived.arrival;
     return;
   }
-  if (!followModel()) {
+  followModels();
+  if (!camera.model()) {
     ROS_WARN_THROTTLE(kWarningPeriod, "There is no model to recognize with.");
     return;
   }
-  const auto start = Diagnostics::Clock::now();
-  const cv::Mat image = inEightBits(arrived.message.image());
-  for (const std::string& warning : guard_->judge(image, secondsOf(arrived.arrival))) {
-    ROS_WARN("%s", warning.c_str());
-  }
-  diagnostics_.judged(guard_->problem());
-  const Recognition& recognition = recognizer_->recognize(image, seconds);
-  const std::chrono::duration<double> spent = Diagnostics::Clock::now() - start;
+  const auto start = ImageStatus::Clock::now();
+  const cv::Mat image = camera.imageOf(arrived.message);
+  const Recognition& recognition = camera.recognize(image, seconds, arrived.arrival);
+  const std::chrono::duration<double> spent = ImageStatus::Clock::now() - start;
   publish(arrived, image, recognition, spent.count());
 }
 
-void PlaceRecognizer::followClock(double stamp) {
-  if (stamp < last_stamp_ - kTimeJump) {
-    ROS_INFO("Time has jumped back by %.1f s; starting afresh.", last_stamp_ - stamp);
-    rate_limit_.reset();
-    last_stamp_ = stamp;
+void PlaceRecognizer::followModels() {
+  bool changed = false;
+  std::vector<std::shared_ptr<const Model>> models;
+  for (const auto& camera : cameras_) {
+    changed |= camera->follow(config_);
+    models.push_back(camera->model());
   }
-  last_stamp_ = std::max(last_stamp_, stamp);
-}
-
-bool PlaceRecognizer::followModel() {
-  const std::shared_ptr<const Model> model = model_slot_.model();
-  if (!model) return false;
-  if (!recognizer_ || &recognizer_->model() != model.get()) {
-    recognizer_ = std::make_unique<Recognizer>(model);
-    guard_.emplace(*model);
-    depth_scale_ = DepthScale(model->images.depth);
-    depth_text_.clear();
-    place_tracker_.setModel(model, config_.smoothing);
+  if (changed) {
+    place_tracker_.setModels(std::move(models), config_.smoothing);
+    for (std::size_t i = 0; i < cameras_.size(); ++i) {
+      const std::string why = place_tracker_.whyNotCounted(i);
+      cameras_[i]->status().notCounted(why);
+      if (!why.empty()) ROS_ERROR("%s: %s.", cameras_[i]->name().c_str(), why.c_str());
+    }
   }
-  const double wanted = config_.unknown_threshold;
-  const double threshold = wanted < 0 ? model->unknown_threshold : wanted;
-  recognizer_->setUnknownThreshold(threshold);
-  recognizer_->setEmbeddingRate(config_.embedding_rate, config_.smoothing);
   place_tracker_.setSmoothing(config_.smoothing);
-  place_tracker_.setUnknownThreshold(threshold);
-  return true;
-}
-
-cv::Mat PlaceRecognizer::inEightBits(const cv::Mat& image) {
-  if (image.depth() != CV_16U) return image;
-  cv::Mat scaled = depth_scale_.toEightBits(image);
-  if (depth_text_ != depth_scale_.text()) {
-    depth_text_ = depth_scale_.text();
-    ROS_INFO("Images of 16 bits are used in 8, %s.", depth_text_.c_str());
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    if (cameras_[i]->model()) {
+      place_tracker_.setUnknownThreshold(cameras_[i]->unknownThreshold(), i);
+    }
   }
-  return scaled;
 }
 
 void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
@@ -346,21 +363,30 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
     const std::lock_guard<std::mutex> lock(control_mutex_);
     if (!subscribed_) return;
   }
-  last_image_ = arrived.arrival;
-  const Model& model = recognizer_->model();
+  CameraRecognizer& camera = *cameras_[arrived.camera];
   const std_msgs::Header& header = arrived.message.header();
-  const PlaceRecognition message = toPlaceRecognition(recognition, model, header, seconds);
+  PlaceRecognition message = toPlaceRecognition(recognition, *camera.model(), header, seconds);
+  message.camera = camera.name();
   recognition_publisher_.publish(message);
-  const std::string& place = place_tracker_.update(last_stamp_, recognition);
+  // One of several cameras that shows nothing must not outvote the others.
+  const bool fails = cameras_.size() > 1 && camera.blind();
+  if (!fails && place_tracker_.counts(arrived.camera)) {
+    last_image_ = arrived.arrival;
+    track(arrived.camera, message, recognition);
+  }
+  camera.publishDebugImage(image, recognition, header);
+  camera.status().answered(header.stamp, arrived.arrival);
+}
+
+void PlaceRecognizer::track(std::size_t camera, const PlaceRecognition& message,
+                            const Recognition& recognition) {
+  const std::string& place =
+      place_tracker_.update(cameras_[camera]->lastStamp(), recognition, camera);
   publishPlace(place);
   publishSmoothed(message);
   if (marker_publisher_.getNumSubscribers() > 0) {
-    marker_publisher_.publish(placeMarker(place, header));
+    marker_publisher_.publish(placeMarker(place, message.header));
   }
-  if (debug_image_publisher_.getNumSubscribers() > 0) {
-    debug_image_publisher_.publish(toImageMessage(drawAnswer(image, recognition, model), header));
-  }
-  diagnostics_.answered(header.stamp, arrived.arrival);
 }
 
 void PlaceRecognizer::publishPlace(const std::string& place) {
@@ -382,24 +408,23 @@ void PlaceRecognizer::publishSmoothed(const PlaceRecognition& message) {
 }
 
 void PlaceRecognizer::publishModelInfo() {
-  if (const std::shared_ptr<const Model> model = model_slot_.model()) {
-    model_info_publisher_.publish(toModelInfo(*model));
-    ROS_INFO("Recognizing with %s.", modelText(*model).c_str());
-  }
+  const std::shared_ptr<const Model> model = model_slots_.front().model();
+  if (model) model_info_publisher_.publish(toModelInfo(*model));
+  const std::string text = modelTexts(model_slots_);
+  if (!text.empty()) ROS_INFO("Recognizing with %s.", text.c_str());
 }
 
 void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  rate_limit_.reset();
-  if (recognizer_) recognizer_->forgetStream();
-  last_stamp_ = 0;
+  for (const auto& camera : cameras_) camera->reset();
   forgetPlace();
 }
 
 void PlaceRecognizer::watchCamera() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   if (last_place_ == kUnknownPlace) return;
-  if (secondsOf(Diagnostics::Clock::now()) - secondsOf(last_image_) <= image_timeout_) return;
+  const std::chrono::duration<double> silence = ImageStatus::Clock::now() - last_image_;
+  if (silence.count() <= image_timeout_) return;
   ROS_WARN("No usable image for %.1f s; the place is unknown.", image_timeout_);
   forgetPlace();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <dynamic_reconfigure/server.h>
-#include <image_transport/image_transport.h>
 #include <place_recognition/LoadModel.h>
 #include <place_recognition/PlaceRecognizerConfig.h>
 #include <place_recognition/Recognize.h>
@@ -10,27 +9,26 @@
 #include <std_srvs/Trigger.h>
 
 #include <boost/thread/recursive_mutex.hpp>
+#include <deque>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "base/rate_limit.h"
-#include "datasets/depth_scale.h"
-#include "place_recognition/recognizer.h"
-#include "recognition/frames/image_guard.h"
 #include "recognition/recognizer/model_slot.h"
-#include "ros/nodes/image_input.h"
 #include "ros/nodes/newest_image.h"
 #include "ros/nodes/parameters.h"
+#include "ros/recognizer/camera_list.h"
+#include "ros/recognizer/camera_recognizer.h"
 #include "ros/recognizer/diagnostics.h"
 #include "ros/recognizer/place_tracker.h"
 
 namespace place_recognition {
 
-/// Names the room of each image, as a node or a nodelet: one object for both. Callbacks may come
-/// from any number of threads; images are worked on in a thread of its own, always the newest.
+/// Names the room of each image of one camera or several, as a node or a nodelet: one object for
+/// both. Callbacks may come from any number of threads; images are worked on in a thread of its
+/// own, always the newest of each camera.
 class PlaceRecognizer {
  public:
   /// `name` is that of the node or nodelet, for diagnostics. Throws Error if a parameter is wrong;
@@ -44,12 +42,13 @@ class PlaceRecognizer {
  private:
   PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                   const std::string& name, Parameters parameters);
+  void startCameras(Parameters& parameters);  // needs control_mutex_, as does advertise()
   void advertise();
-  void loadFirstModel(const std::string& name);
+  void loadFirstModels(const std::string& name);
   void updateSubscription();
   bool isWanted() const;
 
-  void onImage(const ImageMessage& message);
+  void onImage(std::size_t camera, const ImageMessage& message);
   void onReconfigure(PlaceRecognizerConfig& config);
   bool onLoadModel(LoadModel::Request& request, LoadModel::Response& response);
   bool onReloadModel(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -66,11 +65,11 @@ class PlaceRecognizer {
   void recognize(const ArrivedImage& arrived);
   /// Asked by ~recognize: changes nothing that an answer to a frame depends on.
   void answer(Question& question);
-  cv::Mat inEightBits(const cv::Mat& image);
-  void followClock(double stamp);
-  bool followModel();
+  void followModels();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
                double seconds);
+  /// ~place and what follows from it, unless the camera does not count.
+  void track(std::size_t camera, const PlaceRecognition& message, const Recognition& recognition);
   void publishPlace(const std::string& place);
   void publishSmoothed(const PlaceRecognition& message);
   void publishModelInfo();
@@ -80,11 +79,12 @@ class PlaceRecognizer {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
-  ModelSlot model_slot_;
-  ImageInput input_;
-  Diagnostics diagnostics_;
-  const double image_timeout_;  // s; 0: none
+  const std::vector<CameraName> names_;
+  std::deque<ModelSlot> model_slots_;  // one for all cameras, or one for each
+  const double image_timeout_;         // s; 0: none
   NewestImage newest_;
+  std::vector<std::unique_ptr<CameraRecognizer>> cameras_;
+  Diagnostics diagnostics_;
 
   std::mutex control_mutex_;  // of what decides whether images are wanted
   const bool lazy_;
@@ -93,14 +93,8 @@ class PlaceRecognizer {
 
   std::mutex state_mutex_;  // of what an answer depends on and leaves behind
   PlaceRecognizerConfig config_;
-  std::unique_ptr<Recognizer> recognizer_;  // of the model in use
-  std::optional<ImageGuard> guard_;         // likewise
-  PlaceTracker place_tracker_;              // likewise
-  RateLimit rate_limit_;
-  DepthScale depth_scale_;                     // of the model, or of the images that came
-  std::string depth_text_;                     // as logged last
-  double last_stamp_ = 0;                      // s
-  Diagnostics::Clock::time_point last_image_;  // arrival of the last one that could be used
+  PlaceTracker place_tracker_;
+  ImageStatus::Clock::time_point last_image_;  // arrival of the last one that could be used
   std::string last_place_;                     // as published last
 
   ros::Publisher recognition_publisher_;
@@ -108,7 +102,6 @@ class PlaceRecognizer {
   ros::Publisher smoothed_publisher_;
   ros::Publisher model_info_publisher_;
   ros::Publisher marker_publisher_;
-  image_transport::Publisher debug_image_publisher_;
   std::vector<ros::ServiceServer> services_;
   boost::recursive_mutex reconfigure_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<PlaceRecognizerConfig>> reconfigure_server_;

@@ -1,11 +1,14 @@
 #include "ros/recognizer/place_tracker.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "base/place_name.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
 #include "ros/nodes/node_names.h"
+#include "ros/recognizer/camera_list.h"
 
 namespace place_recognition {
 namespace {
@@ -22,8 +25,11 @@ OdometryPose toPose(const nav_msgs::Odometry& odometry) {
 
 }  // namespace
 
-PlaceTracker::PlaceTracker(const ros::NodeHandle& node, Parameters& parameters)
-    : adjacency_path_(userPath(parameters.text("adjacency"))),
+PlaceTracker::PlaceTracker(const ros::NodeHandle& node, Parameters& parameters,
+                           std::vector<std::string> cameras)
+    : cameras_(std::move(cameras)),
+      given_correlation_(readCameraCorrelation(parameters, cameras_.size())),
+      adjacency_path_(userPath(parameters.text("adjacency"))),
       smoothed_(parameters.real("smoothing_lag", 1, 0, kLongestLag)) {
   if (parameters.flag("use_odometry", false)) {
     odometry_subscriber_ = ros::NodeHandle(node).subscribe(names::kOdometry, names::kOdometryQueue,
@@ -36,7 +42,14 @@ void PlaceTracker::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
 }
 
 void PlaceTracker::setModel(std::shared_ptr<const Model> model, double smoothing) {
-  model_ = std::move(model);
+  setModels(std::vector<std::shared_ptr<const Model>>(cameras_.size(), std::move(model)),
+            smoothing);
+}
+
+void PlaceTracker::setModels(std::vector<std::shared_ptr<const Model>> models, double smoothing) {
+  models_ = std::move(models);
+  model_ =
+      *std::find_if(models_.begin(), models_.end(), [](const auto& m) { return m != nullptr; });
   adjacency_ = adjacencyOf(*model_);
   smoothing_ = smoothing;
   makeFilter();
@@ -53,10 +66,27 @@ Adjacency PlaceTracker::adjacencyOf(const Model& model) const {
   }
 }
 
+bool PlaceTracker::counts(std::size_t camera) const {
+  return models_[camera] && models_[camera]->places == model_->places;
+}
+
+std::string PlaceTracker::whyNotCounted(std::size_t camera) const {
+  if (counts(camera) || !models_[camera]) return "";
+  return "the places of its model " + models_[camera]->name + " are not those of " + model_->name +
+         ", so that it does not count for ~place";
+}
+
+Eigen::MatrixXd PlaceTracker::correlation() const {
+  if (given_correlation_.size() > 0) return given_correlation_;
+  const bool one_model = std::all_of(models_.begin(), models_.end(),
+                                     [this](const auto& model) { return model == model_; });
+  return coefficientsFor(cameras_, one_model ? model_->cameras : CameraCorrelation());
+}
+
 void PlaceTracker::setSmoothing(double smoothing) {
   if (smoothing == smoothing_) return;
   smoothing_ = smoothing;
-  makeFilter();
+  if (model_) makeFilter();
 }
 
 void PlaceTracker::makeFilter() {
@@ -65,19 +95,26 @@ void PlaceTracker::makeFilter() {
   if (smoothing_ <= 0) return;
   TemporalFilterOptions options;
   options.decorrelation_time = smoothing_;
-  filter_ = std::make_unique<TemporalFilter>(*model_, adjacency_, options);
+  std::vector<const Model*> models;
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    models.push_back(counts(i) ? models_[i].get() : model_.get());
+  }
+  filter_ = std::make_unique<TemporalFilter>(models, correlation(), adjacency_, options);
   smoothed_.follow(adjacency_, options);
 }
 
-void PlaceTracker::setUnknownThreshold(double threshold) {
-  if (filter_) filter_->setUnknownThreshold(threshold);
+void PlaceTracker::setUnknownThreshold(double threshold, std::size_t camera) {
+  if (filter_) filter_->setUnknownThreshold(threshold, camera);
 }
 
-const std::string& PlaceTracker::update(double stamp, const Recognition& recognition) {
+const std::string& PlaceTracker::update(double stamp, const Recognition& recognition,
+                                        std::size_t camera) {
+  assert(counts(camera));
   static const std::string unknown = kUnknownPlace;
   const std::optional<Motion> motion = way_.take(stamp);
   const int frame_place = recognition.known ? recognition.place : -1;
-  const int place = filter_ ? filter_->update(stamp, recognition, motion).place : frame_place;
+  const int place =
+      filter_ ? filter_->update(stamp, recognition, motion, camera).place : frame_place;
   return place < 0 ? unknown : model_->places[static_cast<std::size_t>(place)];
 }
 

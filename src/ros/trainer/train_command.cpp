@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "base/child_process.h"
 #include "base/confined_path.h"
@@ -33,6 +34,15 @@ bool isGraphName(const std::string& name) {
   return name.size() <= kMaxTopicBytes && ros::names::validate(name, problem);
 }
 
+/// One name, or several with commas between them.
+bool areGraphNames(const std::string& names) {
+  std::istringstream words(names);
+  for (std::string name; std::getline(words, name, ',');) {
+    if (!isGraphName(name)) return false;
+  }
+  return names.size() <= kMaxRecognizers * kMaxTopicBytes;
+}
+
 void check(const TrainGoal& goal) {
   require(!goal.bags.empty(), "bags are missing");
   require(goal.bags.size() <= kMaxBags, "bags are more than " + std::to_string(kMaxBags));
@@ -57,7 +67,7 @@ void check(const TrainGoal& goal) {
   require(goal.vector_limit <= kMaxVectorLimit,
           "vector_limit is above " + std::to_string(kMaxVectorLimit));
   require(goal.threads <= kMaxThreads, "threads are more than " + std::to_string(kMaxThreads));
-  require(isGraphName(goal.image_topic), "image_topic is no topic's name");
+  require(areGraphNames(goal.image_topic), "image_topic is no topic's name");
   require(isGraphName(goal.label_topic), "label_topic is no topic's name");
   if (!goal.label.empty()) checkLabel(goal.label, "The goal");
   require(goal.recognizers.size() <= kMaxRecognizers,

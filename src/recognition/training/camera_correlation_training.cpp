@@ -1,0 +1,111 @@
+#include "recognition/training/camera_correlation_training.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace place_recognition {
+namespace {
+
+/// Frames no further apart, s, show the same moment.
+constexpr double kSameMoment = 0.1;
+/// So few moments tell nothing about a pair of cameras.
+constexpr std::size_t kLeastMoments = 30;
+/// Odds beyond this say no more of an error, and would let single frames decide.
+constexpr double kLargestLogOdds = 4;
+
+/// What one camera said at a moment.
+struct Said {
+  int run;
+  double stamp;
+  double log_odds;  // of the true place
+};
+
+/// In order of run and time.
+using Sayings = std::vector<Said>;
+
+std::vector<Sayings> sayingsOf(std::size_t cameras, const std::vector<SampleOrigin>& samples,
+                               const HeldOut& held_out, const Calibration& calibration) {
+  std::vector<Sayings> sayings(cameras);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!held_out.valid[i]) continue;
+    const SampleOrigin& sample = samples[i];
+    const Eigen::RowVectorXd margins = held_out.margins.row(static_cast<Eigen::Index>(i));
+    const double p = calibration.probabilities(margins)[sample.place];
+    const double log_odds =
+        std::clamp(std::log(p) - std::log1p(-p), -kLargestLogOdds, kLargestLogOdds);
+    sayings[static_cast<std::size_t>(sample.camera)].push_back(
+        {sample.run, sample.stamp, std::isnan(log_odds) ? kLargestLogOdds : log_odds});
+  }
+  for (Sayings& of_camera : sayings) {
+    std::stable_sort(of_camera.begin(), of_camera.end(), [](const Said& a, const Said& b) {
+      return std::tie(a.run, a.stamp) < std::tie(b.run, b.stamp);
+    });
+  }
+  return sayings;
+}
+
+/// The first column by `a`, the second by `b`: a row for each moment of `a` that `b` saw too.
+Eigen::MatrixX2d commonMoments(const Sayings& a, const Sayings& b) {
+  Eigen::MatrixX2d moments(static_cast<Eigen::Index>(a.size()), 2);
+  Eigen::Index count = 0;
+  auto next = b.begin();
+  for (const Said& said : a) {
+    const auto isBefore = [&said](const Said& other) {
+      return std::tuple(other.run, other.stamp) < std::tuple(said.run, said.stamp - kSameMoment);
+    };
+    while (next != b.end() && isBefore(*next)) ++next;
+    if (next == b.end()) break;
+    if (next->run != said.run || next->stamp > said.stamp + kSameMoment) continue;
+    moments.row(count++) << said.log_odds, next->log_odds;
+  }
+  return moments.topRows(count);
+}
+
+/// Pearson's, 0 to 1; nothing if the moments are too few.
+std::optional<double> correlationOver(const Eigen::MatrixX2d& moments) {
+  if (moments.rows() < static_cast<Eigen::Index>(kLeastMoments)) return std::nullopt;
+  const Eigen::MatrixX2d centered = moments.rowwise() - moments.colwise().mean();
+  const Eigen::Matrix2d covariance = centered.transpose() * centered;
+  const double scale = std::sqrt(covariance(0, 0) * covariance(1, 1));
+  return scale > 0 ? std::clamp(covariance(0, 1) / scale, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras,
+                                         const std::vector<SampleOrigin>& samples,
+                                         const HeldOut& held_out, const Calibration& calibration) {
+  if (cameras.size() < 2) return {};
+  const std::vector<Sayings> sayings = sayingsOf(cameras.size(), samples, held_out, calibration);
+  std::vector<std::size_t> order(cameras.size());  // ascending by topic
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return cameras[a] < cameras[b]; });
+
+  CameraCorrelation learnt;
+  std::vector<double> found;
+  const auto count = static_cast<Eigen::Index>(cameras.size());
+  learnt.coefficients.setConstant(count, count, -1);
+  for (Eigen::Index a = 0; a < count; ++a) {
+    learnt.cameras.push_back(cameras[order[static_cast<std::size_t>(a)]]);
+    learnt.coefficients(a, a) = 1;
+    for (Eigen::Index b = 0; b < a; ++b) {
+      const std::optional<double> correlation =
+          correlationOver(commonMoments(sayings[order[static_cast<std::size_t>(a)]],
+                                        sayings[order[static_cast<std::size_t>(b)]]));
+      if (!correlation) continue;
+      learnt.coefficients(a, b) = learnt.coefficients(b, a) = *correlation;
+      found.push_back(*correlation);
+    }
+  }
+  const double mean = found.empty() ? kUnknownCorrelation
+                                    : std::accumulate(found.begin(), found.end(), 0.0) /
+                                          static_cast<double>(found.size());
+  learnt.coefficients = (learnt.coefficients.array() < 0).select(mean, learnt.coefficients);
+  return learnt;
+}
+
+}  // namespace place_recognition

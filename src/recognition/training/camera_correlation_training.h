@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "learning/folds.h"
+#include "place_recognition/calibration.h"
+#include "place_recognition/camera_correlation.h"
+#include "recognition/training/held_out.h"
+
+namespace place_recognition {
+
+/// Correlation of the errors of `cameras` (SampleOrigin::camera) over the moments of a run that two
+/// of them saw, by the held-out log odds that each gives the true place. A pair that has seen few
+/// moments together has the mean of the others, or kUnknownCorrelation if there is none. Nothing if
+/// there are fewer than two cameras. Of the samples in `held_out` only those of `samples` count.
+CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras,
+                                         const std::vector<SampleOrigin>& samples,
+                                         const HeldOut& held_out, const Calibration& calibration);
+
+}  // namespace place_recognition

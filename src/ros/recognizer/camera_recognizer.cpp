@@ -1,0 +1,123 @@
+#include "ros/recognizer/camera_recognizer.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "ros/messages/conversions.h"
+#include "ros/nodes/node_names.h"
+#include "ros/recognizer/debug_image.h"
+
+namespace place_recognition {
+namespace {
+
+/// A stamp that lies further back than this, s, means that time has jumped, as in a looped bag.
+constexpr double kTimeJump = 0.5;
+
+/// Seconds of a clock that also runs when a camera repeats its stamp.
+double secondsOf(std::chrono::steady_clock::time_point time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+std::string debugImageTopic(const std::string& camera) {
+  return camera.empty() ? names::kDebugImage : camera + "/" + names::kDebugImage;
+}
+
+}  // namespace
+
+CameraRecognizer::CameraRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                                   Parameters& parameters, CameraName name,
+                                   const ModelSlot& model_slot, ImageInput::Callback received,
+                                   const std::function<void()>& wanted_changed)
+    : name_(std::move(name)),
+      model_slot_(model_slot),
+      input_(node, private_node, parameters, std::move(received), names::kImageQueue, name_.topic),
+      status_(parameters, input_) {
+  const image_transport::SubscriberStatusCallback changed =
+      [wanted_changed](const image_transport::SingleSubscriberPublisher&) { wanted_changed(); };
+  debug_image_publisher_ = image_transport::ImageTransport(private_node)
+                               .advertise(debugImageTopic(name_.name), 1, changed, changed);
+}
+
+void CameraRecognizer::subscribe() {
+  status_.listening(true);
+  input_.subscribe();
+}
+
+void CameraRecognizer::unsubscribe() {
+  status_.listening(false);
+  input_.unsubscribe();
+}
+
+bool CameraRecognizer::follow(const PlaceRecognizerConfig& config) {
+  std::shared_ptr<const Model> model = model_slot_.model();
+  if (!model) return false;
+  const bool is_new = model != model_;
+  if (is_new) {
+    model_ = std::move(model);
+    recognizer_ = std::make_unique<Recognizer>(model_);
+    guard_.emplace(*model_);
+    depth_scale_ = DepthScale(model_->images.depth);
+    depth_text_.clear();
+  }
+  const double wanted = config.unknown_threshold;
+  unknown_threshold_ = wanted < 0 ? model_->unknown_threshold : wanted;
+  recognizer_->setUnknownThreshold(unknown_threshold_);
+  recognizer_->setEmbeddingRate(config.embedding_rate, config.smoothing);
+  return is_new;
+}
+
+bool CameraRecognizer::admits(double stamp, double maximum_rate) {
+  followClock(stamp);
+  return rate_limit_.admits(stamp, maximum_rate);
+}
+
+void CameraRecognizer::followClock(double stamp) {
+  if (stamp < last_stamp_ - kTimeJump) {
+    ROS_INFO("Time has jumped back by %.1f s; starting afresh.", last_stamp_ - stamp);
+    rate_limit_.reset();
+    last_stamp_ = stamp;
+  }
+  last_stamp_ = std::max(last_stamp_, stamp);
+}
+
+cv::Mat CameraRecognizer::imageOf(const ImageMessage& message) {
+  const cv::Mat image = message.image();
+  if (image.depth() != CV_16U) return image;
+  cv::Mat scaled = depth_scale_.toEightBits(image);
+  if (depth_text_ != depth_scale_.text()) {
+    depth_text_ = depth_scale_.text();
+    ROS_INFO("Images of 16 bits are used in 8, %s.", depth_text_.c_str());
+  }
+  return scaled;
+}
+
+const Recognition& CameraRecognizer::recognize(const cv::Mat& image, double stamp,
+                                               ImageStatus::Clock::time_point arrival) {
+  const std::string camera = name().empty() ? "" : name() + ": ";
+  for (const std::string& warning : guard_->judge(image, secondsOf(arrival))) {
+    ROS_WARN("%s%s", camera.c_str(), warning.c_str());
+  }
+  status_.judged(guard_->problem());
+  return recognizer_->recognize(image, stamp);
+}
+
+Recognition CameraRecognizer::recognizePicture(const ImageMessage& message) {
+  DepthScale scale = depth_scale_;
+  const cv::Mat arrived = message.image();
+  const cv::Mat image = arrived.depth() == CV_16U ? scale.toEightBits(arrived) : arrived;
+  return recognizer_->recognize(image);
+}
+
+void CameraRecognizer::publishDebugImage(const cv::Mat& image, const Recognition& recognition,
+                                         const std_msgs::Header& header) {
+  if (!debugImageIsWanted()) return;
+  debug_image_publisher_.publish(toImageMessage(drawAnswer(image, recognition, *model_), header));
+}
+
+void CameraRecognizer::reset() {
+  rate_limit_.reset();
+  if (recognizer_) recognizer_->forgetStream();
+  last_stamp_ = 0;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <image_transport/image_transport.h>
+#include <place_recognition/PlaceRecognizerConfig.h>
+#include <ros/ros.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/rate_limit.h"
+#include "datasets/depth_scale.h"
+#include "place_recognition/recognizer.h"
+#include "recognition/frames/image_guard.h"
+#include "recognition/recognizer/model_slot.h"
+#include "ros/nodes/image_input.h"
+#include "ros/nodes/parameters.h"
+#include "ros/recognizer/camera_list.h"
+#include "ros/recognizer/image_status.h"
+
+namespace place_recognition {
+
+/// One camera of place_recognizer: takes its images, and answers each by itself with the model that
+/// is for it. Not thread-safe but for what says so.
+class CameraRecognizer {
+ public:
+  /// `model_slot` must outlive it. `wanted_changed` is called when somebody begins or ceases to
+  /// listen to the debug image; images go to `received`. Both may be called from any thread.
+  CameraRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                   Parameters& parameters, CameraName name, const ModelSlot& model_slot,
+                   ImageInput::Callback received, const std::function<void()>& wanted_changed);
+
+  const std::string& name() const { return name_.name; }
+  std::string topic() const { return input_.topic(); }
+  /// Thread-safe.
+  ImageStatus& status() { return status_; }
+
+  /// By one thread at a time.
+  void subscribe();
+  void unsubscribe();
+
+  /// Takes up the model of the slot and what can be set of the answers. True if the model is
+  /// another one than before.
+  bool follow(const PlaceRecognizerConfig& config);
+  /// The model in use; null: none.
+  const std::shared_ptr<const Model>& model() const { return model_; }
+  double unknownThreshold() const { return unknown_threshold_; }
+
+  /// Whether an image of that stamp, s, is to be answered; remembers the stamp.
+  bool admits(double stamp, double maximum_rate);
+  /// Of the last image admitted or not, s; never falls but when time has jumped back.
+  double lastStamp() const { return last_stamp_; }
+
+  /// The image as the model takes it, which may share the message's memory. Throws Error if it
+  /// cannot be used. From here on there must be a model.
+  cv::Mat imageOf(const ImageMessage& message);
+  /// The answer to the next image, of `stamp`, s, that came at `arrival`.
+  const Recognition& recognize(const cv::Mat& image, double stamp,
+                               ImageStatus::Clock::time_point arrival);
+  /// Whether the image answered last shows anything.
+  bool blind() const { return guard_->blind(); }
+  /// The answer to a picture, which changes nothing of the answers to images.
+  Recognition recognizePicture(const ImageMessage& message);
+
+  /// If somebody listens.
+  void publishDebugImage(const cv::Mat& image, const Recognition& recognition,
+                         const std_msgs::Header& header);
+  bool debugImageIsWanted() const { return debug_image_publisher_.getNumSubscribers() > 0; }
+
+  /// Forgets what was seen.
+  void reset();
+
+ private:
+  void followClock(double stamp);
+
+  const CameraName name_;
+  const ModelSlot& model_slot_;
+  ImageInput input_;
+  ImageStatus status_;
+  std::shared_ptr<const Model> model_;
+  std::unique_ptr<Recognizer> recognizer_;  // of the model
+  std::optional<ImageGuard> guard_;         // likewise
+  double unknown_threshold_ = 0;
+  RateLimit rate_limit_;
+  DepthScale depth_scale_;  // of the model, or of the images that came
+  std::string depth_text_;  // as logged last
+  double last_stamp_ = 0;   // s
+  image_transport::Publisher debug_image_publisher_;
+};
+
+}  // namespace place_recognition
