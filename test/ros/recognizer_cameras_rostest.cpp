@@ -52,6 +52,20 @@ class RecognizerOfCameras : public RecognizerNode {
     return message;
   }
 
+  /// The value of `key` in the last report on `what`.
+  std::string value(const std::string& what, const std::string& key) const {
+    std::string value;
+    for (const diagnostic_msgs::DiagnosticArray& array : reports_.messages()) {
+      for (const auto& report : array.status) {
+        if (report.name != name_.substr(1) + ": " + what) continue;
+        for (const auto& entry : report.values) {
+          if (entry.key == key) value = entry.value;
+        }
+      }
+    }
+    return value;
+  }
+
   static std::function<cv::Mat(unsigned)> showing(int room) {
     return [room](unsigned frame) { return drawRoom(room, 1000 + frame); };
   }
@@ -100,6 +114,14 @@ TEST_F(RecognizerOfCameras, OneThatIsSilentIsNamedAndTheOtherGoesOn) {
     return reported("Images of front").find("no image on /front/image_raw") != std::string::npos;
   })) << reported("Images of front");
   EXPECT_TRUE(sendUntil(nullptr, showing(2), [&] { return lastPlace() == "room2"; }));
+}
+
+TEST_F(RecognizerOfCameras, TellHowTheirImagesDifferFromTheTraining) {
+  ASSERT_TRUE(sendUntil(showing(0), showing(1), [&] {
+    return !value("Images of front", "shift of the evidence").empty();
+  }));
+  EXPECT_EQ(value("Images of front", "gain to the light of the training: red, green, blue"),
+            "1.00, 1.00, 1.00");  // no cue of this model follows the light
 }
 
 TEST_F(RecognizerOfCameras, HaveADebugImageEach) {

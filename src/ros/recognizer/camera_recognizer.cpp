@@ -98,7 +98,9 @@ const Recognition& CameraRecognizer::recognize(const cv::Mat& image, double stam
     ROS_WARN("%s%s", camera.c_str(), warning.c_str());
   }
   status_.judged(guard_->problem());
-  return recognizer_->recognize(image, stamp);
+  const Recognition& recognition = recognizer_->recognize(image, stamp);
+  status_.followed(recognizer_->lightCorrection(), recognizer_->evidenceShift());
+  return recognition;
 }
 
 Recognition CameraRecognizer::recognizePicture(const ImageMessage& message) {

@@ -58,6 +58,12 @@ void ImageStatus::judged(const std::string& problem) {
   image_problem_ = problem;
 }
 
+void ImageStatus::followed(const Light& correction, double evidence_shift) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  light_correction_ = correction;
+  evidence_shift_ = evidence_shift;
+}
+
 void ImageStatus::notCounted(const std::string& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
   not_counted_ = why;
@@ -89,6 +95,9 @@ void ImageStatus::report(Report& report) {
   report.add("skipped while busy", skipped_);
   report.add("left out by the rate limit", left_out_);
   report.add("unusable", unusable_);
+  report.addf("gain to the light of the training: red, green, blue", "%.2f, %.2f, %.2f",
+              light_correction_.red, light_correction_.green, light_correction_.blue);
+  report.addf("shift of the evidence", "%.2f", evidence_shift_);
   report.add("last problem", last_problem_);
   recent_ = Recent();
 }

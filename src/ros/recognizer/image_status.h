@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 
+#include "place_recognition/light.h"
 #include "ros/nodes/image_input.h"
 #include "ros/nodes/parameters.h"
 
@@ -30,6 +31,8 @@ class ImageStatus {
   void unusable(const std::string& problem);
   /// What is wrong with the last image, see ImageGuard; empty: nothing.
   void judged(const std::string& problem);
+  /// How the images differ from those of the training, as the answers so far tell, see Recognizer.
+  void followed(const Light& correction, double evidence_shift);
   /// Why answers do not count for ~place, as long as it lasts; empty: they do.
   void notCounted(const std::string& why);
   /// An answer was published to the image of `stamp` that came at `arrival`.
@@ -66,6 +69,8 @@ class ImageStatus {
   std::string image_problem_;  // as long as it lasts, as the next one
   std::string not_counted_;
   double last_age_ = 0;  // s, of the image last answered
+  Light light_correction_;
+  double evidence_shift_ = 0;
   bool listening_ = false;
   bool warned_of_silence_ = false;
   Clock::time_point last_arrival_ = Clock::now();
