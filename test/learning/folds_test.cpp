@@ -127,7 +127,8 @@ TEST(Folds, LeaveTwoFifthsToTrainOnAtTheLargestGap) {
 }
 
 TEST(Folds, AreLeaveOneOutWhenThereAreAsManyAsSamples) {
-  const std::vector<SampleOrigin> samples = samplesOf(1, 3, 8);
+  std::vector<SampleOrigin> samples = roomAt(0, 1, 12, 0);
+  for (const SampleOrigin& sample : roomAt(12, 1, 12, 1)) samples.push_back(sample);
   const std::vector<Fold> folds = timeBlockFolds(samples, 24, blocks(0, 0));
   expectEachTestedOnce(folds, samples.size());
   for (const Fold& fold : folds) {
