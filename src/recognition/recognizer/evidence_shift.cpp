@@ -21,7 +21,8 @@ constexpr double kKnownRatio = 0.6;
 double leadOf(const Eigen::RowVectorXd& margins) {
   double first = -std::numeric_limits<double>::infinity();
   double second = first;
-  for (const double margin : margins) {
+  for (Eigen::Index k = 0; k < margins.size(); ++k) {
+    const double margin = margins[k];
     second = std::max(second, std::min(first, margin));
     first = std::max(first, margin);
   }
