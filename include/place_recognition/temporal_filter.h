@@ -49,9 +49,9 @@ struct FilteredAnswer {
 /// Several cameras have a w each, of their own frames. What they see at one moment is one moment
 /// still: w is divided by the sum of a camera's correlations r with those that tell something now,
 ///   w_a <- w_a / Sum_b r_ab,  r_aa = 1.
-/// Of n measurements with equal variance and all correlations r that is the weight in the
-/// likelihood of them together, 1 / (1 + (n - 1) r) (Winkler 1981): cameras that always err
-/// together count as one, and independent ones in full.
+/// Winkler (1981) gives n measurements of equal variance and correlation r this weight in their
+/// joint likelihood, 1 / (1 + (n - 1) r): cameras that always err together count as one, and
+/// independent ones in full.
 ///
 /// Nothing is allocated after construction. Not thread-safe: one filter a robot.
 class TemporalFilter {

@@ -21,7 +21,7 @@ class RoomPolygons {
   /// `margin`, m, to the border of its polygon, where doorways are.
   std::string at(const Eigen::Vector2d& point, double margin) const;
 
-  /// Of each polygon, in the order of the file.
+  /// The name of each polygon, in the order of the file.
   std::vector<std::string> names() const;
   std::size_t size() const { return rooms_.size(); }
 

@@ -81,6 +81,10 @@ TEST(CameraCorrelation, IsNotKnownFromFewMomentsOrOneCamera) {
   EXPECT_EQ(Moments(500, 0.9, 0.3).learnt(), kUnknownCorrelation);  // they never see the same
   const Moments moments(500, 0.9, 0);
   EXPECT_FALSE(learnCameraCorrelation({"/front"}, moments.samples, moments.held_out, {}).known());
+  // As many topics as the runs of several robots have; their model must be one that can be saved.
+  std::vector<std::string> many;
+  for (std::size_t i = 0; i <= kMaxCameras; ++i) many.push_back("/camera" + std::to_string(i));
+  EXPECT_FALSE(learnCameraCorrelation(many, moments.samples, moments.held_out, {}).known());
   const CameraCorrelation three =
       learnCameraCorrelation({"/rear", "/front", "/left"}, moments.samples, moments.held_out, {});
   EXPECT_EQ(three.cameras, (std::vector<std::string>{"/front", "/left", "/rear"}));

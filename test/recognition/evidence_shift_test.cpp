@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "place_recognition/recognizer.h"
@@ -102,6 +103,17 @@ TEST(EvidenceShift, DoesNotFollowARobotThatStandsForAnHour) {
   Stream stream(modelOf(4, 2, 0.9));
   stream.show(3600, 2, 0.6, 1);
   EXPECT_LT(stream.shift(), 3 * 5.0 / 6);
+}
+
+TEST(EvidenceShift, OutlivesMarginsThatAreNotFinite) {
+  const Model model = modelOf(4, 2, 0.9);
+  EvidenceShift shift(model);
+  for (const double margin : {1e200, std::numeric_limits<double>::infinity()}) {
+    const Eigen::RowVector4d margins(margin, -margin, 0, 0);
+    shift.beginFrame(0);
+    shift.add(Eigen::RowVector4d(1, 0, 0, 0), margins, margin);
+    EXPECT_TRUE(std::isfinite(shift.value())) << margin;
+  }
 }
 
 TEST(EvidenceShift, NeedsThreePlacesAndHeldOutFrames) {

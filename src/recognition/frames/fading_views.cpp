@@ -46,13 +46,8 @@ void FadingViews::add(const Eigen::RowVectorXd& probabilities, const Eigen::Matr
   }
 }
 
-double FadingViews::views(Eigen::Index place) const {
-  return counts_[place] > 0 ? 1 / (1 / counts_[place] + 1 / kViewsOfAPlace) : 0;
-}
-
-Eigen::RowVectorXd FadingViews::mean(Eigen::Index place) const {
-  if (counts_[place] <= 0) return Eigen::RowVectorXd::Zero(sums_.cols());
-  return sums_.row(place) / counts_[place];
+Eigen::VectorXd FadingViews::shares() const {
+  return (1 + counts_.array() / kViewsOfAPlace).inverse();
 }
 
 }  // namespace place_recognition

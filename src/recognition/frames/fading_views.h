@@ -21,20 +21,20 @@ class FadingViews {
   /// probability of each. A frame that follows within a second counts by that part of a second.
   void add(const Eigen::RowVectorXd& probabilities, const Eigen::MatrixXd& values);
 
-  Eigen::Index places() const { return counts_.size(); }
+  /// Sum_k v_k: how many views the frames are worth; those of a place v_k = 1 / (1/n_k + 1/5).
+  double views() const { return counts_.cwiseProduct(shares()).sum(); }
 
-  /// How many views of the place its frames are worth, 1 / (1/n + 1/5) for n of them.
-  double views(Eigen::Index place) const;
-
-  /// Of the frames of the place; 0 without any.
-  Eigen::RowVectorXd mean(Eigen::Index place) const;
+  /// Sum_k v_k m_k, with the mean m_k of each value over the frames of a place.
+  Eigen::RowVectorXd sums() const { return shares().transpose() * sums_; }
 
  private:
+  Eigen::VectorXd shares() const;  // v_k / n_k
+
   double stamp_ = 0;
   bool started_ = false;
   double share_ = 1;        // of the frame that is new
   Eigen::VectorXd counts_;  // n_k
-  Eigen::MatrixXd sums_;    // places x values
+  Eigen::MatrixXd sums_;    // n_k m_k
 };
 
 }  // namespace place_recognition

@@ -44,13 +44,8 @@ void LightEstimate::add(const Eigen::RowVector3d& color, const Eigen::RowVectorX
 }
 
 void LightEstimate::estimate() {
-  Eigen::Matrix3d known = Eigen::Matrix3d::Zero();  // P
-  Eigen::Vector3d pull = Eigen::Vector3d::Zero();   // b
-  for (Eigen::Index k = 0; k < views_.places(); ++k) {
-    const Eigen::Matrix3d precision = precision_ * views_.views(k);
-    known += precision;
-    pull += precision * views_.mean(k).transpose();
-  }
+  const Eigen::Matrix3d known = precision_ * views_.views();            // P
+  const Eigen::Vector3d pull = precision_ * views_.sums().transpose();  // b
   const Eigen::Matrix3d prior = changesOfLight();
   const Eigen::Matrix3d covariance = (known + prior.inverse()).inverse();
   const Eigen::Vector3d change = covariance * pull;

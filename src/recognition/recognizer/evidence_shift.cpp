@@ -34,7 +34,7 @@ double leadOf(const Eigen::RowVectorXd& margins) {
 
 EvidenceShift::EvidenceShift(const Model& model)
     : views_(static_cast<Eigen::Index>(model.places.size()), 2) {
-  const Eigen::Index places = views_.places();
+  const auto places = static_cast<Eigen::Index>(model.places.size());
   const HeldOutFrames& frames = model.held_out;
   if (places < 3 || frames.places.empty()) return;
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(places, 3);  // log odds, leads, frames
@@ -52,7 +52,7 @@ EvidenceShift::EvidenceShift(const Model& model)
         model.calibration.logOdds(mean.margins(), mean.familiarity()), leadOf(mean.margins()), 1);
   }
   const Eigen::RowVector3d all = sums.colwise().sum();
-  if (all[1] <= 0) return;
+  if (!(all[1] > 0) || !all.allFinite()) return;
   for (Eigen::Index k = 0; k < places; ++k) {
     if (sums(k, 1) <= 0) sums.row(k) = all;
   }
@@ -66,27 +66,21 @@ void EvidenceShift::beginFrame(double stamp) { views_.beginFrame(stamp); }
 
 void EvidenceShift::add(const Eigen::RowVectorXd& probabilities, const Eigen::RowVectorXd& margins,
                         double log_odds) {
-  if (log_odds_.size() == 0) return;
-  Eigen::MatrixXd values(views_.places(), 2);
+  const double lead = leadOf(margins);
+  if (log_odds_.size() == 0 || !std::isfinite(log_odds) || !std::isfinite(lead)) return;
+  Eigen::MatrixXd values(log_odds_.size(), 2);
   values.col(0) = log_odds_.array() - log_odds;
-  values.col(1) = leadOf(margins) / leads_.array();
+  values.col(1) = lead / leads_.array();
   views_.add(probabilities, values);
 }
 
 double EvidenceShift::value() const {
-  double views = 0;
-  double drops = 0;
-  double ratios = 0;
-  for (Eigen::Index k = 0; k < views_.places(); ++k) {
-    const Eigen::RowVectorXd mean = views_.mean(k);
-    views += views_.views(k);
-    drops += views_.views(k) * mean[0];
-    ratios += views_.views(k) * mean[1];
-  }
-  const double ratio = (kViewsOfStrangers * kStrangeRatio + ratios) / (kViewsOfStrangers + views);
+  const double views = views_.views();
+  const Eigen::RowVectorXd sums = views_.sums();
+  const double ratio = (kViewsOfStrangers * kStrangeRatio + sums[1]) / (kViewsOfStrangers + views);
   const double known =
       std::clamp((ratio - kStrangeRatio) / (kKnownRatio - kStrangeRatio), 0.0, 1.0);
-  return known * std::clamp(drops / (kViewsBefore + views), 0.0, kLargestShift);
+  return known * std::clamp(sums[0] / (kViewsBefore + views), 0.0, kLargestShift);
 }
 
 }  // namespace place_recognition

@@ -31,7 +31,7 @@ class EvidenceShift {
   void beginFrame(double stamp);
 
   /// Takes that frame: what the recognizer found, with the log odds of evidence as the calibration
-  /// has them.
+  /// has them. One that is not finite tells nothing.
   void add(const Eigen::RowVectorXd& probabilities, const Eigen::RowVectorXd& margins,
            double log_odds);
 

@@ -78,7 +78,7 @@ std::optional<double> correlationOver(const Eigen::MatrixX2d& moments) {
 CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras,
                                          const std::vector<SampleOrigin>& samples,
                                          const HeldOut& held_out, const Calibration& calibration) {
-  if (cameras.size() < 2) return {};
+  if (cameras.size() < 2 || cameras.size() > kMaxCameras) return {};
   const std::vector<Sayings> sayings = sayingsOf(cameras.size(), samples, held_out, calibration);
   std::vector<std::size_t> order(cameras.size());  // ascending by topic
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -12,8 +12,9 @@ namespace place_recognition {
 
 /// Correlation of the errors of `cameras` (SampleOrigin::camera) over the moments of a run that two
 /// of them saw, by the held-out log odds that each gives the true place. A pair that has seen few
-/// moments together has the mean of the others, or kUnknownCorrelation if there is none. Nothing if
-/// there are fewer than two cameras. Of the samples in `held_out` only those of `samples` count.
+/// moments together has the mean of the others, or kUnknownCorrelation if there is none. Nothing
+/// for a single camera, and for more than kMaxCameras, which are not of one robot. Only the first
+/// rows of `held_out` count, one per sample.
 CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras,
                                          const std::vector<SampleOrigin>& samples,
                                          const HeldOut& held_out, const Calibration& calibration);

@@ -108,6 +108,7 @@ std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
   }
   for (double& sum : sums) sum = sum < kNothing * even * count ? 0 : sum;
   std::vector<double> weights = scaled(prior, sums);
+  // Cues that tell the same have the same weight, whatever the rounding errors of the sums.
   for (double& weight : weights) weight = std::round(1e12 * weight) / 1e12;
   return weights;
 }

@@ -10,8 +10,8 @@ namespace place_recognition {
 /// its frames: as Recognizer does by its own answers. Not thread-safe.
 class LabelledLight {
  public:
-  /// Without a model, or one of a cue that follows the light of a run, the light is always that of
-  /// the training. `model` must outlive this.
+  /// Without a model, or if none of its cues follows the light of a run, the light is always that
+  /// of the training. `model` must outlive this.
   explicit LabelledLight(const Model* model);
 
   /// What the image of `frame`, not empty, is multiplied by to look as in the training. Its colour

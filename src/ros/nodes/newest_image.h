@@ -93,7 +93,7 @@ class NewestImage {
   }
 
  private:
-  /// Of the cameras after the one that was last; null: none.
+  /// The image of the next camera in turn that has one; null: none has.
   std::optional<ArrivedImage>* nextImage() {
     for (std::size_t i = 1; i <= images_.size(); ++i) {
       std::optional<ArrivedImage>& image = images_[(last_ + i) % images_.size()];

@@ -49,7 +49,7 @@ class CameraRecognizer {
 
   /// Whether an image of that stamp, s, is to be answered; remembers the stamp.
   bool admits(double stamp, double maximum_rate);
-  /// Of the last image admitted or not, s; never falls but when time has jumped back.
+  /// The stamp of the last image, admitted or not, s; it falls only when time has jumped back.
   double lastStamp() const { return last_stamp_; }
 
   /// The image as the model takes it, which may share the message's memory. Throws Error if it
