@@ -80,6 +80,26 @@ void Svg::circle(double x, double y, double radius, const std::string& fill,
             "circle", tooltip));
 }
 
+void Svg::ring(double x, double y, double radius, const std::string& stroke) {
+  add("<circle" + attribute("cx", x) + attribute("cy", y) + attribute("r", radius) +
+      attribute("stroke", stroke) + " fill=\"none\"/>");
+}
+
+void Svg::area(const std::vector<std::vector<std::pair<double, double>>>& rings,
+               const std::string& fill, const std::string& stroke) {
+  std::string path;
+  for (const auto& ring : rings) {
+    const char* command = "M";
+    for (const auto& [x, y] : ring) {
+      path += command + fixed(x, 0) + " " + fixed(y, 0);
+      command = "L";
+    }
+    path += "Z";
+  }
+  add("<path" + attribute("d", path) + attribute("fill", fill) + attribute("stroke", stroke) +
+      " fill-rule=\"evenodd\"/>");
+}
+
 void Svg::text(double x, double y, const std::string& text, const std::string& anchor) {
   add("<text" + attribute("x", x) + attribute("y", y) + attribute("text-anchor", anchor) + ">" +
       escapeMarkup(text) + "</text>");

@@ -20,6 +20,10 @@ class Svg {
   void polyline(const std::vector<std::pair<double, double>>& points, const std::string& stroke);
   void circle(double x, double y, double radius, const std::string& fill,
               const std::string& tooltip = "");
+  void ring(double x, double y, double radius, const std::string& stroke);
+  /// What lies inside one of `rings` of corners, but not inside two: rings inside others are holes.
+  void area(const std::vector<std::vector<std::pair<double, double>>>& rings,
+            const std::string& fill, const std::string& stroke);
   /// `anchor`: start, middle or end; y is the base line.
   void text(double x, double y, const std::string& text, const std::string& anchor = "start");
 

@@ -4,6 +4,7 @@
 
 #include "datasets/layout_sets.h"
 #include "experiments/experiment_run.h"
+#include "experiments/figures_experiment.h"
 #include "experiments/final_experiment.h"
 #include "experiments/histogram_experiment.h"
 #include "experiments/materials_experiment.h"
@@ -51,16 +52,26 @@ std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
   if (options.name == "materials") {
     return std::make_unique<MaterialsExperiment>(std::move(sets), threads);
   }
+  if (options.name == "figures") return std::make_unique<FiguresExperiment>();
   const auto sweep = options.name == "bins" ? HistogramSweep::kBins : HistogramSweep::kDescriptors;
   return std::make_unique<HistogramExperiment>(sweep, std::move(sets), options.max_dimensions,
                                                threads);
 }
 
+std::vector<PictureSet> setsOf(const ExperimentOptions& options) {
+  const bool made_up = options.name == "figures";
+  if (made_up && !options.data.empty()) {
+    throw UsageError("--data: the figures are of made-up points; leave it out");
+  }
+  if (!made_up && options.data.empty()) throw UsageError("--data is required");
+  if (made_up) return {};
+  return options.name == "materials" ? sampleSets(options.data)
+                                     : conditionSets(options.data, options.layout);
+}
+
 void runExperimentVerb(const ExperimentOptions& options) {
   const Part part = parsePart(options.part);
-  std::vector<PictureSet> sets = options.name == "materials"
-                                     ? sampleSets(options.data)
-                                     : conditionSets(options.data, options.layout);
+  std::vector<PictureSet> sets = setsOf(options);
   std::size_t pictures = 0;
   for (PictureSet& set : sets) {
     set = thinnedOut(set, options.every);
@@ -95,11 +106,12 @@ void addExperiment(CommandLine& tool) {
   const auto options = std::make_shared<ExperimentOptions>();
   verb.argument("NAME", options->name,
                 "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
-                "reduction: 8.3, 8.7; materials: 7.1 to 7.6")
-      .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials"});
+                "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, which need no "
+                "--data")
+      .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials",
+              "figures"});
   verb.option("--data", "DIR", options->data,
-              "Folder of pictures: CONDITION/ROOM/PICTURE; materials: MATERIAL/SAMPLE/PICTURE")
-      .required();
+              "Folder of pictures: CONDITION/ROOM/PICTURE; materials: MATERIAL/SAMPLE/PICTURE");
   verb.option("--out", "DIR", options->out,
               "Folder for the tables and for finished cells, which are not computed again")
       .required();

@@ -2,7 +2,9 @@
 """place_tool experiment on painted rooms in the layouts of public data sets."""
 import csv
 import json
+import pathlib
 import unittest
+from xml.etree import ElementTree
 
 from tool_case import ROOMS, ToolCase, paint
 
@@ -137,6 +139,22 @@ class MaterialsTest(ExperimentCase):
         self.assertEqual((figures["cells"], figures["computed"]), (99 * 4, 4))
         results = json.loads((self.folder / "out/results.json").read_text())
         self.assertEqual(len(results), 99 * 3)
+
+
+class FiguresTest(ExperimentCase):
+    def test_figures_of_the_documents_are_what_the_command_draws(self):
+        figures = self.figures("experiment", "figures", "--out", "out")
+        self.assertEqual((figures["cells"], figures["pictures"]), (19, 0))
+        images = pathlib.Path(__file__).resolve().parents[2] / "doc/images"
+        for name in ("figure_5_5", "kernels", "figure_6_1", "figure_6_2"):
+            drawn = (self.folder / f"out/{name}.svg").read_bytes()
+            self.assertEqual(drawn, (images / f"{name}.svg").read_bytes(), name)
+            ElementTree.fromstring(drawn)
+
+    def test_figures_take_no_data_and_the_others_need_it(self):
+        self.assertIn("--data", self.refuse("experiment", "figures", "--data", "data", "--out",
+                                            "out", status=2))
+        self.assertIn("--data", self.refuse("experiment", "bins", "--out", "out", status=2))
 
 
 if __name__ == "__main__":
