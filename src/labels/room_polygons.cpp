@@ -1,7 +1,6 @@
 #include "labels/room_polygons.h"
 
-#include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "base/options.h"
 #include "base/place_name.h"
@@ -10,6 +9,11 @@
 
 namespace place_recognition {
 namespace {
+
+/// Of a room; looking for walls that cross takes a time of its square.
+constexpr std::size_t kMaxCorners = 10000;
+/// Of a room, m^2.
+constexpr double kMinArea = 1e-4;
 
 struct PlaceEntry {
   std::string name;
@@ -31,44 +35,48 @@ struct PlacesFile {
   }
 };
 
-/// Calls visit(a, b) for each edge of the polygon.
-template <typename Visit>
-void forEachEdge(const std::vector<Eigen::Vector2d>& corners, Visit visit) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    visit(corners[i], corners[(i + 1) % corners.size()]);
+/// The outline that a person drew: the last corner may be the first again, or one stand there
+/// twice.
+Polygon toOutline(const PlaceEntry& entry, const std::string& where) {
+  Polygon outline;
+  for (const std::vector<double>& corner : entry.position) {
+    if (corner.size() != 2) throw Error(where + ": a corner is not of the form [x, y].");
+    const Eigen::Vector2d point(corner[0], corner[1]);
+    if (outline.empty() || outline.back() != point) outline.push_back(point);
   }
+  if (outline.size() > 1 && outline.back() == outline.front()) outline.pop_back();
+  return outline;
 }
 
-/// Whether a ray from `point` along x crosses the border an odd number of times.
-bool contains(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& point) {
-  bool inside = false;
-  forEachEdge(corners, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    if ((a.y() > point.y()) == (b.y() > point.y())) return;
-    const double share = (point.y() - a.y()) / (b.y() - a.y());
-    if (point.x() < a.x() + share * (b.x() - a.x())) inside = !inside;
-  });
-  return inside;
+std::string cornerText(const Eigen::Vector2d& corner) {
+  return "[" + options_detail::formatDouble(corner.x()) + ", " +
+         options_detail::formatDouble(corner.y()) + "]";
 }
 
-double distanceToBorder(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& point) {
-  double nearest = std::numeric_limits<double>::infinity();
-  forEachEdge(corners, [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const Eigen::Vector2d edge = b - a;
-    const double length = edge.squaredNorm();
-    const double share = length > 0 ? std::clamp((point - a).dot(edge) / length, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (a + share * edge - point).norm());
-  });
-  return nearest;
+std::string edgeText(const Polygon& outline, std::size_t edge) {
+  return cornerText(outline[edge]) + " to " + cornerText(outline[(edge + 1) % outline.size()]);
+}
+
+void checkOutline(const Polygon& outline, const std::string& where) {
+  if (outline.size() < 3) throw Error(where + ": a room has three corners or more.");
+  if (outline.size() > kMaxCorners) {
+    throw Error(where + " has " + std::to_string(outline.size()) + " corners; give " +
+                std::to_string(kMaxCorners) + " at most.");
+  }
+  if (const auto edges = crossingEdges(outline)) {
+    throw Error(where + ": the wall from " + edgeText(outline, edges->first) +
+                " crosses that from " + edgeText(outline, edges->second) +
+                "; give the corners in the order of a walk around the room.");
+  }
+  if (!(areaOf(outline) >= kMinArea)) {
+    throw Error(where + ": the corners enclose no area.");
+  }
 }
 
 RoomPolygon toPolygon(const PlaceEntry& entry, const std::string& where) {
   checkNewLabel(entry.name, where);
-  RoomPolygon room{placeName(entry.name), {}};
-  for (const std::vector<double>& corner : entry.position) {
-    if (corner.size() != 2) throw Error(where + ": a corner is not of the form [x, y].");
-    room.corners.emplace_back(corner[0], corner[1]);
-  }
-  if (room.corners.size() < 3) throw Error(where + ": a room has three corners or more.");
+  RoomPolygon room{placeName(entry.name), toOutline(entry, where)};
+  checkOutline(room.corners, where);
   return room;
 }
 
@@ -89,6 +97,15 @@ std::vector<std::string> RoomPolygons::names() const {
   std::vector<std::string> names;
   for (const RoomPolygon& room : rooms_) names.push_back(room.name);
   return names;
+}
+
+std::optional<UniformDistribution> RoomPolygons::anywhereIn(const std::string& name) const {
+  std::vector<UniformDistribution> parts;
+  for (const RoomPolygon& room : rooms_) {
+    if (room.name == name) parts.push_back(uniformDistribution(room.corners));
+  }
+  if (parts.empty()) return std::nullopt;
+  return uniformDistribution(parts);
 }
 
 RoomPolygons readRoomPolygons(const std::string& path) {

@@ -89,6 +89,26 @@ TEST(RoomPolygons, SayNothingOfAPointThatIsNone) {
   EXPECT_EQ(roomsOf(kTwoRooms).at({1, std::nan("")}, 0.3), "");
 }
 
+TEST(RoomPolygons, MayReturnToTheirFirstCorner) {
+  const RoomPolygons rooms =
+      roomsOf("places: [{name: a, position: [[0, 0], [4, 0], [4, 0], [4, 3], [0, 3], [0, 0]]}]");
+  EXPECT_EQ(rooms.polygons().front().corners.size(), 4u);
+}
+
+TEST(RoomPolygons, OfOneNameAreOneArea) {
+  const std::vector<Eigen::Vector2d> left = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const std::vector<Eigen::Vector2d> right = {{10, 0}, {10, 2}, {16, 2}, {16, 0}};
+  const RoomPolygons rooms({{"a", left}, {"b", {{0, 0}, {9, 0}, {0, 9}}}, {"a", right}});
+  const auto somewhere = rooms.anywhereIn("a");
+  ASSERT_TRUE(somewhere);
+  EXPECT_DOUBLE_EQ(somewhere->area, 16);
+  // A quarter of it around x = 1, the rest around 13: 10, and 4/12 / 4 + 36/12 * 3/4 + 12^2 * 3/16.
+  EXPECT_LT((somewhere->mean - Eigen::Vector2d(10, 1)).norm(), 1e-12);
+  EXPECT_NEAR(somewhere->covariance(0, 0), 1. / 12 + 9. / 4 + 27, 1e-12);
+  EXPECT_NEAR(somewhere->covariance(1, 1), 1. / 3, 1e-12);
+  EXPECT_FALSE(rooms.anywhereIn("c"));
+}
+
 TEST(RoomPolygons, OfABadFileSayWhatIsWrong) {
   const auto expectError = [](const std::string& yaml, const std::string& reason) {
     EXPECT_NE(errorOf(yaml).find(reason), std::string::npos) << errorOf(yaml);
@@ -100,6 +120,10 @@ TEST(RoomPolygons, OfABadFileSayWhatIsWrong) {
   expectError("places: [{name: a, position: [[0, 0], [1, 0], [1, .nan]]}]", "finite");
   expectError("places: [{name: '', position: [[0, 0], [1, 0], [1, 1]]}]", "no place name");
   expectError("places: [{name: unknown, position: [[0, 0], [1, 0], [1, 1]]}]", "unknown");
+  expectError("places: [{name: a, position: [[0, 0], [1, 1], [0, 0]]}]", "a room has three");
+  expectError("places: [{name: a, position: [[0, 0], [1, 1], [2, 2]]}]", "enclose no area");
+  expectError("places: [{name: a, position: [[0, 0], [4, 0], [0, 3], [4, 3]]}]",
+              "places[0]: the wall from [4, 0] to [0, 3] crosses that from [4, 3] to [0, 0]; give");
   EXPECT_THROW(readRoomPolygons("/no/such/rooms.yaml"), Error);
 }
 
