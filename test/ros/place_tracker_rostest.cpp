@@ -4,6 +4,7 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -97,6 +98,48 @@ PlaceRecognition messageOf(double stamp, const std::string& model = "rooms") {
   message.places[1].name = "kitchen";
   message.places[2].name = "lab";
   return message;
+}
+
+TEST_F(PlacesOverTime, TheBeliefIsThatOfTheFilter) {
+  Parameters parameters(node_);
+  PlaceTracker places(node_, parameters);
+  const auto model = threeRooms();
+  places.setModel(model, 0.2);
+  TemporalFilterOptions options;
+  options.decorrelation_time = 0.2;
+  TemporalFilter filter(*model, model->adjacency, options);
+  for (int i = 0; i < 20; ++i) {
+    const double stamp = 0.1 * i;
+    const Recognition frame = i < 10 ? frameOf(0.8, 0.1, 0.1) : frameOf(0.1, 0.2, 0.7);
+    const std::string place = places.update(stamp, frame);
+    const Eigen::RowVectorXd& expected = filter.update(stamp, frame).probabilities;
+    const PlaceRecognition belief = places.belief(messageOf(stamp));
+    EXPECT_NEAR(belief.header.stamp.toSec(), stamp, 1e-6);
+    EXPECT_NEAR(belief.evidence, 1 - expected[3], 1e-12);
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double probability = belief.places[k].probability;
+      EXPECT_NEAR(probability * belief.evidence, expected[static_cast<Eigen::Index>(k)], 1e-12);
+      largest = std::max(largest, probability);
+    }
+    EXPECT_EQ(belief.confidence, largest);
+    if (i % 10 == 9) {
+      EXPECT_EQ(belief.place, place);
+      EXPECT_TRUE(belief.known);
+    }
+  }
+}
+
+TEST_F(PlacesOverTime, WithoutSmoothingTheBeliefIsTheFrame) {
+  Parameters parameters(node_);
+  PlaceTracker places(node_, parameters);
+  places.setModel(threeRooms(), 0);
+  places.update(1, frameOf(0.8, 0.1, 0.1));
+  PlaceRecognition message = messageOf(1);
+  message.place = "lab";
+  message.confidence = 0.625;
+  EXPECT_EQ(places.belief(message).place, "lab");
+  EXPECT_EQ(places.belief(message).confidence, 0.625);
 }
 
 TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {

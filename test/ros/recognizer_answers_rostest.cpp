@@ -67,6 +67,27 @@ TEST_F(RecognizerNode, SmoothedAnswersComeALagLaterWithTheHeadersOfTheirFrames) 
   EXPECT_TRUE(trigger("reset").success);
 }
 
+TEST_F(RecognizerNode, BeliefGrowsWithEachFrameOfARoom) {
+  Inbox<PlaceRecognition> beliefs(node_, name_ + "/belief");
+  ASSERT_TRUE(eventually([this] { return listeners() > 0; }));
+  ASSERT_TRUE(trigger("reset").success);
+  const ros::Time start = nextStamp();
+  for (int i = 0; i < 5; ++i) {
+    camera_.send(drawRoom(1, 3), (start + ros::Duration(0.1 * i)).toSec());
+    const std::size_t come = static_cast<std::size_t>(i) + 1;
+    ASSERT_TRUE(eventually([&] { return beliefs.messages().size() == come; }));
+  }
+  const auto share = [](const PlaceRecognition& belief) {
+    return belief.places[1].probability * belief.evidence;
+  };
+  const std::vector<PlaceRecognition> come = beliefs.messages();
+  for (std::size_t i = 0; i < come.size(); ++i) {
+    EXPECT_EQ(come[i].header.stamp, start + ros::Duration(0.1 * static_cast<double>(i)));
+    EXPECT_EQ(come[i].place, "room1");
+  }
+  EXPECT_GT(share(come.back()), share(come.front()));
+}
+
 TEST_F(RecognizerNode, NamesThePlaceLatchedAndOnceAChange) {
   Inbox<std_msgs::String> places(node_, name_ + "/place");
   ASSERT_TRUE(eventually([this] { return listeners() > 0; }));

@@ -77,6 +77,7 @@ TEST_F(RecognizerNode, AnswersOnePictureWhenAskedAndPublishesNothing) {
 TEST_F(RecognizerNode, ListensOnlyWhileSomebodyListensToIt) {
   EXPECT_TRUE(eventually([this] { return listeners() == 0; }));
   expectListensWith<PlaceRecognition>("/recognition");
+  expectListensWith<PlaceRecognition>("/belief");
   expectListensWith<PlaceRecognition>("/smoothed");
   expectListensWith<std_msgs::String>("/place");
   expectListensWith<sensor_msgs::Image>("/debug_image");

@@ -181,6 +181,21 @@ PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model&
   return message;
 }
 
+void revise(const FilteredAnswer& answer, PlaceRecognition& message) {
+  const auto rooms = answer.probabilities.head(static_cast<Eigen::Index>(message.places.size()));
+  const double evidence = rooms.sum();
+  Eigen::Index best = 0;
+  rooms.maxCoeff(&best);
+  for (std::size_t i = 0; i < message.places.size(); ++i) {
+    message.places[i].probability = rooms[static_cast<Eigen::Index>(i)] / evidence;
+  }
+  message.place = message.places[static_cast<std::size_t>(best)].name;
+  message.known = answer.place >= 0;
+  message.confidence = rooms[best] / evidence;
+  message.evidence = evidence;
+  message.reason.clear();
+}
+
 ModelInfo toModelInfo(const Model& model) {
   ModelInfo message;
   message.name = model.name;

@@ -11,6 +11,7 @@
 
 #include "place_recognition/model.h"
 #include "place_recognition/recognizer.h"
+#include "place_recognition/temporal_filter.h"
 
 namespace place_recognition {
 
@@ -37,6 +38,10 @@ cv::Mat toImage(const sensor_msgs::CompressedImage& message);
 /// The message of an answer to the image with `header`; `seconds` were spent on it.
 PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model& model,
                                     const std_msgs::Header& header, double seconds);
+
+/// Gives `message` the place, and the probabilities of all places, that `answer` has. Those of the
+/// message sum to 1 without 'unknown', whose share is what `evidence` lacks.
+void revise(const FilteredAnswer& answer, PlaceRecognition& message);
 
 ModelInfo toModelInfo(const Model& model);
 

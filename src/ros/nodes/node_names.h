@@ -12,6 +12,7 @@ constexpr const char* kImageRawSuffix = "/image_raw";
 constexpr const char* kCompressedSuffix = "/compressed";
 constexpr const char* kRecognition = "recognition";
 constexpr const char* kPlace = "place";
+constexpr const char* kBelief = "belief";
 constexpr const char* kSmoothed = "smoothed";
 constexpr const char* kModelInfo = "model_info";
 constexpr const char* kDebugImage = "debug_image";
@@ -32,6 +33,13 @@ constexpr const char* kPlaceLabel = "place_label";
 constexpr const char* kSay = "say";
 constexpr const char* kJoy = "joy";
 constexpr const char* kPose = "pose";
+
+// place_to_pose
+constexpr const char* kRecognizerBelief = "place_recognizer/belief";
+constexpr const char* kAmclPose = "amcl_pose";
+constexpr const char* kInitialPose = "initialpose";
+constexpr const char* kRoomPose = "room_pose";
+constexpr const char* kRoomMarkers = "room_markers";
 
 /// Default of `~image_timeout`, s.
 constexpr double kImageTimeout = 5;

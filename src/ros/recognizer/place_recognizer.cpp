@@ -152,6 +152,8 @@ void PlaceRecognizer::advertise() {
       names::kRecognition, names::kAnswerQueue, changed, changed);
   place_publisher_ = private_node_.advertise<std_msgs::String>(names::kPlace, names::kAnswerQueue,
                                                                changed, changed, nullptr, true);
+  belief_publisher_ = private_node_.advertise<PlaceRecognition>(names::kBelief, names::kAnswerQueue,
+                                                                changed, changed);
   smoothed_publisher_ = private_node_.advertise<PlaceRecognition>(
       names::kSmoothed, names::kAnswerQueue, changed, changed);
   model_info_publisher_ = private_node_.advertise<ModelInfo>(names::kModelInfo, 1, true);
@@ -184,7 +186,8 @@ void PlaceRecognizer::loadFirstModels(const std::string& name) {
 bool PlaceRecognizer::isWanted() const {
   return enabled_ &&
          (!lazy_ || recognition_publisher_.getNumSubscribers() > 0 ||
-          place_publisher_.getNumSubscribers() > 0 || smoothed_publisher_.getNumSubscribers() > 0 ||
+          place_publisher_.getNumSubscribers() > 0 || belief_publisher_.getNumSubscribers() > 0 ||
+          smoothed_publisher_.getNumSubscribers() > 0 ||
           marker_publisher_.getNumSubscribers() > 0 ||
           std::any_of(cameras_.begin(), cameras_.end(),
                       [](const auto& camera) { return camera->debugImageIsWanted(); }));
@@ -383,6 +386,9 @@ void PlaceRecognizer::track(std::size_t camera, const PlaceRecognition& message,
   const std::string& place =
       place_tracker_.update(cameras_[camera]->lastStamp(), recognition, camera);
   publishPlace(place);
+  if (belief_publisher_.getNumSubscribers() > 0) {
+    belief_publisher_.publish(place_tracker_.belief(message));
+  }
   publishSmoothed(message);
   if (marker_publisher_.getNumSubscribers() > 0) {
     marker_publisher_.publish(placeMarker(place, message.header));

@@ -99,6 +99,7 @@ class PlaceRecognizer {
 
   ros::Publisher recognition_publisher_;
   ros::Publisher place_publisher_;
+  ros::Publisher belief_publisher_;
   ros::Publisher smoothed_publisher_;
   ros::Publisher model_info_publisher_;
   ros::Publisher marker_publisher_;

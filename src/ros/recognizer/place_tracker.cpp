@@ -7,6 +7,7 @@
 #include "base/place_name.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
+#include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
 #include "ros/recognizer/camera_list.h"
 
@@ -116,6 +117,11 @@ const std::string& PlaceTracker::update(double stamp, const Recognition& recogni
   const int place =
       filter_ ? filter_->update(stamp, recognition, motion, camera).place : frame_place;
   return place < 0 ? unknown : model_->places[static_cast<std::size_t>(place)];
+}
+
+PlaceRecognition PlaceTracker::belief(PlaceRecognition message) const {
+  if (filter_) revise(filter_->answer(), message);
+  return message;
 }
 
 std::vector<PlaceRecognition> PlaceTracker::smooth(const PlaceRecognition& message) {

@@ -45,6 +45,10 @@ class PlaceTracker {
   /// until the next call.
   const std::string& update(double stamp, const Recognition& recognition, std::size_t camera = 0);
 
+  /// `message` answers the frame of the last update(). The same with what all frames so far make of
+  /// the places; where the smoothing is 0, as it is.
+  PlaceRecognition belief(PlaceRecognition message) const;
+
   /// `message` answers the frame of the last update(). The messages of frames before it, whose time
   /// to wait (`~smoothing_lag`) is over, with the places that they have in the light of what came
   /// since; none where the smoothing is 0.

@@ -3,27 +3,9 @@
 #include <cassert>
 #include <utility>
 
+#include "ros/messages/conversions.h"
+
 namespace place_recognition {
-namespace {
-
-/// Gives `message` the place, and the probabilities of all places, that `answer` has.
-void revise(const FilteredAnswer& answer, PlaceRecognition& message) {
-  const auto rooms = answer.probabilities.head(static_cast<Eigen::Index>(message.places.size()));
-  const double evidence = rooms.sum();
-  Eigen::Index best = 0;
-  rooms.maxCoeff(&best);
-  for (std::size_t i = 0; i < message.places.size(); ++i) {
-    message.places[i].probability = rooms[static_cast<Eigen::Index>(i)] / evidence;
-  }
-  message.place = message.places[static_cast<std::size_t>(best)].name;
-  message.known = answer.place >= 0;
-  message.confidence = rooms[best] / evidence;
-  message.evidence = evidence;
-  message.reason.clear();
-}
-
-}  // namespace
-
 void SmoothedAnswers::follow(const Adjacency& adjacency, const TemporalFilterOptions& options) {
   finish();
   smoother_.emplace(adjacency, options, lag_);
