@@ -17,10 +17,10 @@ find_package(catkin REQUIRED COMPONENTS
 include(place_recognition_rosrun)
 
 add_message_files(FILES ModelInfo.msg PlaceRecognition.msg PlaceScore.msg)
-add_service_files(FILES LoadModel.srv Recognize.srv SayPlace.srv)
+add_service_files(FILES LoadModel.srv Recognize.srv RoomPose.srv SayPlace.srv)
 include(place_recognition_retrain)
 add_action_files(FILES Train.action)
-generate_messages(DEPENDENCIES actionlib_msgs sensor_msgs std_msgs)
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs sensor_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/PlaceRecognizer.cfg)
 
 # Include paths are set target by target, not by include_directories(). Other packages depend on the
@@ -31,7 +31,7 @@ catkin_package(
   LIBRARIES place_recognition_base place_recognition_labels place_recognition_report
     place_recognition_datasets place_recognition_features place_recognition_learning
     place_recognition_recognition place_recognition_tuning
-  CATKIN_DEPENDS actionlib_msgs message_runtime sensor_msgs std_msgs
+  CATKIN_DEPENDS actionlib_msgs geometry_msgs message_runtime sensor_msgs std_msgs
   DEPENDS EIGEN3 OpenCV
   CFG_EXTRAS place_recognition-extras.cmake)
 

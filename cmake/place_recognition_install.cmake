@@ -5,7 +5,8 @@ install(DIRECTORY include/${PROJECT_NAME}/
 install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
 
 if(PLACE_RECOGNITION_ROS)
-  install(TARGETS auto_labeler bag_reader place_labeler place_recognizer place_tool trainer
+  install(TARGETS auto_labeler bag_reader place_labeler place_recognizer place_to_pose place_tool
+    trainer
     RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   catkin_install_python(PROGRAMS scripts/place_monitor.py scripts/play_bag.py
     DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -66,7 +66,8 @@ class ClockTest(NodeCase):
     def test_every_node_says_that_there_is_no_clock(self):
         (self.folder / "rooms.yaml").write_text(ROOMS)
         nodes = [self.start_node("place_recognizer"), self.start_node("trainer"),
-                 self.start_node("place_labeler"), self.start_node("auto_labeler", "_rooms:=rooms.yaml")]
+                 self.start_node("place_labeler"), self.start_node("auto_labeler", "_rooms:=rooms.yaml"),
+                 self.start_node("place_to_pose", "_rooms:=rooms.yaml")]
         for node in nodes:
             self.expect(node, "/use_sim_time is true, but no /clock has come",
                         "rosparam set /use_sim_time false")

@@ -1,11 +1,10 @@
 #include "ros/labelers/auto_labeler.h"
 
-#include <cmath>
-
 #include "base/place_name.h"
 #include "base/text.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
+#include "ros/messages/pose_conversions.h"
 #include "ros/nodes/node_names.h"
 
 namespace place_recognition {
@@ -20,15 +19,6 @@ RoomPolygons roomsOf(Parameters& parameters) {
   const std::string path = userPath(parameters.text("rooms"));
   if (path.empty()) throw Error("The parameter ~rooms is not set; name a file of room polygons.");
   return readRoomPolygons(path);
-}
-
-/// Standard deviation of the position in its worst direction: of the covariance of x and y
-/// (elements 0, 1 and 7 of the 6 x 6), the root of the larger eigenvalue, m.
-double deviation(const geometry_msgs::PoseWithCovariance& pose) {
-  const double xx = pose.covariance[0];
-  const double xy = pose.covariance[1];
-  const double yy = pose.covariance[7];
-  return std::sqrt((xx + yy) / 2 + std::hypot((xx - yy) / 2, xy));
 }
 
 }  // namespace
@@ -84,7 +74,7 @@ void AutoLabeler::onImage(const ImageMessage& image) {
 }
 
 void AutoLabeler::onPose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose) {
-  deviation_ = deviation(pose->pose);
+  deviation_ = largestDeviation(positionCovariance(pose->pose));
 }
 
 void AutoLabeler::labelWaiting() {

@@ -1,0 +1,69 @@
+#include "ros/localization/held_room.h"
+
+#include <cstdio>
+
+namespace place_recognition {
+namespace {
+
+/// Of the room that is named.
+double probabilityOfPlace(const PlaceRecognition& belief) {
+  return belief.confidence * belief.evidence;
+}
+
+std::string rounded(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", number);
+  return text;
+}
+
+}  // namespace
+
+void HeldRoom::forget() {
+  belief_.reset();
+  since_ = ros::Time();
+}
+
+void HeldRoom::add(const PlaceRecognition& belief, const ros::Time& now) {
+  const bool follows = !isMissing(now);
+  const bool likely = belief.known && probabilityOfPlace(belief) >= options_.min_probability;
+  const bool held = follows && likely && !since_.isZero() && belief_->place == belief.place;
+  if (!held) since_ = likely ? now : ros::Time();
+  belief_ = belief;
+  arrival_ = now;
+}
+
+bool HeldRoom::isMissing(const ros::Time& now) const {
+  return !belief_ || (now - arrival_).toSec() > options_.timeout;
+}
+
+std::string HeldRoom::sureRoom(const ros::Time& now) const {
+  return whyNot(now).empty() ? belief_->place : "";
+}
+
+std::string HeldRoom::whyNot(const ros::Time& now) const {
+  if (!belief_) return "no answer of place_recognizer has come";
+  if (isMissing(now)) {
+    return "the last answer of place_recognizer came " + rounded((now - arrival_).toSec()) +
+           " s ago";
+  }
+  if (!belief_->known) return "the answer is 'unknown'";
+  if (since_.isZero()) {
+    return "'" + belief_->place + "' has a probability of " +
+           rounded(probabilityOfPlace(*belief_)) + ", less than ~min_probability";
+  }
+  const double held = (now - since_).toSec();
+  if (held < options_.hold) {
+    return "'" + belief_->place + "' has been sure for " + rounded(held) + " s, less than ~hold";
+  }
+  return "";
+}
+
+double HeldRoom::probabilityOf(const std::string& room, const ros::Time& now) const {
+  if (isMissing(now)) return 0;
+  for (const PlaceScore& place : belief_->places) {
+    if (place.name == room) return place.probability * belief_->evidence;
+  }
+  return 0;
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,121 @@
+#include "ros/localization/relocalizer.h"
+
+#include <Eigen/LU>
+#include <cstdio>
+
+#include "base/text.h"
+#include "ros/messages/pose_conversions.h"
+#include "ros/nodes/node_names.h"
+
+namespace place_recognition {
+namespace {
+
+/// How long amcl's latched pose may take to come before it counts as having none, s.
+constexpr double kFirstPosePatience = 1;
+/// How long amcl may take to answer what it was told, s; it does with the next scan.
+constexpr double kAnswerPatience = 5;
+/// amcl knows the room if its mean is within the squared Mahalanobis distance that the corners of a
+/// rectangle have from its middle, and its deviation at most that many times the room's: particles
+/// that were drawn from a room deviate a little more or less than the room.
+constexpr double kSameRoomDistance = 6;
+constexpr double kSameRoomDeviation = 1.5;
+
+/// The frame without the leading slash that tf1 allowed.
+std::string plain(const std::string& frame) {
+  return startsWith(frame, "/") ? frame.substr(1) : frame;
+}
+
+}  // namespace
+
+Relocalizer::Relocalizer(const ros::NodeHandle& node, Parameters& parameters,
+                         const std::string& map_frame)
+    : map_frame_(plain(map_frame)),
+      publish_(parameters.flag("publish", false)),
+      lost_deviation_(parameters.real("lost_deviation", 1, 0)),
+      interval_(parameters.real("interval", 60, 0)) {
+  if (!publish_) return;
+  ros::NodeHandle handle(node);
+  publisher_ = handle.advertise<geometry_msgs::PoseWithCovarianceStamped>(names::kInitialPose, 1);
+  subscriber_ = handle.subscribe(names::kAmclPose, 1, &Relocalizer::onAmclPose, this);
+}
+
+void Relocalizer::onAmclPose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose) {
+  amcl_pose_ = pose;
+  answered_ = true;
+  const std::string frame = plain(pose->header.frame_id);
+  if (frame == map_frame_ || warned_of_frame_) return;
+  warned_of_frame_ = true;
+  ROS_WARN(
+      "%s is in the frame '%s', but the rooms are in '%s'; amcl will be told no pose. Set "
+      "~map_frame to '%s' if the rooms are on that map.",
+      subscriber_.getTopic().c_str(), frame.c_str(), map_frame_.c_str(), frame.c_str());
+}
+
+bool Relocalizer::isLost(const ros::Time& now) const {
+  if (!amcl_pose_) return (now - *first_time_).toSec() >= kFirstPosePatience;
+  // Not `>`: what is no number says nothing of the position either.
+  return !(largestDeviation(positionCovariance(amcl_pose_->pose)) <= lost_deviation_);
+}
+
+bool Relocalizer::knows(const UniformDistribution& area) const {
+  if (!amcl_pose_) return false;
+  const Eigen::Vector2d offset = positionOf(amcl_pose_->pose) - area.mean;
+  return offset.dot(area.covariance.inverse() * offset) <= kSameRoomDistance &&
+         largestDeviation(positionCovariance(amcl_pose_->pose)) <=
+             kSameRoomDeviation * largestDeviation(area.covariance);
+}
+
+bool Relocalizer::isHeard() {
+  const bool heard = publisher_.getNumSubscribers() > 0;
+  if (!heard && !warned_of_silence_) {
+    ROS_WARN("%s, but nobody listens to %s; is amcl running, and is that its topic?",
+             stateText().c_str(), publisher_.getTopic().c_str());
+  }
+  warned_of_silence_ = !heard;
+  return heard;
+}
+
+std::string Relocalizer::stateText() const {
+  if (!amcl_pose_) return "No pose has come on " + subscriber_.getTopic();
+  char text[96];
+  std::snprintf(text, sizeof text, "amcl is lost (its position deviates by %.2f m)",
+                largestDeviation(positionCovariance(amcl_pose_->pose)));
+  return text;
+}
+
+void Relocalizer::robotIsIn(const std::string& room, const UniformDistribution& area,
+                            const ros::Time& now) {
+  if (!publish_) return;
+  if (!first_time_) first_time_ = now;
+  const bool too_early = told_ && (now - *told_).toSec() < interval_;
+  if (too_early || !isLost(now) || knows(area)) return;
+  const bool same_map = !amcl_pose_ || plain(amcl_pose_->header.frame_id) == map_frame_;
+  if (!same_map || !isHeard()) return;
+  geometry_msgs::PoseWithCovarianceStamped message;
+  message.header.frame_id = map_frame_;
+  message.header.stamp = now;
+  message.pose = toPose(area);
+  publisher_.publish(message);
+  told_ = now;
+  answered_ = false;
+  ROS_INFO("%s; it starts anew in '%s', around (%.2f, %.2f).", stateText().c_str(), room.c_str(),
+           area.mean.x(), area.mean.y());
+}
+
+void Relocalizer::watch(const ros::Time& now) {
+  if (answered_ || (now - *told_).toSec() < kAnswerPatience) return;
+  answered_ = true;  // so that it is said once
+  ROS_WARN(
+      "No pose has come on %s for %.0f s after one was published on %s; does amcl get scans, and "
+      "is its map in the frame '%s'?",
+      subscriber_.getTopic().c_str(), kAnswerPatience, publisher_.getTopic().c_str(),
+      map_frame_.c_str());
+}
+
+void Relocalizer::forget() {
+  first_time_.reset();
+  told_.reset();
+  answered_ = true;
+}
+
+}  // namespace place_recognition

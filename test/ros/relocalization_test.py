@@ -1,0 +1,393 @@
+#!/usr/bin/env python3
+"""place_to_pose as robots have it: beside a stand-in for amcl, and with a recognizer and a camera."""
+import math
+import os
+import sys
+import threading
+import time
+import unittest
+
+import rospy
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from place_recognition.msg import PlaceRecognition, PlaceScore
+from place_recognition.srv import RoomPose
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Header
+from visualization_msgs.msg import Marker, MarkerArray
+
+sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
+from node_case import Camera, NodeCase  # noqa: E402
+from field_test import FieldCase  # noqa: E402
+
+ROOMS = """places:
+  - name: kitchen
+    position: [[0, 0], [6, 0], [6, 3], [0, 3]]
+  - name: lab
+    position: [[10, 0], [14, 0], [14, 4], [10, 4]]
+  - name: lab
+    position: [[20, 0], [24, 0], [24, 4], [20, 4]]
+  - name: cupboard
+    position: [[6, 0], [7, 0], [7, 1], [6, 1]]
+"""
+
+
+def pose(x, y, covariance, frame="map"):
+    """Of the variances in x and y, and of the heading."""
+    message = PoseWithCovarianceStamped(header=Header(frame_id=frame, stamp=rospy.Time.now()))
+    message.pose.pose.position.x, message.pose.pose.position.y = x, y
+    message.pose.pose.orientation.w = 1
+    values = [0.0] * 36
+    values[0], values[7], values[35] = covariance
+    message.pose.covariance = values
+    return message
+
+
+class Amcl:
+    """Speaks the topics of amcl: takes a pose on `initialpose`, and tells what it makes of it on
+    `amcl_pose`, latched; with each scan it is surer. It ignores poses in other frames, as amcl does."""
+
+    def __init__(self, frame="map", deaf=False):
+        self.frame, self.deaf = frame, deaf
+        self.heard = []
+        self.estimate = None
+        self.lock = threading.Lock()
+        self.publisher = rospy.Publisher("/amcl_pose", PoseWithCovarianceStamped, queue_size=2, latch=True)
+        self.subscriber = rospy.Subscriber("/initialpose", PoseWithCovarianceStamped, self.take)
+
+    def take(self, message):
+        with self.lock:
+            self.heard.append(message)
+        if not self.deaf and message.header.frame_id == self.frame:
+            self.say(message)
+
+    def say(self, message):
+        self.estimate = message
+        self.publisher.publish(message)
+
+    def scan(self):
+        """Another scan, which halves all variances."""
+        self.estimate.pose.covariance = [value / 2 for value in self.estimate.pose.covariance]
+        self.say(self.estimate)
+
+    def close(self):
+        self.subscriber.unregister()
+        self.publisher.unregister()
+
+
+class Believer:
+    """Publishes answers over time as place_recognizer does, 20 each second."""
+
+    def __init__(self, topic="/place_recognizer/belief"):
+        self.publisher = rospy.Publisher(topic, PlaceRecognition, queue_size=10)
+        self.rooms = ["kitchen", "lab", "cupboard"]
+        self.room, self.probability, self.known = None, 0.97, True
+        self.going = True
+        self.thread = threading.Thread(target=self.publish)
+        self.thread.start()
+
+    def publish(self):
+        while self.going:
+            if self.room:
+                rest = (1 - self.probability) / (len(self.rooms) - 1)
+                self.publisher.publish(PlaceRecognition(
+                    model_name="home", model_version="1", place=self.room, known=self.known,
+                    confidence=self.probability, evidence=1, places=[
+                        PlaceScore(name=room, probability=self.probability if room == self.room else rest)
+                        for room in self.rooms]))
+            time.sleep(0.05)
+
+    def close(self):
+        self.going = False
+        self.thread.join()
+        self.publisher.unregister()
+
+
+class RelocalizationCase(NodeCase):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "rooms.yaml").write_text(ROOMS)
+
+    def amcl(self, *arguments, **options):
+        amcl = Amcl(*arguments, **options)
+        self.addCleanup(amcl.close)
+        return amcl
+
+    def believer(self):
+        believer = Believer()
+        self.addCleanup(believer.close)
+        return believer
+
+    def place_to_pose(self, *arguments, hold=0.5):
+        node = self.start_node("place_to_pose", "_rooms:=rooms.yaml", f"_hold:={hold}", *arguments)
+        self.expect(node, "the rooms 'kitchen', 'lab', 'cupboard'.")
+        return node
+
+    def room_pose(self, room=""):
+        rospy.wait_for_service("/place_to_pose/room_pose", 60)
+        return rospy.ServiceProxy("/place_to_pose/room_pose", RoomPose)(room)
+
+    def assert_in_kitchen(self, message):
+        position, covariance = message.pose.pose.position, message.pose.covariance
+        self.assertEqual(message.header.frame_id, "map")
+        self.assertAlmostEqual(position.x, 3)
+        self.assertAlmostEqual(position.y, 1.5)
+        expected = [0.0] * 36
+        expected[0], expected[7], expected[35] = 36 / 12, 9 / 12, (2 * math.pi) ** 2 / 12
+        for value, wanted in zip(covariance, expected):
+            self.assertAlmostEqual(value, wanted)
+
+
+class AmclTest(RelocalizationCase):
+    def test_amcl_without_a_pose_is_told_the_room_once(self):
+        amcl, believer = self.amcl(), self.believer()
+        self.place_to_pose("_publish:=true", "_interval:=0")
+        believer.room = "kitchen"
+        self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+        self.assert_in_kitchen(amcl.heard[0])
+        for _ in range(6):  # as sure as the room tells it at first, and surer with each scan
+            rospy.sleep(0.2)
+            amcl.scan()
+        rospy.sleep(0.5)
+        self.assertEqual(len(amcl.heard), 1)
+
+    def test_amcl_that_knows_where_it_is_is_left_alone(self):
+        amcl, believer = self.amcl(), self.believer()
+        amcl.say(pose(100, 0, (0.9, 0.9, 0.1)))
+        self.place_to_pose("_publish:=true", "_interval:=0")
+        believer.room = "kitchen"
+        rospy.sleep(2.5)
+        self.assertEqual(amcl.heard, [])
+        amcl.say(pose(100, 0, (0.1, 1.1, 0.1)))
+        self.wait_for(lambda: amcl.heard, "amcl is lost, but hears nothing")
+        self.assert_in_kitchen(amcl.heard[0])
+
+    def test_covariances_that_are_no_numbers_are_those_of_a_lost_robot(self):
+        amcl, believer = self.amcl(), self.believer()
+        amcl.say(pose(3, 1.5, (math.nan, math.nan, math.nan)))
+        self.place_to_pose("_publish:=true")
+        believer.room = "kitchen"
+        self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+
+    def test_a_pose_is_published_once_an_interval(self):
+        amcl, believer = self.amcl(deaf=True), self.believer()
+        amcl.say(pose(100, 0, (50, 50, 3)))
+        node = self.place_to_pose("_publish:=true", "_interval:=2")
+        believer.room = "lab"
+        self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+        self.assertAlmostEqual(amcl.heard[0].pose.pose.position.x, 17)  # of two polygons
+        self.assertAlmostEqual(amcl.heard[0].pose.covariance[0], 16 / 12 + 25)
+        self.wait_for(lambda: len(amcl.heard) == 3, "amcl hears no more")
+        for earlier, later in zip(amcl.heard, amcl.heard[1:]):
+            self.assertGreaterEqual((later.header.stamp - earlier.header.stamp).to_sec(), 2)
+        self.assertIn("amcl is lost (its position deviates by 7.07 m); it starts anew in 'lab'", node.output)
+
+    def test_a_room_that_is_not_sure_tells_amcl_nothing(self):
+        amcl, believer = self.amcl(), self.believer()
+        self.place_to_pose("_publish:=true", hold=1.5)
+        believer.probability = 0.8
+        believer.room = "kitchen"
+        rospy.sleep(2)
+        believer.probability, believer.known = 0.97, False
+        rospy.sleep(2)
+        believer.known = True
+        for room in ["lab", "kitchen"] * 5:
+            believer.room = room
+            rospy.sleep(0.25)
+        self.assertEqual(amcl.heard, [])
+
+    def test_nothing_is_published_unless_it_is_asked_for(self):
+        amcl, believer = self.amcl(), self.believer()
+        self.place_to_pose()
+        believer.room = "kitchen"
+        self.wait_for(lambda: self.room_pose().success, "the room is never sure")
+        self.assert_in_kitchen(self.room_pose().pose)
+        rospy.sleep(1.5)
+        self.assertEqual(amcl.heard, [])
+        self.assertEqual(amcl.subscriber.get_num_connections(), 0)
+
+    def test_another_map_is_told(self):
+        amcl, believer = self.amcl("level2"), self.believer()
+        amcl.say(pose(100, 0, (50, 50, 3), "level2"))
+        node = self.place_to_pose("_publish:=true")
+        believer.room = "kitchen"
+        self.expect(node, "/amcl_pose is in the frame 'level2', but the rooms are in 'map'",
+                    "Set ~map_frame to 'level2'")
+        amcl.say(pose(101, 0, (50, 50, 3), "level2"))
+        rospy.sleep(1.5)
+        self.assertEqual(amcl.heard, [])
+        self.assertEqual(node.output.count("Set ~map_frame"), 1)
+        node.interrupt()
+        self.place_to_pose("_publish:=true", "_map_frame:=/level2")
+        self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+        self.assertEqual(amcl.heard[0].header.frame_id, "level2")
+
+    def test_nobody_listens(self):
+        believer = self.believer()
+        node = self.place_to_pose("_publish:=true")
+        believer.room = "kitchen"
+        self.expect(node, "No pose has come on /amcl_pose, but nobody listens to /initialpose")
+        rospy.sleep(0.5)
+        self.assertEqual(node.output.count("nobody listens"), 1)
+        amcl = self.amcl()
+        self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+
+    def test_amcl_does_not_answer(self):
+        amcl, believer = self.amcl(deaf=True), self.believer()
+        node = self.place_to_pose("_publish:=true")
+        believer.room = "kitchen"
+        self.expect(node, "No pose has come on /amcl_pose for 5 s after one was published on /initialpose")
+        self.assertEqual(len(amcl.heard), 1)
+        rospy.sleep(1)
+        self.assertEqual(node.output.count("No pose has come"), 2, node.output)  # first: it starts anew
+
+
+class ServiceTest(RelocalizationCase):
+    def test_the_pose_of_a_room_is_told_to_whoever_asks(self):
+        self.place_to_pose()
+        answer = self.room_pose(" kitchen ")
+        self.assertTrue(answer.success)
+        self.assertEqual(answer.place, "kitchen")
+        self.assert_in_kitchen(answer.pose)
+        answer = self.room_pose("Kitchen")
+        self.assertFalse(answer.success)
+        self.assertEqual(answer.message, f"{self.folder}/rooms.yaml has no room 'Kitchen'; its rooms are "
+                         "'kitchen', 'lab', 'cupboard'.")
+
+    def test_it_says_why_no_room_is_sure(self):
+        believer = self.believer()
+        self.place_to_pose("_belief_timeout:=0.5")
+        self.assertEqual(self.room_pose().message,
+                         "The room is not sure: no answer of place_recognizer has come.")
+        believer.room = "kitchen"
+        self.wait_for(lambda: self.room_pose().success, "the room is never sure")
+        believer.probability = 0.5
+        self.wait_for(lambda: "a probability of 0.50, less than ~min_probability" in
+                      self.room_pose().message, lambda: self.room_pose().message)
+        believer.known = False
+        self.wait_for(lambda: self.room_pose().message == "The room is not sure: the answer is 'unknown'.",
+                      lambda: self.room_pose().message)
+        believer.room = None  # as when the camera fails
+        self.wait_for(lambda: "the last answer of place_recognizer came" in self.room_pose().message,
+                      lambda: self.room_pose().message)
+
+    def test_rooms_that_the_file_lacks_are_named_once(self):
+        amcl, believer = self.amcl(), self.believer()
+        believer.rooms = ["cellar", "kitchen", "attic"]
+        node = self.place_to_pose("_publish:=true")
+        believer.room = "cellar"
+        self.expect(node, f"The model 'home' knows 'cellar', 'attic', for which {self.folder}/rooms.yaml "
+                    "has no polygon", "Its rooms are 'kitchen', 'lab', 'cupboard'.",
+                    "does not know 'lab', 'cupboard'")
+        rospy.sleep(1.5)
+        self.assertEqual(node.output.count("has no polygon"), 1)
+        self.assertIn("has no room 'cellar'", self.room_pose().message)
+        self.assertEqual(amcl.heard, [])
+        believer.room = "kitchen"
+        self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+
+    def test_a_file_that_cannot_be_used_is_told_in_a_sentence(self):
+        for text, reason in (
+                ("places: [{name: a, position: [[0, 0], [1", "is not valid YAML"),
+                ("places: [{name: a, position: [[0, 0], [4, 0], [0, 3], [4, 3]]}]",
+                 "places[0]: the wall from [4, 0] to [0, 3] crosses that from [4, 3] to [0, 0]")):
+            (self.folder / "rooms.yaml").write_text(text)
+            self.expect_end(self.start_node("place_to_pose", "_rooms:=rooms.yaml"), 1, reason)
+        self.expect_end(self.start_node("place_to_pose"), 1, "The parameter ~rooms is not set")
+        self.expect_end(self.start_node("place_to_pose", "_rooms:=no.yaml"), 1, "Cannot read")
+
+    def test_parameters_are_read_as_those_of_all_nodes(self):
+        node = self.place_to_pose("_pubilsh:=true", "_lost_deviation:=2")
+        self.expect(node, "~pubilsh of /place_to_pose is not known", "is ~publish meant?")
+        for argument, message in (("_publish:=maybe", "~publish is 'maybe'; give true or false"),
+                                  ("_min_probability:=90", "~min_probability is 90; give a number from 0 to 1"),
+                                  ("_hold:=-1", "~hold is -1")):
+            self.expect_end(self.start_node("place_to_pose", "_rooms:=rooms.yaml", argument), 1, message)
+
+
+class ClockTest(RelocalizationCase):
+    def test_time_that_is_set_back_begins_anew(self):
+        rospy.set_param("/use_sim_time", True)
+        self.addCleanup(rospy.set_param, "/use_sim_time", False)
+        clock = rospy.Publisher("/clock", Clock, queue_size=10)
+        self.addCleanup(clock.unregister)
+        amcl, believer = self.amcl(deaf=True), self.believer()
+        amcl.say(pose(100, 0, (50, 50, 3)))
+        node = self.place_to_pose("_publish:=true", "_interval:=1000")
+        believer.room = "kitchen"
+        time.sleep(0.5)
+        self.assertEqual(self.room_pose().message,
+                         "The room is not sure: no answer of place_recognizer has come.")
+
+        def run(seconds):
+            """A clock that starts at 100 s."""
+            for step in range(int(20 * seconds)):
+                clock.publish(Clock(rospy.Time(100) + rospy.Duration(0.05 * step)))
+                time.sleep(0.05)
+
+        self.wait_for(clock.get_num_connections, "nobody wants the clock")
+        run(2)
+        self.assertEqual(len(amcl.heard), 1, node.output)
+        run(0.3)
+        self.assertIn("less than ~hold", self.room_pose().message)
+        self.assertEqual(len(amcl.heard), 1)
+        run(2)
+        self.wait_for(lambda: len(amcl.heard) == 2, "the interval goes on from a time that is no more")
+
+
+class MarkersTest(RelocalizationCase):
+    def markers(self):
+        """What rviz would hold now: markers by namespace and number."""
+        held = {}
+
+        def take(array):
+            for marker in array.markers:
+                if marker.action == Marker.DELETEALL:
+                    held.clear()
+                else:
+                    held[marker.ns, marker.id] = marker
+
+        subscriber = rospy.Subscriber("/place_to_pose/room_markers", MarkerArray, take)
+        self.addCleanup(subscriber.unregister)
+        return held
+
+    def test_rooms_are_filled_by_the_belief_also_for_who_comes_late(self):
+        believer = self.believer()
+        self.place_to_pose("_belief_timeout:=1")
+        for held in (self.markers(), self.markers()):
+            believer.room = "lab"
+            self.wait_for(lambda: held and held["name", 1].text == "lab 97 %", lambda: f"{held}")
+            self.assertEqual(len(held), 4 + 4 + 3)
+            self.assertEqual(held["area", 1].color.a, held["area", 2].color.a)
+            self.assertGreater(held["area", 1].color.a, 10 * held["area", 0].color.a)
+            believer.room = "kitchen"
+            self.wait_for(lambda: held["name", 0].text == "kitchen 97 %", lambda: f"{held}")
+            self.assertGreater(held["area", 0].color.a, 10 * held["area", 1].color.a)
+            believer.room = None
+            self.wait_for(lambda: held["name", 0].text == "kitchen", "the belief does not fade")
+        late = self.markers()
+        self.wait_for(lambda: len(late) == 11, "nothing is latched")
+
+
+class RobotTest(FieldCase):
+    """A recognizer that was trained, a camera, and a robot that does not know where it is."""
+
+    def test_a_lost_robot_is_told_its_room_by_its_camera(self):
+        self.train(self.write_run("run.bag"))
+        (self.folder / "rooms.yaml").write_text(ROOMS)
+        amcl = Amcl()
+        self.addCleanup(amcl.close)
+        amcl.say(pose(100, 0, (400, 400, 3)))
+        camera = Camera(compressed=False)
+        self.addCleanup(camera.close)
+        recognizer = self.launch("recognize.launch", "model:=home")
+        self.expect(recognizer, "Recognizing with home")  # two that start at once get in each other's way
+        node = self.launch("relocalize.launch", f"rooms:={self.folder}/rooms.yaml", "publish:=true", "hold:=1")
+        self.wait_for(camera.listeners, "nobody listens to the camera")
+        self.wait_for(lambda: camera.send() or rospy.sleep(0.05) or amcl.heard, lambda: node.output)
+        self.assertAlmostEqual(amcl.heard[0].pose.pose.position.x, 3)
+        self.assertAlmostEqual(amcl.heard[0].pose.covariance[0], 3)
+        self.expect(node, "amcl is lost (its position deviates by 20.00 m); it starts anew in 'kitchen'")
+
+
+if __name__ == "__main__":
+    unittest.main()
