@@ -20,6 +20,18 @@ TEST(Light, GainsMultiplyTheirChannelsAndSaturate) {
   EXPECT_EQ(image.at<cv::Vec3b>(1, 2), cv::Vec3b(100, 120, 200)) << "the image itself stays";
 }
 
+TEST(Light, EveryLevelIsRoundedToTheNearest) {
+  cv::Mat image(1, 256, CV_8UC1);
+  for (int v = 0; v < 256; ++v) image.at<uchar>(v) = static_cast<uchar>(v);
+  for (const double gain : {0.0, 0.001, 0.3, 0.99, 1.0, 1.37, 2.5, 100.0, 1000.0}) {
+    const cv::Mat changed = inLight(image, {gain, gain, gain});
+    for (int v = 0; v < 256; ++v) {
+      const double exact = std::min(gain * v, 255.0);
+      EXPECT_NEAR(changed.at<uchar>(v), exact, 0.5 + 255.0 / (1 << 17)) << v << " times " << gain;
+    }
+  }
+}
+
 TEST(Light, GreyImagesTakeTheMeanGain) {
   const cv::Mat image(3, 4, CV_8UC1, cv::Scalar(100));
   EXPECT_EQ(inLight(image, {1.2, 0.8, 0.4}).at<uchar>(0, 0), 80);

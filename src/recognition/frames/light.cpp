@@ -1,20 +1,27 @@
 #include "recognition/frames/light.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <opencv2/core.hpp>
+
+#include "base/simd.h"
 
 namespace place_recognition {
 namespace {
 
-/// Look-up table of the products of 0..255 with each gain, one channel a gain.
-cv::Mat productTable(const std::vector<double>& gains) {
-  cv::Mat table(1, 256, CV_8UC(static_cast<int>(gains.size())));
-  for (int value = 0; value < 256; ++value) {
-    for (std::size_t c = 0; c < gains.size(); ++c) {
-      table.ptr(0, value)[c] = cv::saturate_cast<uchar>(gains[c] * value);
-    }
+/// A gain in 16 bits after the binary point; from 256 on every level but 0 is white.
+std::uint32_t fixedPoint(double gain) {
+  return static_cast<std::uint32_t>(std::lround(std::clamp(gain, 0.0, 256.0) * (1 << 16)));
+}
+
+PLACE_RECOGNITION_TARGET_CLONES
+void multiply(const std::uint8_t* __restrict levels, const std::uint32_t* __restrict gains, int n,
+              std::uint8_t* __restrict products) {
+  for (int i = 0; i < n; ++i) {
+    const std::uint32_t product = (levels[i] * gains[i] + (1 << 15)) >> 16;
+    products[i] = static_cast<std::uint8_t>(product < 255 ? product : 255);
   }
-  return table;
 }
 
 }  // namespace
@@ -42,10 +49,16 @@ cv::Mat inLight(const cv::Mat& image, const Light& light) {
 
 void changeLight(const cv::Mat& image, const Light& light, cv::Mat& changed) {
   assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
-  const std::vector<double> gains =
-      image.channels() == 3 ? std::vector<double>{light.blue, light.green, light.red}
-                            : std::vector<double>{(light.red + light.green + light.blue) / 3};
-  cv::LUT(image, productTable(gains), changed);
+  std::vector<double> channels{light.blue, light.green, light.red};
+  if (image.channels() == 1) channels = {(light.red + light.green + light.blue) / 3};
+  std::vector<std::uint32_t> gains;  // of each number in a row
+  for (int x = 0; x < image.cols; ++x) {
+    for (double gain : channels) gains.push_back(fixedPoint(gain));
+  }
+  changed.create(image.size(), image.type());
+  for (int y = 0; y < image.rows; ++y) {
+    multiply(image.ptr(y), gains.data(), static_cast<int>(gains.size()), changed.ptr(y));
+  }
 }
 
 }  // namespace place_recognition
