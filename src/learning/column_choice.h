@@ -13,12 +13,10 @@ struct ChoiceLimits {
 
 /// QR with column pivoting: always the column of which most is left (eq. 6.18), while that is more
 /// than `tau` of the first. Returns these norms relative to the first, in descending order.
-Eigen::VectorXd chooseByPivot(PivotedQr& elimination, const ChoiceLimits& limits,
-                              const Progress& progress);
+Eigen::VectorXd chooseByPivot(PivotedQr& qr, const ChoiceLimits& limits, const Progress& progress);
 
 /// Orthogonal matching pursuit with several targets: always the column that explains most of what
 /// is left of all right-hand sides together, while that is more than `tau` of their norm.
-void orthogonalMatchingPursuit(PivotedQr& elimination, const ChoiceLimits& limits,
-                               const Progress& progress);
+void orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& limits, const Progress& progress);
 
 }  // namespace place_recognition

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/huge_pages.h"
-#include "learning/column_steps.h"
 
 namespace place_recognition {
 
@@ -12,8 +11,7 @@ namespace place_recognition {
 /// (eq. 6.9: K P = Q R), by modified Gram-Schmidt: each step takes out of the other columns their
 /// part along the chosen one, so that their norms are known afresh; R is as accurate as by
 /// Householder's transformations (Bjorck 1967). What a step does to a column may wait until that
-/// column is settled, for its norm can only fall; many steps at once need less of the memory. For
-/// the same reason columns are settled in teams.
+/// column is brought up to date, for its norm can only fall. Same bits on every machine.
 ///
 /// Behind the candidates stand targets, right-hand sides F: never chosen, carried along, so that
 /// the last columns of R become Q'F.
@@ -25,11 +23,10 @@ class PivotedQr {
   /// Column `column` = values / scale.
   void set(Eigen::Index column, const Eigen::Ref<const Eigen::VectorXd>& values, double scale);
 
-  /// Makes candidate `column`, settled and with something left of it, the next one of Q.
+  /// Makes candidate `column`, up to date and with something left of it, the next one of Q.
   void choose(Eigen::Index column);
 
-  /// Brings a column, with its team, up to the last step; or all of them, and makes new teams of
-  /// those that are not chosen yet.
+  /// Brings a column, or all of them, up to the last step.
   void update(Eigen::Index column);
   void updateAll();
   /// Also if nothing is left of it, or it is chosen.
@@ -37,10 +34,10 @@ class PivotedQr {
     return squared_norms_[column] == 0 || steps_[static_cast<std::size_t>(column)] == rank();
   }
 
-  /// Squared norms of what is left of each column; of one that is not settled, what was left when
-  /// it was. 0 for those chosen.
+  /// Squared norms of what is left of each column; of one that is not up to date, what was left
+  /// when it was. 0 for those chosen.
   const Eigen::VectorXd& squaredNorms() const { return squared_norms_; }
-  /// (candidate, target): the products of what is left of them. All must be settled.
+  /// (candidate, target): the products of what is left of them. All must be up to date.
   Eigen::MatrixXd targetProducts();
 
   Eigen::Index rows() const { return rows_; }
@@ -48,17 +45,12 @@ class PivotedQr {
   Eigen::Index rank() const { return static_cast<Eigen::Index>(chosen_.size()); }
   /// Candidates in the order of their choice.
   const std::vector<Eigen::Index>& chosen() const { return chosen_; }
-  /// R, a row for each chosen column, columns in the order of the matrix. All must be settled.
+  /// R, a row for each chosen column, columns in the order of the matrix. All must be up to date.
   auto r() const { return r_.topRows(rank()); }
 
  private:
   using Columns = Eigen::Map<Eigen::MatrixXd>;
   Columns columns() { return {storage_.data(), padded_rows_, squared_norms_.size()}; }
-  const double* chosenColumn(Eigen::Index step) {
-    return columns().col(chosen_[static_cast<std::size_t>(step)]).data();
-  }
-  /// Steps from the one with number `first` on.
-  ColumnSteps stepsFrom(Eigen::Index first);
 
   Eigen::Index rows_;
   Eigen::Index padded_rows_;  ///< with zeros, so that every column starts on a cache line
@@ -68,10 +60,6 @@ class PivotedQr {
   Eigen::VectorXd squared_norms_;
   std::vector<Eigen::Index> chosen_;
   std::vector<Eigen::Index> steps_;  ///< how many steps each column has seen
-  /// Columns, team after team; the members of a team that are not settled have seen the same steps.
-  std::vector<Eigen::Index> left_;
-  std::vector<std::size_t> places_;  ///< of each column in left_
-  Eigen::MatrixXd overlaps_;         ///< (i, k): the product of column k of Q and the i-th before
   Eigen::MatrixXd r_;
 };
 

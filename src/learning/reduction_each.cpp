@@ -23,19 +23,19 @@ MachineFactors factoriseMachine(const ReductionTask& task, Eigen::Index machine)
     if (task.machines.weights(i, machine) != 0) factors.vectors.push_back(static_cast<int>(i));
   }
   const auto m = static_cast<Eigen::Index>(factors.vectors.size());
-  PivotedQr elimination(task.kernel_values.rows(), m, 0);
+  PivotedQr qr(task.kernel_values.rows(), m, 0);
   for (Eigen::Index i = 0; i < m; ++i) {
     const int vector = factors.vectors[static_cast<std::size_t>(i)];
-    elimination.set(i, task.kernel_values.col(vector), task.scales[vector]);
+    qr.set(i, task.kernel_values.col(vector), task.scales[vector]);
   }
   const Progress progress = [&](const std::string& stage, double fraction) {
     const auto machines = static_cast<double>(task.machines.weights.cols());
     return !task.progress ||
            task.progress(stage, (static_cast<double>(machine) + fraction) / machines);
   };
-  factors.pivots = chooseByPivot(elimination, task.limitsFor(elimination), progress);
-  factors.chosen = elimination.chosen();
-  factors.r = elimination.r();
+  factors.pivots = chooseByPivot(qr, task.limitsFor(qr), progress);
+  factors.chosen = qr.chosen();
+  factors.r = qr.r();
   return factors;
 }
 

@@ -4,17 +4,17 @@ namespace place_recognition {
 namespace {
 
 /// The columns of the support vectors, with the margins as targets.
-PivotedQr eliminationOf(const ReductionTask& task, const std::vector<int>& vectors) {
+PivotedQr factorizationOf(const ReductionTask& task, const std::vector<int>& vectors) {
   const Eigen::MatrixXd& weights = task.machines.weights;
   const auto m = static_cast<Eigen::Index>(vectors.size());
-  PivotedQr elimination(task.kernel_values.rows(), m, weights.cols());
+  PivotedQr qr(task.kernel_values.rows(), m, weights.cols());
   for (Eigen::Index i = 0; i < m; ++i) {
     const int vector = vectors[static_cast<std::size_t>(i)];
-    elimination.set(i, task.kernel_values.col(vector), task.scales[vector]);
+    qr.set(i, task.kernel_values.col(vector), task.scales[vector]);
   }
   const Eigen::MatrixXd margins = task.kernel_values * weights;  // without bias: F = K A
-  for (Eigen::Index t = 0; t < weights.cols(); ++t) elimination.set(m + t, margins.col(t), 1);
-  return elimination;
+  for (Eigen::Index t = 0; t < weights.cols(); ++t) qr.set(m + t, margins.col(t), 1);
+  return qr;
 }
 
 class SharedReduction : public Reduction {
@@ -22,19 +22,19 @@ class SharedReduction : public Reduction {
   explicit SharedReduction(const ReductionTask& task)
       : machines_(task.machines), scales_(task.scales) {
     const std::vector<int> vectors = supportVectors(machines_);
-    PivotedQr elimination = eliminationOf(task, vectors);
-    const ChoiceLimits limits = task.limitsFor(elimination);
+    PivotedQr qr = factorizationOf(task, vectors);
+    const ChoiceLimits limits = task.limitsFor(qr);
     if (task.options.method == "shared-qr") {
-      chooseByPivot(elimination, limits, task.progress);
+      chooseByPivot(qr, limits, task.progress);
     } else {
-      orthogonalMatchingPursuit(elimination, limits, task.progress);
+      orthogonalMatchingPursuit(qr, limits, task.progress);
     }
-    r11_.resize(elimination.rank(), elimination.rank());
-    for (const Eigen::Index column : elimination.chosen()) {
-      r11_.col(static_cast<Eigen::Index>(basis_.size())) = elimination.r().col(column);
+    r11_.resize(qr.rank(), qr.rank());
+    for (const Eigen::Index column : qr.chosen()) {
+      r11_.col(static_cast<Eigen::Index>(basis_.size())) = qr.r().col(column);
       basis_.push_back(vectors[static_cast<std::size_t>(column)]);
     }
-    targets_ = elimination.r().rightCols(machines_.weights.cols());
+    targets_ = qr.r().rightCols(machines_.weights.cols());
   }
 
   BinarySvms withVectors(int count) const override {

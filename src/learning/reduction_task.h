@@ -19,9 +19,9 @@ struct ReductionTask {
   /// What each column of `kernel_values` is divided by before it is factorized; never 0.
   Eigen::RowVectorXd scales;
 
-  ChoiceLimits limitsFor(const PivotedQr& elimination) const {
+  ChoiceLimits limitsFor(const PivotedQr& qr) const {
     const bool counted = options.share > 0 || options.support_vectors > 0;
-    const Eigen::Index most = std::min(elimination.candidates(), elimination.rows());
+    const Eigen::Index most = std::min(qr.candidates(), qr.rows());
     return {counted ? 0 : options.tau,
             std::min<Eigen::Index>(most, vectorLimit(options, machines))};
   }
