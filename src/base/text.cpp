@@ -101,6 +101,16 @@ std::string counted(std::uint64_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::string fixed(double number, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", decimals, number);
+  return text;
+}
+
+std::string percent(double fraction, int decimals) {
+  return fixed(100 * fraction, decimals) + " %";
+}
+
 std::string caseFolded(const std::string& text) {
   return utf8(icu::UnicodeString::fromUTF8(text).foldCase());
 }

@@ -22,6 +22,12 @@ std::string tidied(const std::string& text);
 /// "1 picture", "2 pictures".
 std::string counted(std::uint64_t count, const std::string& noun);
 
+/// A number with a fixed count of decimals.
+std::string fixed(double number, int decimals);
+
+/// 0.123 as "12.3 %".
+std::string percent(double fraction, int decimals = 1);
+
 /// The same for all texts that differ in case only (Unicode case folding). `text` must be well
 /// formed UTF-8.
 std::string caseFolded(const std::string& text);

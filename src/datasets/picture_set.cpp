@@ -3,7 +3,7 @@
 #include <map>
 
 #include "base/atomic_file.h"
-#include "base/digest.h"
+#include "base/sha256.h"
 #include "datasets/picture_sequence.h"
 #include "report/text_table.h"
 
@@ -56,16 +56,16 @@ PictureSet thinnedOut(const PictureSet& set, int step) {
   return thinned;
 }
 
-std::uint64_t digestOf(const std::vector<PictureSet>& sets) {
-  std::uint64_t all = digest("");
+std::string digestOf(const std::vector<PictureSet>& sets) {
+  std::string lines;
   for (const PictureSet& set : sets) {
-    all = digest(set.name + "\n", all);
+    lines += set.name + "\n";
     for (const LabelledPicture& picture : set.pictures) {
-      all = digest(picture.place + "\n" + baseName(picture.path) + "\n", all);
-      all = digest(readFile(picture.path, kMaxPictureBytes), all);
+      lines += sha256(readFile(picture.path, kMaxPictureBytes)) + " " + picture.place + "/" +
+               baseName(picture.path) + "\n";
     }
   }
-  return all;
+  return sha256(lines);
 }
 
 std::unique_ptr<Run> openPictureSet(const PictureSet& set) {

@@ -26,9 +26,9 @@ struct PictureSet {
 /// Every `step`-th picture of each place, from the first.
 PictureSet thinnedOut(const PictureSet& set, int step);
 
-/// Depends on names, places and contents, not on where the files lie. Throws Error if a file
-/// cannot be read.
-std::uint64_t digestOf(const std::vector<PictureSet>& sets);
+/// A SHA-256 that depends on names, places and contents, not on where the files lie. Throws Error
+/// if a file cannot be read.
+std::string digestOf(const std::vector<PictureSet>& sets);
 
 /// The set as a recording; `set` must outlive it.
 std::unique_ptr<Run> openPictureSet(const PictureSet& set);

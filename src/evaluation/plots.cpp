@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/text.h"
 #include "report/share_plot.h"
 #include "report/svg.h"
-#include "report/text_table.h"
 
 namespace place_recognition {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/text.h"
 #include "evaluation/plots.h"
 #include "evaluation/result_table.h"
 #include "evaluation/timeline.h"

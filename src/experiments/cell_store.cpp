@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
-#include "base/digest.h"
+#include "base/sha256.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -23,7 +23,7 @@ CellStore::CellStore(const std::string& folder) : folder_(folder) {
 }
 
 std::string CellStore::pathOf(const Json& key) const {
-  return folder_ + "/" + hexadecimal(digest(key.dump())) + ".json";
+  return folder_ + "/" + sha256(key.dump()) + ".json";
 }
 
 std::optional<Json> CellStore::find(const Json& key) const {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "features/crfh_quantizer.h"
-
 namespace place_recognition {
 
 CrfhBank::CrfhBank(const std::vector<CrfhOptions>& histograms) : responses_(histograms.front()) {

@@ -3,7 +3,6 @@
 #include <map>
 
 #include "base/atomic_file.h"
-#include "base/digest.h"
 #include "report/text_table.h"
 
 namespace place_recognition {
@@ -52,11 +51,11 @@ void write(const Findings& findings, const std::string& text, const Json& result
 }  // namespace
 
 ExperimentOutcome runExperiment(Experiment& experiment, const std::string& folder,
-                                std::uint64_t data_digest, const Part& part,
+                                const std::string& data_digest, const Part& part,
                                 const Progress& progress) {
   const CellStore store(folder + "/cells");
   const auto keyOf = [&](const Json& cell) {
-    return Json{{"cell", cell}, {"data", hexadecimal(data_digest)}, {"version", kVersion}};
+    return Json{{"cell", cell}, {"data", data_digest}, {"version", kVersion}};
   };
   const std::vector<Json> cells = experiment.cells();
   const auto boundary = [&](int parts_before) {

@@ -26,7 +26,7 @@ struct ExperimentOutcome {
 /// the tables (text, CSV), figures (SVG) and results (JSON) to `folder`; their bytes depend on data
 /// and experiment only. `data_digest`: of the pictures. Throws Error, Cancelled.
 ExperimentOutcome runExperiment(Experiment& experiment, const std::string& folder,
-                                std::uint64_t data_digest, const Part& part,
+                                const std::string& data_digest, const Part& part,
                                 const Progress& progress);
 
 }  // namespace place_recognition

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "base/options.h"
+#include "base/text.h"
 #include "experiments/thesis_places.h"
-#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
+#include "base/text.h"
 #include "experiments/test_sets.h"
-#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "experiments/thesis_materials.h"
 #include "report/share_plot.h"
-#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

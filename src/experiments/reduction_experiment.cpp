@@ -5,10 +5,10 @@
 
 #include "base/options.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "experiments/reduction_curve.h"
 #include "experiments/thesis_places.h"
 #include "report/share_plot.h"
-#include "report/text_table.h"
 
 namespace place_recognition {
 namespace {

@@ -5,7 +5,6 @@
 #include <opencv2/core.hpp>
 
 #include "features/crfh_descriptor.h"
-#include "features/crfh_quantizer.h"
 
 namespace place_recognition {
 namespace {

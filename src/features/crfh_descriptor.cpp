@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "features/channel_rows.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -37,6 +38,42 @@ Parts split(std::string_view name) {
   return {name.substr(0, end), name.substr(end), kSuffixes};
 }
 
+/// Responses, in grey levels, that fall in the first and past the last bin.
+struct ResponseRange {
+  double low;
+  double high;
+};
+
+/// The range of a descriptor. That of derivatives is `derivative_range`, whatever the channel; that
+/// of the determinant is a quarter of it, in grey levels squared.
+ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range) {
+  if (descriptor.op == Operator::kGradient) return {0, derivative_range};
+  if (descriptor.op == Operator::kDeterminant) {
+    return {-derivative_range / kDeterminantShare, derivative_range / kDeterminantShare};
+  }
+  if (descriptor.op != Operator::kValue) return {-derivative_range, derivative_range};
+  if (descriptor.channel == Channel::kC1) return {-127.5, 127.5};
+  if (descriptor.channel == Channel::kC2) return {-255, 255};
+  return {0, 255};
+}
+
+/// The factor that makes a response of this operator independent of scale: t^(order/2), eq. 4.14
+/// with gamma = 1; t^2 for the determinant.
+double scaleNormalization(Operator op, double t) {
+  switch (op) {
+    case Operator::kValue:
+      return 1;
+    case Operator::kX:
+    case Operator::kY:
+    case Operator::kGradient:
+      return std::sqrt(t);
+    case Operator::kDeterminant:
+      return t * t;
+    default:
+      return t;
+  }
+}
+
 }  // namespace
 
 CrfhDescriptor parseDescriptor(const std::string& name) {
@@ -51,30 +88,21 @@ CrfhDescriptor parseDescriptor(const std::string& name) {
   return {channel->second, op->second};
 }
 
-ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range) {
-  if (descriptor.op == Operator::kGradient) return {0, derivative_range};
-  if (descriptor.op == Operator::kDeterminant) {
-    return {-derivative_range / kDeterminantShare, derivative_range / kDeterminantShare};
-  }
-  if (descriptor.op != Operator::kValue) return {-derivative_range, derivative_range};
-  if (descriptor.channel == Channel::kC1) return {-127.5, 127.5};
-  if (descriptor.channel == Channel::kC2) return {-255, 255};
-  return {0, 255};
-}
+Quantizer crfhQuantizer(const CrfhDescriptor& descriptor, double t, double derivative_range,
+                        int bins, std::uint64_t weight) {
+  const auto [unit, middle] = channelScale(descriptor.channel);
+  const bool quadratic = descriptor.op == Operator::kDeterminant;
+  const double normalization =
+      scaleNormalization(descriptor.op, t) * (quadratic ? unit * unit : unit);
+  const double shift = descriptor.op == Operator::kValue ? unit * middle : 0;
 
-double scaleNormalization(Operator op, double t) {
-  switch (op) {
-    case Operator::kValue:
-      return 1;
-    case Operator::kX:
-    case Operator::kY:
-    case Operator::kGradient:
-      return std::sqrt(t);
-    case Operator::kDeterminant:
-      return t * t;
-    default:
-      return t;
-  }
+  const ResponseRange range = responseRange(descriptor, derivative_range);
+  const double bins_per_unit = bins / (range.high - range.low);
+  const double offset = (shift - range.low) * bins_per_unit;
+  const double whole = std::floor(offset);
+  return {static_cast<float>(normalization * bins_per_unit), static_cast<float>(offset - whole),
+          static_cast<float>(-whole), static_cast<float>(bins - 1 - whole),
+          static_cast<std::uint32_t>(weight)};
 }
 
 }  // namespace place_recognition

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "features/response_filter.h"
+#include "features/row_kernels.h"
 
 namespace place_recognition {
 
@@ -17,21 +19,12 @@ struct CrfhDescriptor {
   Operator op;
 };
 
-/// Responses, in grey levels, that fall in the first and past the last bin.
-struct ResponseRange {
-  double low;
-  double high;
-};
-
 /// Parses a name such as "Lxx", "C1" or "det(R)". Throws Error if there is no such descriptor.
 CrfhDescriptor parseDescriptor(const std::string& name);
 
-/// The range of a descriptor. That of derivatives is `derivative_range`, whatever the channel; that
-/// of the determinant is a quarter of it, in grey levels squared.
-ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range);
-
-/// The factor that makes a response of this operator independent of scale: t^(order/2), eq. 4.14
-/// with gamma = 1; t^2 for the determinant.
-double scaleNormalization(Operator op, double t);
+/// The digit floor((v - low) * bins / (high - low)) of the normalized response v of a descriptor at
+/// scale t, from responses as ResponseFilter has them, times `weight`.
+Quantizer crfhQuantizer(const CrfhDescriptor& descriptor, double t, double derivative_range,
+                        int bins, std::uint64_t weight);
 
 }  // namespace place_recognition

@@ -3,18 +3,11 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "place_recognition/error.h"
+#include "base/require.h"
 
 namespace place_recognition {
 
 namespace {
-
-void require(bool holds, const char* field, const char* range) {
-  if (!holds) {
-    throw Error(std::string("The option ") + field + " of harris-laplace-sift must be " + range +
-                ".");
-  }
-}
 
 HarrisLaplace::Options detectorOptions(const LocalFeatureOptions& options) {
   options.check();
@@ -31,16 +24,17 @@ HarrisLaplace::Options detectorOptions(const LocalFeatureOptions& options) {
 }  // namespace
 
 void LocalFeatureOptions::check() const {
-  require(sigma >= 1 && sigma <= 10, "sigma", "1 to 10 pixels");
-  require(steps >= 2 && steps <= 8 && steps % 2 == 0, "steps", "2, 4, 6 or 8");
-  require(octaves >= 1 && octaves <= 10, "octaves", "1 to 10");
-  require(alpha >= 0 && alpha <= 0.2, "alpha", "0 to 0.2");
-  require(cornerness_threshold > 0 && std::isfinite(cornerness_threshold), "cornerness_threshold",
-          "greater than 0");
-  require(laplacian_threshold >= 0 && std::isfinite(laplacian_threshold), "laplacian_threshold",
-          "0 or greater");
-  require(max_points >= 1 && max_points <= 20000, "max_points", "1 to 20000");
-  require(min_points >= 1 && min_points <= max_points, "min_points", "1 to max_points");
+  requireOption(sigma >= 1 && sigma <= 10, "feature.sigma", "1 to 10 pixels");
+  requireOption(steps >= 2 && steps <= 8 && steps % 2 == 0, "feature.steps", "2, 4, 6 or 8");
+  requireOption(octaves >= 1 && octaves <= 10, "feature.octaves", "1 to 10");
+  requireOption(alpha >= 0 && alpha <= 0.2, "feature.alpha", "0 to 0.2");
+  requireOption(cornerness_threshold > 0 && std::isfinite(cornerness_threshold),
+                "feature.cornerness_threshold", "greater than 0");
+  requireOption(laplacian_threshold >= 0 && std::isfinite(laplacian_threshold),
+                "feature.laplacian_threshold", "0 or greater");
+  requireOption(max_points >= 1 && max_points <= 20000, "feature.max_points", "1 to 20000");
+  requireOption(min_points >= 1 && min_points <= max_points, "feature.min_points",
+                "1 to max_points");
 }
 
 LocalFeatureExtractor::LocalFeatureExtractor(const LocalFeatureOptions& options)

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "learning/descriptor_panel.h"
 #include "learning/match_panels.h"
 #include "place_recognition/feature.h"
 

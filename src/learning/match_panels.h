@@ -1,10 +1,42 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "learning/descriptor_panel.h"
+#include "base/simd.h"
+#include "place_recognition/feature.h"
 
 namespace place_recognition {
+
+/// kWidth descriptors side by side, as vector instructions want them: elements 4k..4k+3 of each,
+/// then the next four.
+struct alignas(64) DescriptorPanel {
+  static constexpr std::size_t kWidth = 32;
+  static constexpr std::size_t kSteps = DescriptorSet::kDimension / 4;
+
+  std::uint8_t elements[kSteps][kWidth][4] = {};
+  std::int32_t squared_norms[kWidth];     ///< kFar for what fills up the last panel of a set
+  std::int32_t sums_by_128[kWidth] = {};  ///< 128 times the sum of the elements
+
+  /// Squared norm of a descriptor that must never be the nearest.
+  static constexpr std::int32_t kFar = 1 << 29;
+
+  DescriptorPanel();
+  void set(std::size_t lane, const std::uint8_t* descriptor);
+  void get(std::size_t lane, std::uint8_t* descriptor) const;
+};
+
+/// kRows descriptors one after the other.
+struct alignas(64) DescriptorBlock {
+  static constexpr std::size_t kRows = 8;
+
+  std::uint8_t elements[kRows][DescriptorSet::kDimension] = {};
+  std::int32_t squared_norms[kRows];  ///< kFar for what fills up the last block of a set
+
+  DescriptorBlock();
+  void set(std::size_t row, const std::uint8_t* descriptor);
+};
 
 /// A number for each row of a block and each lane of a panel.
 using BlockByPanel = std::int32_t[DescriptorBlock::kRows][DescriptorPanel::kWidth];
@@ -16,8 +48,33 @@ using MatchPanels = void(const DescriptorBlock& block, const DescriptorPanel* pa
                          std::size_t panel_count, BlockByPanel& row_nearest,
                          std::int32_t* panel_nearest);
 
+/// What every way of matching does with the products a'b of a block and a panel.
+PLACE_RECOGNITION_INLINE void lowerNearest(const BlockByPanel& products,
+                                           const DescriptorBlock& block,
+                                           const DescriptorPanel& panel, BlockByPanel& row_nearest,
+                                           std::int32_t* panel_nearest) {
+  for (std::size_t r = 0; r < DescriptorBlock::kRows; ++r) {
+    for (std::size_t lane = 0; lane < DescriptorPanel::kWidth; ++lane) {
+      const std::int32_t distance =
+          block.squared_norms[r] + panel.squared_norms[lane] - 2 * products[r][lane];
+      const std::int32_t row = row_nearest[r][lane];
+      const std::int32_t column = panel_nearest[lane];
+      row_nearest[r][lane] = distance < row ? distance : row;
+      panel_nearest[lane] = distance < column ? distance : column;
+    }
+  }
+}
+
 /// The plain way.
 MatchPanels matchPanelsPlainly;
+
+#if defined(__x86_64__)
+/// Two products of 16-bit numbers a lane and instruction.
+MatchPanels matchPanelsAvx2;
+
+/// Four products of 8-bit numbers a lane and instruction.
+MatchPanels matchPanelsVnni;
+#endif
 
 struct MatchVariant {
   const char* name;

@@ -1,12 +1,10 @@
-#include "learning/match_panels_x86.h"
+#include "learning/match_panels.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
 
 #include <algorithm>
 #include <cstring>
-
-#include "learning/lower_nearest.h"
 
 #define TARGET_AVX2 __attribute__((target("avx2")))
 #define TARGET_VNNI __attribute__((target("avx512f,avx512bw,avx512vnni")))

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "report/text_table.h"
+#include "base/text.h"
 
 namespace place_recognition {
 

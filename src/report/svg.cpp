@@ -1,7 +1,7 @@
 #include "report/svg.h"
 
 #include "base/place_name.h"
-#include "report/text_table.h"
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {

@@ -32,14 +32,6 @@ std::string alignColumns(const TextRows& rows) {
   return text;
 }
 
-std::string fixed(double number, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", decimals, number);
-  return text;
-}
-
-std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
-
 std::string columnName(std::size_t index) {
   std::string name;
   for (++index; index > 0; index /= 26) {

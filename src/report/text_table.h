@@ -12,12 +12,6 @@ using TextRows = std::vector<std::vector<std::string>>;
 /// right. Rows may differ in length. Widths count characters of UTF-8 text.
 std::string alignColumns(const TextRows& rows);
 
-/// A number with a fixed count of decimals.
-std::string fixed(double number, int decimals);
-
-/// 0.123 as "12.3 %".
-std::string percent(double share);
-
 /// A, B, ..., Z, AA, AB, ...: short names for columns.
 std::string columnName(std::size_t index);
 

@@ -79,7 +79,7 @@ void runExperimentVerb(const ExperimentOptions& options) {
   }
   const NewFolder folder(options.out);
   ProgressDisplay display(options.output.progress);
-  const std::uint64_t digest = digestOf(sets);
+  const std::string digest = digestOf(sets);
   const std::unique_ptr<Experiment> experiment = makeExperiment(options, std::move(sets));
   const ExperimentOutcome outcome =
       runExperiment(*experiment, options.out, digest, part, display.callback());

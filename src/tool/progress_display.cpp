@@ -23,7 +23,7 @@ constexpr milliseconds kLineInterval{3000};
 constexpr milliseconds kQuietStart{1000};  // of lines: quick work needs none
 constexpr milliseconds kJsonInterval{200};
 
-int percent(double fraction) { return static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0)); }
+int wholePercent(double fraction) { return static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0)); }
 
 }  // namespace
 
@@ -73,11 +73,12 @@ void ProgressDisplay::print(double fraction) const {
   if (style_ == Style::kJson) {
     std::cout << nlohmann::json{{"stage", stage_}, {"fraction", fraction}} << std::endl;
   } else if (style_ == Style::kLines) {
-    std::cerr << stage_ << ": " << percent(fraction) << " %" << timeLeft(fraction) << std::endl;
+    std::cerr << stage_ << ": " << wholePercent(fraction) << " %" << timeLeft(fraction)
+              << std::endl;
   } else {
-    const int filled = kBarWidth * percent(fraction) / 100;
+    const int filled = kBarWidth * wholePercent(fraction) / 100;
     std::cerr << "\r\033[K" << stage_ << " [" << std::string(filled, '#')
-              << std::string(kBarWidth - filled, ' ') << "] " << percent(fraction) << " %"
+              << std::string(kBarWidth - filled, ' ') << "] " << wholePercent(fraction) << " %"
               << timeLeft(fraction) << std::flush;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "base/text.h"
 #include "report/html_page.h"
 #include "report/share_plot.h"
 #include "report/svg.h"

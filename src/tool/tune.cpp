@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/options.h"
+#include "base/text.h"
 #include "place_recognition/network.h"
 #include "place_recognition/tuning.h"
 #include "recognition/model/embeddings.h"

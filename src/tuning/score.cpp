@@ -1,7 +1,7 @@
 #include "tuning/score.h"
 
 #include "recognition/model/scores.h"
-#include "recognition/training/log_loss.h"
+#include "recognition/training/held_out.h"
 
 namespace place_recognition {
 namespace {

@@ -5,18 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/digest.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
 namespace {
-
-TEST(Digest, IsFnv1a) {
-  // Test vectors of its authors.
-  EXPECT_EQ(hexadecimal(digest("")), "cbf29ce484222325");
-  EXPECT_EQ(hexadecimal(digest("foobar")), "85944171f73967e8");
-  EXPECT_EQ(digest("bar", digest("foo")), digest("foobar"));
-}
 
 TEST(CellStore, FindsWhatWasSavedAndNothingElse) {
   const ScratchFolder folder;

@@ -45,27 +45,27 @@ std::string contents(const std::string& path) { return readFile(path, 1 << 20); 
 TEST(RunExperiment, ResumesWhereItWasStopped) {
   const ScratchFolder folder;
   Squares impatient(4);
-  EXPECT_THROW(runExperiment(impatient, folder / "out", 1, {}, {}), Cancelled);
+  EXPECT_THROW(runExperiment(impatient, folder / "out", "1", {}, {}), Cancelled);
   EXPECT_FALSE(std::filesystem::exists(folder / "out/tables.txt"));
   Squares squares;
-  EXPECT_EQ(runExperiment(squares, folder / "out", 1, {}, {}).computed, 6u);
-  EXPECT_EQ(runExperiment(squares, folder / "out", 1, {}, {}).computed, 0u);
+  EXPECT_EQ(runExperiment(squares, folder / "out", "1", {}, {}).computed, 6u);
+  EXPECT_EQ(runExperiment(squares, folder / "out", "1", {}, {}).computed, 0u);
 }
 
 TEST(RunExperiment, OtherDataIsAnotherCell) {
   const ScratchFolder folder;
   Squares squares;
-  runExperiment(squares, folder / "out", 1, {}, {});
-  EXPECT_EQ(runExperiment(squares, folder / "out", 2, {}, {}).computed, 10u);
+  runExperiment(squares, folder / "out", "1", {}, {});
+  EXPECT_EQ(runExperiment(squares, folder / "out", "2", {}, {}).computed, 10u);
 }
 
 TEST(RunExperiment, PartsMakeUpTheWhole) {
   const ScratchFolder whole, parts;
   Squares squares;
-  runExperiment(squares, whole / "out", 1, {}, {});
+  runExperiment(squares, whole / "out", "1", {}, {});
   std::size_t computed = 0;
   for (int part = 3; part >= 1; --part) {
-    const ExperimentOutcome outcome = runExperiment(squares, parts / "out", 1, {part, 3}, {});
+    const ExperimentOutcome outcome = runExperiment(squares, parts / "out", "1", {part, 3}, {});
     computed += outcome.computed;
     EXPECT_EQ(outcome.missing, 10 - computed);
     EXPECT_EQ(outcome.text.empty(), part > 1);
@@ -80,7 +80,7 @@ TEST(RunExperiment, PartsMakeUpTheWhole) {
 TEST(RunExperiment, CsvQuotesWhatNeedsIt) {
   const ScratchFolder folder;
   Squares squares;
-  runExperiment(squares, folder / "out", 1, {}, {});
+  runExperiment(squares, folder / "out", "1", {}, {});
   EXPECT_EQ(contents(folder / "out/squares.csv").substr(0, 37),
             "number,\"square, \"\"exactly\"\"\"\n0,0\n1,1\n");
 }

@@ -1,8 +1,11 @@
 #include "recognition/training/held_out.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "learning/reduction.h"
+#include "place_recognition/calibration.h"
 #include "recognition/model/scores.h"
 
 namespace place_recognition {
@@ -79,6 +82,20 @@ ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const PackedG
                               reductions, task.threads)};
 }
 
+constexpr double kSmallestProbability = 1e-3;
+
+Calibration calibrationOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                          const std::vector<int>& chosen) {
+  std::vector<int> labels;
+  Eigen::MatrixXd margins(static_cast<Eigen::Index>(chosen.size()), held_out.margins.cols());
+  for (const int i : chosen) {
+    if (!held_out.valid[static_cast<std::size_t>(i)]) continue;
+    margins.row(static_cast<Eigen::Index>(labels.size())) = held_out.margins.row(i);
+    labels.push_back(samples[static_cast<std::size_t>(i)].place);
+  }
+  return fitCalibration(margins.topRows(static_cast<Eigen::Index>(labels.size())), labels);
+}
+
 }  // namespace
 
 ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& labels,
@@ -134,6 +151,18 @@ double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>
                         std::size_t places) {
   const Answers answers = answersOf(held_out, samples);
   return averageRateError(answers.truth, answers.places, places);
+}
+
+std::vector<double> logLosses(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+                              const std::vector<int>& chosen) {
+  const Calibration calibration = calibrationOf(held_out, samples, chosen);
+  std::vector<double> losses;
+  for (const int i : chosen) {
+    const double probability = calibration.probabilities(
+        held_out.margins.row(i))[samples[static_cast<std::size_t>(i)].place];
+    losses.push_back(-std::log(std::max(kSmallestProbability, probability)));
+  }
+  return losses;
 }
 
 }  // namespace place_recognition

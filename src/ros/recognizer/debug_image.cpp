@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/place_name.h"
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
@@ -13,10 +14,6 @@ constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kWhite(255, 255, 255);
 const cv::Scalar kGreen(80, 175, 40);
 const cv::Scalar kGrey(150, 150, 150);
-
-std::string percent(double share) {
-  return std::to_string(static_cast<int>(100 * share + 0.5)) + " %";
-}
 
 /// Sizes that follow the height of the picture.
 struct Layout {
@@ -49,7 +46,7 @@ cv::Mat drawAnswer(const cv::Mat& image, const Recognition& recognition, const M
   std::string answer = kUnknownPlace;
   if (recognition.known) {
     answer = model.places[static_cast<std::size_t>(recognition.place)] + "  " +
-             percent(recognition.confidence);
+             percent(recognition.confidence, 0);
   }
   cv::rectangle(canvas, cv::Rect(0, 0, image.cols, 2 * layout.line), cv::Scalar(0, 0, 0),
                 cv::FILLED);
@@ -66,7 +63,7 @@ cv::Mat drawAnswer(const cv::Mat& image, const Recognition& recognition, const M
     const int length = std::max(1, static_cast<int>(probability * layout.bar_length));
     cv::rectangle(canvas, cv::Rect(layout.bar_left, top + 1, length, layout.line - 2),
                   chosen ? kGreen : kGrey, cv::FILLED);
-    cv::putText(canvas, percent(probability),
+    cv::putText(canvas, percent(probability, 0),
                 {layout.bar_left + length + layout.line / 4, top + layout.line * 3 / 4}, kFont,
                 layout.font_scale, kWhite, 1, cv::LINE_AA);
   }

@@ -25,7 +25,7 @@ constexpr std::uint32_t kMaxThreads = 1024;
 constexpr std::array<const char*, 5> kReductions = {"auto", "none", "qr", "shared-qr",
                                                     "shared-greedy"};
 
-void require(bool sound, const std::string& what) {
+void requireOfGoal(bool sound, const std::string& what) {
   if (!sound) throw Error("The goal's " + what + ".");
 }
 
@@ -44,36 +44,37 @@ bool areGraphNames(const std::string& names) {
 }
 
 void check(const TrainGoal& goal) {
-  require(!goal.bags.empty(), "bags are missing");
-  require(goal.bags.size() <= kMaxBags, "bags are more than " + std::to_string(kMaxBags));
-  require(isPlainName(goal.model), "model must be 1 to 64 letters, digits, '_' or '-'");
-  require(goal.preset.empty() || isPlainName(goal.preset),
-          "preset is no name of a file in config/, as in 'crfh'");
-  require(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
-  require(goal.yaml.size() <= kMaxYamlBytes,
-          "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
-  require(goal.reduction.empty() ||
-              std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
-          "reduction must be auto, none, qr, shared-qr or shared-greedy");
-  require(goal.add_to.empty() || isPlainName(goal.add_to),
-          "add_to must be 1 to 64 letters, digits, '_' or '-'");
-  require(
+  requireOfGoal(!goal.bags.empty(), "bags are missing");
+  requireOfGoal(goal.bags.size() <= kMaxBags, "bags are more than " + std::to_string(kMaxBags));
+  requireOfGoal(isPlainName(goal.model), "model must be 1 to 64 letters, digits, '_' or '-'");
+  requireOfGoal(goal.preset.empty() || isPlainName(goal.preset),
+                "preset is no name of a file in config/, as in 'crfh'");
+  requireOfGoal(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
+  requireOfGoal(goal.yaml.size() <= kMaxYamlBytes,
+                "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
+  requireOfGoal(goal.reduction.empty() ||
+                    std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
+                "reduction must be auto, none, qr, shared-qr or shared-greedy");
+  requireOfGoal(goal.add_to.empty() || isPlainName(goal.add_to),
+                "add_to must be 1 to 64 letters, digits, '_' or '-'");
+  requireOfGoal(
       goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
       "add_to excludes preset, yaml and reduction, which the model has");
-  require(!goal.calibrate || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty() &&
-                              goal.add_to.empty()),
-          "calibrate excludes preset, yaml, reduction and add_to");
-  require(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
-  require(goal.vector_limit <= kMaxVectorLimit,
-          "vector_limit is above " + std::to_string(kMaxVectorLimit));
-  require(goal.threads <= kMaxThreads, "threads are more than " + std::to_string(kMaxThreads));
-  require(areGraphNames(goal.image_topic), "image_topic is no topic's name");
-  require(isGraphName(goal.label_topic), "label_topic is no topic's name");
+  requireOfGoal(!goal.calibrate || (goal.preset.empty() && goal.yaml.empty() &&
+                                    goal.reduction.empty() && goal.add_to.empty()),
+                "calibrate excludes preset, yaml, reduction and add_to");
+  requireOfGoal(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
+  requireOfGoal(goal.vector_limit <= kMaxVectorLimit,
+                "vector_limit is above " + std::to_string(kMaxVectorLimit));
+  requireOfGoal(goal.threads <= kMaxThreads,
+                "threads are more than " + std::to_string(kMaxThreads));
+  requireOfGoal(areGraphNames(goal.image_topic), "image_topic is no topic's name");
+  requireOfGoal(isGraphName(goal.label_topic), "label_topic is no topic's name");
   if (!goal.label.empty()) checkLabel(goal.label, "The goal");
-  require(goal.recognizers.size() <= kMaxRecognizers,
-          "recognizers are more than " + std::to_string(kMaxRecognizers));
-  require(std::all_of(goal.recognizers.begin(), goal.recognizers.end(), isGraphName),
-          "recognizers are no names of nodes");
+  requireOfGoal(goal.recognizers.size() <= kMaxRecognizers,
+                "recognizers are more than " + std::to_string(kMaxRecognizers));
+  requireOfGoal(std::all_of(goal.recognizers.begin(), goal.recognizers.end(), isGraphName),
+                "recognizers are no names of nodes");
 }
 
 /// Fields that are not the option of place_tool by the same name.

@@ -13,6 +13,7 @@
 
 #include "base/atomic_file.h"
 #include "base/child_process.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "ros/trainer/train_command.h"
 
@@ -50,13 +51,11 @@ class TemporaryYaml {
   std::string path_;
 };
 
-std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
-
 TrainFeedback toFeedback(const Json& line) {
   TrainFeedback feedback;
   feedback.stage = line.at("stage").get<std::string>();
   feedback.fraction = line.at("fraction").get<double>();
-  feedback.message = feedback.stage + ", " + percent(feedback.fraction);
+  feedback.message = feedback.stage + ", " + percent(feedback.fraction, 0);
   return feedback;
 }
 
@@ -94,7 +93,7 @@ TrainResult toResult(const Json& figures, const std::string& model) {
   result.seconds = figures.at("seconds").get<double>();
   result.message = "Learned " + std::to_string(result.places.size()) + " places from " +
                    std::to_string(result.images) + " images as " + model + ": " +
-                   percent(result.validation_rate) + " right on held-out stretches.";
+                   percent(result.validation_rate, 0) + " right on held-out stretches.";
   return result;
 }
 
