@@ -43,9 +43,9 @@ class Recognizer {
   /// extracted has place -1, uniform probabilities and a reason.
   const Recognition& recognize(const cv::Mat& image);
 
-  /// The next frame of a stream, of `stamp`, s: the frames before it tell the light, which cues
-  /// with `normalize: run` need, and how evident the places are in it, see evidenceShift(). A stamp
-  /// more than a second before the last one begins a new stream.
+  /// The next frame of a stream, of `stamp`, s: those before it that are neither black nor white
+  /// tell the light, which cues with `normalize: run` need, and how evident the places are in it,
+  /// see evidenceShift(). A stamp more than a second before the last one begins a new stream.
   const Recognition& recognize(const cv::Mat& image, double stamp);
 
   /// The next frame begins a new stream.

@@ -161,7 +161,8 @@ TEST(ColorNormalization, BringsMeansToTheSameLevel) {
   EXPECT_EQ(normalized.in(ColorNormalization::kRun).data, image.data);
 }
 
-TEST(Recognizer, FollowsTheLightOfAStream) {
+/// Of three drawn rooms, with a cue that follows the light of the run.
+std::shared_ptr<const Model> modelThatFollowsLight() {
   CrfhOptions levels;
   levels.descriptors = {"R", "G", "B"};
   levels.scales = {1};
@@ -174,8 +175,30 @@ TEST(Recognizer, FollowsTheLightOfAStream) {
   options.cues[1].name = "tints";
   options.cues[1].normalize = "grey-world";
   options.cues[1].feature = levels;
-  const auto model =
-      std::make_shared<const Model>(train({opener(drawFrames(3, 20))}, options).model);
+  return std::make_shared<const Model>(train({opener(drawFrames(3, 20))}, options).model);
+}
+
+TEST(Recognizer, LearnsNothingOfTheLightFromACameraThatShowsNothing) {
+  const auto model = modelThatFollowsLight();
+  for (const double brightness : {3.0, 253.0}) {
+    Recognizer recognizer(model), blinded(model);
+    cv::Mat blank(72, 96, CV_8UC3);
+    cv::RNG random(1);
+    for (double stamp : {-0.2, -0.1}) {
+      random.fill(blank, cv::RNG::NORMAL, brightness, 2);
+      blinded.recognize(blank, stamp);
+    }
+    for (const Frame& frame : drawFrames(3, 5, 900)) {
+      const double evidence = recognizer.recognize(frame.image, frame.stamp).evidence;
+      EXPECT_NEAR(blinded.recognize(frame.image, frame.stamp).evidence, evidence, 0.01);
+    }
+    EXPECT_NEAR(blinded.lightCorrection().red, recognizer.lightCorrection().red, 0.01);
+    EXPECT_NEAR(blinded.evidenceShift(), recognizer.evidenceShift(), 0.01);
+  }
+}
+
+TEST(Recognizer, FollowsTheLightOfAStream) {
+  const auto model = modelThatFollowsLight();
   ASSERT_TRUE(model->colors.known());
 
   const Light evening{1.1, 0.9, 0.6};

@@ -27,6 +27,8 @@ TEST(ExplainSilence, NamesTheTopicsOfImagesThatThereAre) {
                                     {"/rear/image_raw/compressed", kCompressed},
                                     {"/depth/image/compressedDepth", kCompressed},
                                     {"/place_recognizer/debug_image", kImage},
+                                    {"/other/recognition", "place_recognition/PlaceRecognition"},
+                                    {"/other/front/debug_image", kImage},
                                     {"/scan", "sensor_msgs/LaserScan"}});
   EXPECT_EQ(text,
             "Nobody publishes /camera/image. Images are published on: /front/image_raw, "
@@ -62,6 +64,8 @@ TEST(ExplainSilence, OfATopicThatIsPublishedPointsAtTheCamera) {
              "/camera/image/theora is published, but nothing comes");
   expectSays(explain("/scan", "raw", {{"/scan", "sensor_msgs/LaserScan"}}),
              "published as sensor_msgs/LaserScan, which is no image");
+  expectSays(explain("/depth/compressedDepth", "raw", {{"/depth/compressedDepth", kCompressed}}),
+             "holds distances");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ import unittest
 
 import rosbag
 import rospy
+from place_recognition.srv import SayPlace
 from rosgraph_msgs.msg import Clock
 
 sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
@@ -84,6 +85,35 @@ class ClockTest(NodeCase):
         self.assertEqual(node.interrupt(), 1)
         self.assertIn("Nothing was recorded.", node.output)
 
+    def test_a_recorder_keeps_each_label_though_the_clock_jumps_back_and_stands_still(self):
+        clock = rospy.Publisher("/clock", Clock, queue_size=1, latch=True)
+        self.addCleanup(clock.unregister)
+        camera = Camera()
+        self.addCleanup(camera.close)
+        clock.publish(Clock(rospy.Time(1000)))
+        node = self.start_node("place_labeler", "_bag:=run.bag", IMAGE, "_image_transport:=compressed")
+        say = rospy.ServiceProxy("/place_labeler/say", SayPlace)
+        say.wait_for_service(60)
+        self.wait_for(camera.listeners, "nobody listens")
+        said = ("kitchen", "office", "corridor")
+        for place, times in zip(said, ((1001, 1002, 900, 901), (902, 902, 902), (902, 902, 950))):
+            say(place)
+            for time in times:
+                clock.publish(Clock(rospy.Time(time)))
+                rospy.rostime.wallsleep(.2)
+                camera.send()
+                rospy.rostime.wallsleep(.2)
+        self.assertEqual(node.interrupt(), 0, node.output)
+        self.assertIn("Time has jumped back by 102.0 s; the recording goes on", node.output)
+        frames, place = [], None
+        with rosbag.Bag(str(self.folder / "run.bag")) as bag:
+            for topic, message, _ in bag.read_messages():
+                if topic == "/place_label":
+                    place = message.data
+                else:
+                    frames.append(place)
+        self.assertEqual(frames, ["kitchen"] * 4 + ["office"] * 3 + ["corridor"] * 3)
+
     def test_a_clock_is_no_reason_to_complain(self):
         clock = rospy.Publisher("/clock", Clock, queue_size=1, latch=True)
         self.addCleanup(clock.unregister)
@@ -148,7 +178,8 @@ class PoselessTest(NodeCase):
         rospy.sleep(0.5)
         self.assertEqual(node.interrupt(), 0, node.output)
         self.assertIn("run.bag: 180 images", node.output)
-        self.assertIn("None of 180 images has a label. No label for want of a pose", node.output)
+        self.assertIn("None of 180 images has a label. No label for want of a pose: nobody publishes tf",
+                      node.output)
 
 
 if __name__ == "__main__":

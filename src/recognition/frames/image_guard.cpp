@@ -24,17 +24,13 @@ std::string text(cv::Size size) {
 
 double ratio(cv::Size size) { return static_cast<double>(size.width) / size.height; }
 
-/// Nearly uniform, as no lit scene is, with the noise of a sensor.
-bool isFlat(const ImageStatistics& image) { return image.contrast <= 5; }
-
-bool isBlack(const ImageStatistics& image, const ImageProfile& trained) {
-  return isFlat(image) && image.brightness <= 10 &&
-         (!trained.known() || image.brightness < trained.darkest / 2);
+/// Whether an image is darker, or brighter, than a room without light that was trained on.
+bool isTooDark(const ImageStatistics& image, const ImageProfile& trained) {
+  return isBlack(image) && (!trained.known() || image.brightness < trained.darkest / 2);
 }
 
-bool isWhite(const ImageStatistics& image, const ImageProfile& trained) {
-  return isFlat(image) && image.brightness >= 245 &&
-         (!trained.known() || image.brightness > trained.brightest);
+bool isTooBright(const ImageStatistics& image, const ImageProfile& trained) {
+  return isWhite(image) && (!trained.known() || image.brightness > trained.brightest);
 }
 
 }  // namespace
@@ -54,10 +50,10 @@ std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
             "check the camera's encoding");
     }
   }
-  if (isBlack(statistics, trained_)) {
+  if (isTooDark(statistics, trained_)) {
     fault(kBlack, "Images are black", "check the lens, the exposure and the light");
   }
-  if (isWhite(statistics, trained_)) fault(kWhite, "Images are white", "check the exposure");
+  if (isTooBright(statistics, trained_)) fault(kWhite, "Images are white", "check the exposure");
   if (isFrozen(image, stamp)) {
     fault(kFrozen, "The camera sends the same image again and again", "check its driver");
   }

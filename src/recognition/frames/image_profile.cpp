@@ -26,6 +26,8 @@ bool showsColour(const cv::Mat& image) {
   return false;
 }
 
+bool isFlat(const ImageStatistics& image) { return image.contrast <= 5; }
+
 /// Size of the first image of a run; 0 x 0 if it has none.
 cv::Size firstSize(Run& run) {
   for (Frame frame; run.next(frame);) {
@@ -60,6 +62,10 @@ ImageStatistics statisticsOf(const cv::Mat& image) {
   statistics.colour = channels == 3 && showsColour(rows);
   return statistics;
 }
+
+bool isBlack(const ImageStatistics& image) { return isFlat(image) && image.brightness <= 10; }
+
+bool isWhite(const ImageStatistics& image) { return isFlat(image) && image.brightness >= 245; }
 
 ImageProfile commonSize(const std::vector<RunOpener>& runs, const Progress& progress) {
   ImageProfile smallest;

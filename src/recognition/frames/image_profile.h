@@ -23,6 +23,11 @@ struct ImageStatistics {
 /// `image`: CV_8UC3 or CV_8UC1, not empty.
 ImageStatistics statisticsOf(const cv::Mat& image);
 
+/// Nearly uniform, as no lit scene is but for the noise of a sensor, and as dark or as bright as
+/// images get: a covered lens, a camera that starts or is blinded.
+bool isBlack(const ImageStatistics& image);
+bool isWhite(const ImageStatistics& image);
+
 /// The size that `runs` are learned at: that of the run whose first image is the smallest, because
 /// detail can be taken from an image but not added; and the depth of all runs. Not known if no run
 /// has an image. Reads the runs up to their first image.

@@ -5,12 +5,22 @@
 
 #include "base/rate_limit.h"
 #include "recognition/frames/cue_extraction.h"
+#include "recognition/frames/image_profile.h"
 #include "recognition/frames/light_estimate.h"
 #include "recognition/model/cue_mean.h"
 #include "recognition/model/scores.h"
 #include "recognition/recognizer/evidence_shift.h"
 
 namespace place_recognition {
+namespace {
+
+/// Of such an image neither the light nor the evidence of what follows can be told.
+bool isBlank(const cv::Mat& image) {
+  const ImageStatistics statistics = statisticsOf(image);
+  return isBlack(statistics) || isWhite(statistics);
+}
+
+}  // namespace
 
 Recognizer::Recognizer(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
@@ -49,6 +59,7 @@ const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
   stamp_ = stamp;
   askCues(light_->correction(), image, compute, stream_answers_);
   combine(stream_answers_, light_->certainty(), !compute, evidence_shift_->value());
+  if (isBlank(image)) return recognition_;
   light_->add(extraction_->color(), recognition_.probabilities);
   if (recognition_.place >= 0) {
     evidence_shift_->add(recognition_.probabilities, recognition_.margins, log_odds_);

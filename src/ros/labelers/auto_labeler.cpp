@@ -1,5 +1,8 @@
 #include "ros/labelers/auto_labeler.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "base/place_name.h"
 #include "base/text.h"
 #include "base/user_path.h"
@@ -66,10 +69,9 @@ void AutoLabeler::finish() {
 }
 
 void AutoLabeler::onImage(const ImageMessage& image) {
-  const ros::Time now = ros::Time::now();
-  recording_.add(image, now);
-  if (now < ros::TIME_MIN) return;  // not recorded: there is no clock yet
-  waiting_.push_back({image.header().stamp, now});
+  const ros::Time time = recording_.add(image);
+  if (time.isZero()) return;
+  waiting_.push_back({image.header().stamp, ros::Time::now(), time});
   labelWaiting();
 }
 
@@ -96,7 +98,7 @@ void AutoLabeler::label(const Waiting& image, const std::optional<Eigen::Vector2
   const bool sure = position && deviation_ <= max_deviation_;  // false if it is NaN
   const std::string room = sure ? rooms_.at(*position, margin_) : "";
   ++(room.empty() ? unlabelled_ : labelled_);
-  recording_.say(room, image.arrival);
+  recording_.say(room, image.time);
 }
 
 std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
@@ -109,9 +111,25 @@ std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
         transforms_.lookupTransform(map_frame_, robot_frame_, stamp).transform.translation;
     return Eigen::Vector2d(position.x, position.y);
   } catch (const tf2::TransformException& e) {
-    problem_ = std::string("No label for want of a pose: ") + e.what();
+    const std::string missing = missingFrame();
+    problem_ = "No label for want of a pose: " + (missing.empty() ? e.what() : missing);
     return std::nullopt;
   }
+}
+
+std::string AutoLabeler::missingFrame() const {
+  std::vector<std::string> frames;
+  transforms_._getFrameStrings(frames);
+  std::sort(frames.begin(), frames.end());
+  if (frames.empty()) return "nobody publishes tf.";
+  std::string list;
+  for (const std::string& frame : frames) list += (list.empty() ? "" : ", ") + frame;
+  for (const std::string& frame : {map_frame_, robot_frame_}) {
+    if (transforms_._frameExists(frame)) continue;
+    return "tf has no frame '" + frame + "', only " + list +
+           "; start what publishes it, or set ~map_frame and ~robot_frame.";
+  }
+  return "";
 }
 
 }  // namespace place_recognition

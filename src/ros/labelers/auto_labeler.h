@@ -40,7 +40,8 @@ class AutoLabeler {
   /// An image that is recorded, but not labelled yet.
   struct Waiting {
     ros::Time stamp;
-    ros::Time arrival;  // its time in the bag, which its label has too
+    ros::Time arrival;
+    ros::Time time;  // in the bag, which its label has too
   };
 
   /// Labels the images that wait, in order, up to the first whose pose may still come.
@@ -49,6 +50,8 @@ class AutoLabeler {
   void label(const Waiting& image, const std::optional<Eigen::Vector2d>& position);
   /// Where the robot was at `stamp`, m; nothing, and `problem_` says why: that is not known.
   std::optional<Eigen::Vector2d> positionAt(const ros::Time& stamp);
+  /// Which of the two frames tf does not have, with those that it has; empty: it has both.
+  std::string missingFrame() const;
 
   const RoomPolygons rooms_;
   const std::string map_frame_;

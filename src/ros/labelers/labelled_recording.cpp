@@ -18,6 +18,8 @@ namespace {
 
 constexpr const char* kActive = ".active";  // as rosbag record calls it
 constexpr double kReportPeriod = 5;         // s
+constexpr double kTick = 1e-6;              // s, between what a clock gives one time
+constexpr double kTimeJump = 0.5;           // s back that are worth a word
 
 std::unique_ptr<StagedBag> openBag(std::string path) {
   if (path.empty()) return nullptr;
@@ -103,10 +105,32 @@ void LabelledRecording::finish() {
   ROS_INFO("%s: %lu images.", bag->path().c_str(), static_cast<unsigned long>(images_));
 }
 
+ros::Time LabelledRecording::nextTime() {
+  const ros::Time now = ros::Time::now();
+  if (now < ros::TIME_MIN) return {};  // a simulated clock that has not come yet
+  const ros::Duration back = last_time_ - (now + ahead_);
+  if (back > ros::Duration(kTimeJump)) {
+    ROS_WARN("Time has jumped back by %.1f s; the recording goes on as if it had not.",
+             back.toSec());
+  }
+  if (back >= ros::Duration(0)) ahead_ += back + ros::Duration(kTick);
+  last_time_ = now + ahead_;
+  return last_time_;
+}
+
+std::string LabelledRecording::say(const std::string& name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return change(name, nextTime());
+}
+
 std::string LabelledRecording::say(const std::string& name, const ros::Time& time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return change(name, time);
+}
+
+std::string LabelledRecording::change(const std::string& name, const ros::Time& time) {
   if (!name.empty()) checkNewLabel(name, "The place");
   const std::string place = placeName(name);
-  const std::lock_guard<std::mutex> lock(mutex_);
   if (place == place_) return place;
   place_ = place;
   publisher_.publish(labelMessage(place));
@@ -114,21 +138,23 @@ std::string LabelledRecording::say(const std::string& name, const ros::Time& tim
   return place;
 }
 
-void LabelledRecording::add(const ImageMessage& image, const ros::Time& time) {
+ros::Time LabelledRecording::add(const ImageMessage& image) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (time < ros::TIME_MIN) {  // a simulated clock that has not come yet
+  const ros::Time time = nextTime();
+  if (time.isZero()) {
     ++timeless_;
-    return;
+    return time;
   }
   recordLabel(time);
   image.visit([&](const auto& message) {
     record(image_topic_ + topicSuffix(message), time, message);
     ++images_;
   });
+  return time;
 }
 
 void LabelledRecording::recordLabel(const ros::Time& time) {
-  if (place_ == recorded_place_ || time < ros::TIME_MIN) return;
+  if (place_ == recorded_place_ || time.isZero()) return;
   record(label_topic_, time, labelMessage(place_));
   recorded_place_ = place_;
 }
@@ -155,7 +181,9 @@ void LabelledRecording::reportProgress() {
     reported_images_ = images_;
     const ros::Time now = ros::Time::now();
     if (now == reported_time_) {
-      ROS_WARN("/clock stands still: all these images are recorded as of one time.");
+      ROS_WARN(
+          "/clock stands still: images and labels are recorded in their order, but without their "
+          "times.");
     }
     reported_time_ = now;
   } else if (images_ == 0 && timeless_ > 0) {

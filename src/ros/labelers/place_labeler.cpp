@@ -28,8 +28,7 @@ PlaceLabeler::PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& p
       recording_(node, parameters),
       input_(
           node, private_node, parameters,
-          [this](const ImageMessage& image) { recording_.add(image, ros::Time::now()); },
-          names::kRecordingQueue) {
+          [this](const ImageMessage& image) { recording_.add(image); }, names::kRecordingQueue) {
   parameters.warnOfDoubts();
   for (const std::string& warning : warnOfLikeNames(keys_.places())) {
     ROS_WARN("%s", warning.c_str());
@@ -88,7 +87,7 @@ bool PlaceLabeler::onSayService(SayPlace::Request& request, SayPlace::Response& 
 }
 
 std::string PlaceLabeler::say(const std::string& name) {
-  const std::string place = recording_.say(name, ros::Time::now());
+  const std::string place = recording_.say(name);
   ROS_INFO("%s", place.empty() ? "No place." : ("In '" + place + "'.").c_str());
   return place;
 }

@@ -2,13 +2,20 @@
 
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <map>
+#include <string>
+#include <vector>
+
+#include "base/text.h"
+#include "ros/nodes/node_names.h"
 
 namespace place_recognition {
 namespace {
 
 constexpr const char* kImage = "sensor_msgs/Image";
 constexpr const char* kCompressedImage = "sensor_msgs/CompressedImage";
+constexpr const char* kPlaceRecognition = "place_recognition/PlaceRecognition";
 const std::string kCompressed = "/compressed";
 
 /// Their types by their names.
@@ -18,8 +25,10 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+bool isDepth(const std::string& topic) { return endsWith(topic, "/compressedDepth"); }
+
 bool isImages(const std::string& topic, const std::string& type) {
-  return (type == kImage || type == kCompressedImage) && !endsWith(topic, "/compressedDepth");
+  return (type == kImage || type == kCompressedImage) && !isDepth(topic);
 }
 
 /// Whether a topic of this type is what the transport listens to; those of plugins have their own.
@@ -39,6 +48,17 @@ std::string otherForm(const std::string& topic, const std::string& type) {
          topic.substr(0, topic.size() - kCompressed.size()) + ".";
 }
 
+/// The names of all recognizers, whose debug images are no camera's.
+std::vector<std::string> recognizersOf(const ros::master::V_TopicInfo& published) {
+  const std::string ending = std::string("/") + names::kRecognition;
+  std::vector<std::string> recognizers;
+  for (const ros::master::TopicInfo& info : published) {
+    if (info.datatype != kPlaceRecognition || !endsWith(info.name, ending)) continue;
+    recognizers.push_back(info.name.substr(0, info.name.size() - ending.size()));
+  }
+  return recognizers;
+}
+
 std::string listOfImageTopics(const Topics& topics) {
   std::string list;
   for (const auto& [name, type] : topics) {
@@ -52,9 +72,14 @@ std::string listOfImageTopics(const Topics& topics) {
 
 std::string explainSilence(const std::string& topic, const std::string& transport,
                            const ros::master::V_TopicInfo& published, const std::string& node) {
+  std::vector<std::string> own = recognizersOf(published);
+  own.push_back(node);
   Topics topics;
   for (const ros::master::TopicInfo& info : published) {
-    if (info.name.compare(0, node.size() + 1, node + "/") != 0) topics[info.name] = info.datatype;
+    const bool is_own = std::any_of(own.begin(), own.end(), [&info](const std::string& recognizer) {
+      return startsWith(info.name, recognizer + "/");
+    });
+    if (!is_own) topics[info.name] = info.datatype;
   }
   const std::string heard = transport == "raw" ? topic : topic + "/" + transport;
   const auto found = topics.find(heard);
@@ -65,8 +90,9 @@ std::string explainSilence(const std::string& topic, const std::string& transpor
              " is published, but nothing comes; see whether the camera sends: rostopic hz " +
              heard + ".";
     }
-    return isImages(heard, type) ? otherForm(heard, type)
-                                 : heard + " is published as " + type + ", which is no image.";
+    if (isImages(heard, type)) return otherForm(heard, type);
+    return heard + (isDepth(heard) ? " holds distances, which are no image."
+                                   : " is published as " + type + ", which is no image.");
   }
   for (const std::string& name : {topic, topic + kCompressed}) {
     const auto form = topics.find(name);

@@ -4,6 +4,7 @@
 #include <ros/xmlrpc_manager.h>
 
 #include <atomic>
+#include <clocale>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -80,6 +81,8 @@ class ClockWatch {
 }  // namespace
 
 int runNode(int argc, char** argv, const char* name, const std::function<void()>& work) {
+  // Names of rooms are UTF-8; without it log4cxx writes '?' for all that is not ASCII.
+  std::setlocale(LC_CTYPE, "C.UTF-8");
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
   ros::start();  // else the last NodeHandle to go would end ROS, and logging with it
   endOnRequest();
