@@ -4,6 +4,7 @@
 
 #include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
+#include "place_recognition/recognizer.h"
 #include "recognition/drawn_run.h"
 #include "recognition/frames/light.h"
 
@@ -25,6 +26,17 @@ TEST(Recalibrate, FitsSlopeAndThresholdToAnotherRun) {
   EXPECT_LT(result.model.calibration.slope, 100);
   EXPECT_LE(result.after.calibration_error, result.before.calibration_error + 0.05);
   EXPECT_EQ(result.model.validatedPlaces(), result.model.places);
+}
+
+TEST(Recalibrate, LeavesAsManyFramesOfAStreamUnknownAsAskedFor) {
+  const std::vector<Frame> frames = drawFrames(3, 100, 800);
+  Recalibration result = recalibrate(drawnModel(), {opener(frames)});
+  Recognizer recognizer(std::make_shared<const Model>(std::move(result.model)));
+  double unknown = 0;
+  for (const Frame& frame : frames) {
+    unknown += recognizer.recognize(frame.image, frame.stamp).known ? 0 : 1;
+  }
+  EXPECT_NEAR(unknown / static_cast<double>(frames.size()), 0.05, 0.01);
 }
 
 TEST(Recalibrate, LeavesTheMachinesAsTheyAre) {

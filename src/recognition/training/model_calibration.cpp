@@ -46,14 +46,6 @@ struct Answers {
   }
 };
 
-/// The largest threshold that at most `share` of the values lie below.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const auto below = static_cast<std::size_t>(share * static_cast<double>(values.size()));
-  return values[std::min(below, values.size() - 1)];
-}
-
 /// The valid samples that are tested in `fold` (inside) or in another one; all if there is no such.
 std::vector<int> validSamples(const HeldOut& held_out, const std::vector<int>& fold_of, int fold,
                               bool inside) {
@@ -65,6 +57,13 @@ std::vector<int> validSamples(const HeldOut& held_out, const std::vector<int>& f
 }
 
 }  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const auto below = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+  return values[std::min(below, values.size() - 1)];
+}
 
 Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
                      const std::vector<Fold>& folds, double false_alarm_rate) {

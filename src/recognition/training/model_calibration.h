@@ -18,4 +18,7 @@ struct Calibrated {
 Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
                      const std::vector<Fold>& folds, double false_alarm_rate);
 
+/// The largest limit that at most `share` of the values lie below; 0 if there are none.
+double quantile(std::vector<double> values, double share);
+
 }  // namespace place_recognition

@@ -1,11 +1,15 @@
 #include "place_recognition/recalibration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "base/text.h"
 #include "place_recognition/error.h"
 #include "recognition/model/scores.h"
+#include "recognition/recognizer/evidence_shift.h"
 #include "recognition/training/combination.h"
 #include "recognition/training/held_out_frames.h"
 #include "recognition/training/model_calibration.h"
@@ -63,12 +67,46 @@ HeldOut marginsOf(const Classifier& classifier, const std::vector<Feature>& feat
   return answers;
 }
 
+/// The evidence of the valid frames as a recognizer finds it, which follows each run.
+std::vector<double> evidenceOfStreams(const Model& model, const HeldOut& combined,
+                                      const std::vector<SampleOrigin>& origins) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    if (combined.valid[i]) order.push_back(i);
+  }
+  const auto when = [&](std::size_t i) {
+    return std::make_tuple(origins[i].run, origins[i].camera, origins[i].stamp);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return when(a) < when(b); });
+  std::vector<double> evidence;
+  EvidenceShift shift(model);
+  std::pair<int, int> stream{-1, -1};
+  for (const std::size_t i : order) {
+    const std::pair<int, int> its{origins[i].run, origins[i].camera};
+    if (its != stream) shift.reset();
+    stream = its;
+    shift.beginFrame(origins[i].stamp);
+    const Eigen::RowVectorXd margins = combined.margins.row(static_cast<Eigen::Index>(i));
+    const double log_odds =
+        model.calibration.logOdds(margins, combined.familiarity[static_cast<Eigen::Index>(i)]);
+    evidence.push_back(1 / (1 + std::exp(-(log_odds + shift.value()))));
+    shift.add(model.calibration.probabilities(margins), margins, log_odds);
+  }
+  return evidence;
+}
+
+double fractionBelow(const std::vector<double>& values, double limit) {
+  const auto below =
+      std::count_if(values.begin(), values.end(), [limit](double value) { return value < limit; });
+  return static_cast<double>(below) / static_cast<double>(values.size());
+}
+
 AnswerFigures figuresOf(const Model& model, const HeldOut& combined,
                         const std::vector<SampleOrigin>& origins) {
   std::vector<int> truth, places;
   std::vector<double> confidences;
   std::vector<bool> correct;
-  double unknown = 0;
   for (std::size_t i = 0; i < origins.size(); ++i) {
     if (!combined.valid[i]) continue;
     const Eigen::RowVectorXd margins = combined.margins.row(static_cast<Eigen::Index>(i));
@@ -77,12 +115,9 @@ AnswerFigures figuresOf(const Model& model, const HeldOut& combined,
     places.push_back(largest(probabilities));
     confidences.push_back(probabilities[places.back()]);
     correct.push_back(places.back() == truth.back());
-    const double evidence =
-        model.calibration.evidence(margins, combined.familiarity[static_cast<Eigen::Index>(i)]);
-    unknown += evidence < model.unknown_threshold ? 1 : 0;
   }
   return {averageRate(truth, places, model.places.size()), calibrationError(confidences, correct),
-          unknown / static_cast<double>(truth.size())};
+          fractionBelow(evidenceOfStreams(model, combined, origins), model.unknown_threshold)};
 }
 
 }  // namespace
@@ -115,12 +150,14 @@ Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsig
                      std::vector<TimeBlocks>(static_cast<std::size_t>(last_run) + 1, kAFifth));
   model.cue_weights =
       chooseCueWeights(cues, priorWeights(options.cues), frames.origins, model.places.size());
-  const Calibrated calibrated = calibrate(combine(cues, model.cue_weights), frames.origins,
-                                          judges.folds, options.unknown.false_alarm_rate);
+  const HeldOut combined = combine(cues, model.cue_weights);
+  const double false_alarm_rate = options.unknown.false_alarm_rate;
+  const Calibrated calibrated = calibrate(combined, frames.origins, judges.folds, false_alarm_rate);
   model.calibration = calibrated.calibration;
-  model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;
   model.held_out = keptFrames(judges, 0, model.options.seed);
+  model.unknown_threshold =
+      quantile(evidenceOfStreams(model, combined, frames.origins), false_alarm_rate);
   result.after = {calibrated.validation.average_rate, calibrated.validation.calibration_error,
                   calibrated.unknown};
   result.model = std::move(model);
