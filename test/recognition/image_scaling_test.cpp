@@ -119,6 +119,17 @@ TEST(ImageScaler, OfAnUnknownSizeOnlyWideImagesAreScaled) {
   EXPECT_EQ(scaler.sizeFor({320, 240}), cv::Size(320, 240));
 }
 
+TEST(ImageScaler, WhatTheTrainingScaledDownIsInterpolated) {
+  const cv::Mat image = texture(80, 60, CV_8UC3);
+  cv::Mat expected;
+  cv::resize(image, expected, {64, 48}, 0, 0, cv::INTER_LINEAR);
+  EXPECT_EQ(cv::norm(ImageScaler(trainedOn(80, 60), 64).scaled(image), expected, cv::NORM_INF), 0);
+  EXPECT_NE(cv::norm(ImageScaler(trainedOn(64, 48), 64).scaled(image), expected, cv::NORM_INF), 0)
+      << "as a camera of the size that was trained on shows it";
+  cv::resize(image, expected, {32, 24}, 0, 0, cv::INTER_AREA);
+  EXPECT_EQ(cv::norm(ImageScaler(trainedOn(80, 60), 32).scaled(image), expected, cv::NORM_INF), 0);
+}
+
 TEST(ImageScaler, ReturnsAnImageOfTheRightSizeItself) {
   ImageScaler scaler(trainedOn(96, 72), 640);
   const cv::Mat image = drawRoom(0, 1);

@@ -36,7 +36,8 @@ class ImageScaler {
 
  private:
   int max_width_;
-  cv::Size trained_;  ///< no wider than max_width_; 0 x 0: not known
+  cv::Size trained_;        ///< no wider than max_width_; 0 x 0: not known
+  bool trained_on_scaled_;  ///< images wider than max_width_, or of a size not known
   cv::Mat buffer_;
 };
 
