@@ -1,15 +1,19 @@
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
+#include "base/text.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
 #include "tool/configuration.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
+#include "tool/replacement.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -19,6 +23,7 @@ struct TrainOptions {
   std::vector<std::string> inputs;
   std::string model;
   std::string add_to;
+  std::vector<std::string> validate;
   int limit = 0;
   unsigned threads = 0;
   InputOptions input;
@@ -114,6 +119,16 @@ Training learn(const TrainOptions& options, const std::vector<RunOpener>& runs,
                             options.threads, progress);
 }
 
+/// The runs that are to judge the new model against the one that it replaces or, if there is none,
+/// goes on from; nothing if the user names none.
+std::optional<Replacement> replacementOf(const TrainOptions& options, const std::string& path,
+                                         const Progress& progress) {
+  if (options.validate.empty()) return std::nullopt;
+  const bool goes_on = !std::filesystem::exists(path) && !options.add_to.empty();
+  return Replacement(options.input.openers(options.validate),
+                     goes_on ? modelPath(options.add_to) : path, progress);
+}
+
 void train(const TrainOptions& options) {
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);
@@ -121,13 +136,22 @@ void train(const TrainOptions& options) {
   const std::vector<RunOpener> runs = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
+  const std::optional<Replacement> replacement = replacementOf(options, path, display.callback());
   const Training training = learn(options, runs, training_options, display.callback());
+  std::optional<double> rate;
+  if (replacement) rate = replacement->judge(training.model, display.callback());
   const std::uint64_t bytes = saveModel(training.model, path);
   display.clear();
 
   for (const std::string& warning : training.warnings) std::cerr << "warning: " << warning << "\n";
   printSummary(training, path, bytes, options.output.text());
-  options.output.writeJson(figures(training, path, bytes));
+  Json json = figures(training, path, bytes);
+  if (rate) {
+    options.output.text() << "On the runs of --validate " << percent(*rate)
+                          << " right (mean of the rooms)" << std::endl;
+    json["validate_rate"] = *rate;
+  }
+  options.output.writeJson(json);
 }
 
 }  // namespace
@@ -147,6 +171,10 @@ void addTrain(CommandLine& tool) {
               "With --add-to: support vectors that each cue may keep; 0: as many as it needs")
       .needs("--add-to")
       .range(0, 1000000);
+  verb.option(
+      "--validate", "RUN", options->validate,
+      "Replace the model only if the new one is no worse, by more than a standard error, on "
+      "this labelled run, which neither was trained on");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
   verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");

@@ -78,6 +78,25 @@ class TrainTest(ToolCase):
                                               status=2))
 
 
+    def test_a_worse_model_replaces_none(self):
+        self.write_run("monday")
+        self.write_run("tuesday", seed=1)
+        self.write_run("wrong/kitchen", rooms=("office",))
+        (self.folder / "wrong/kitchen/office").rename(self.folder / "wrong/corridor")
+        self.write_run("wrong", rooms=("office",))
+        (self.folder / "wrong/kitchen").rmdir()
+        figures = self.figures("train", "monday", "--model", "./home.places", "--validate", "tuesday",
+                               *COLOUR)
+        self.assertEqual(figures["validate_rate"], 1)
+        before = (self.folder / "home.places").read_bytes()
+        complaint = self.refuse("train", "wrong", "--model", "./home.places", "--validate", "tuesday",
+                                *COLOUR)
+        self.assertIn("The old model stays: ./home.places names 100.0 %", complaint)
+        self.assertEqual((self.folder / "home.places").read_bytes(), before)
+        text = self.succeed("train", "monday", "tuesday", "--add-to", "./home.places", "--model",
+                            "./next.places", "--validate", "tuesday")
+        self.assertIn("On the runs of --validate 100.0 % right", text)
+
     def test_a_kernel_that_overflows_leaves_the_good_model_alone(self):
         self.write_run("monday")
         self.succeed("train", "monday", "--model", "./home.places", *COLOUR)

@@ -10,6 +10,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "base/place_name.h"
+#include "base/user_path.h"
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
@@ -42,6 +43,15 @@ std::vector<std::string> topicsOf(const ros::NodeHandle& node,
   std::vector<std::string> topics;
   for (const CameraName& camera : cameras) topics.push_back(node.resolveName(camera.topic));
   return topics;
+}
+
+KeepOptions readKeepOptions(Parameters& parameters, const ros::NodeHandle& node) {
+  KeepOptions options;
+  options.folder = userPath(parameters.text("keep_doubtful"));
+  options.per_hour = parameters.integer("keep_per_hour", options.per_hour, 1, 1000000);
+  options.megabytes = parameters.integer("keep_megabytes", options.megabytes, 1, 1000000);
+  options.label_topic = node.resolveName(names::kPlaceLabel);
+  return options;
 }
 
 ImageMessage pictureOf(const Recognize::Request& request) {
@@ -84,7 +94,8 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       newest_(names_.size()),
       diagnostics_(node, private_node, name),
       lazy_(parameters.flag("lazy", true)),
-      place_tracker_(node, parameters, topicsOf(node, names_)) {
+      place_tracker_(node, parameters, topicsOf(node, names_)),
+      doubtful_frames_(readKeepOptions(parameters, node)) {
   const std::string model = parameters.text("model");
   const int threads = parameters.integer("threads", 0, 0);
   if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
@@ -185,7 +196,8 @@ void PlaceRecognizer::loadFirstModels(const std::string& name) {
 
 bool PlaceRecognizer::isWanted() const {
   return enabled_ &&
-         (!lazy_ || recognition_publisher_.getNumSubscribers() > 0 ||
+         (!lazy_ || doubtful_frames_.isKeeping() ||
+          recognition_publisher_.getNumSubscribers() > 0 ||
           place_publisher_.getNumSubscribers() > 0 || belief_publisher_.getNumSubscribers() > 0 ||
           smoothed_publisher_.getNumSubscribers() > 0 ||
           marker_publisher_.getNumSubscribers() > 0 ||
@@ -376,6 +388,7 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   if (!fails && place_tracker_.counts(arrived.camera)) {
     last_image_ = arrived.arrival;
     track(arrived.camera, message, recognition);
+    doubtful_frames_.take(camera.topic(), arrived.message, recognition, last_place_);
   }
   camera.publishDebugImage(image, recognition, header);
   camera.status().answered(header.stamp, arrived.arrival);

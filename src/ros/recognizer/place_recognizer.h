@@ -22,6 +22,7 @@
 #include "ros/recognizer/camera_list.h"
 #include "ros/recognizer/camera_recognizer.h"
 #include "ros/recognizer/diagnostics.h"
+#include "ros/recognizer/doubtful_frames.h"
 #include "ros/recognizer/place_tracker.h"
 
 namespace place_recognition {
@@ -94,6 +95,7 @@ class PlaceRecognizer {
   std::mutex state_mutex_;  // of what an answer depends on and leaves behind
   PlaceRecognizerConfig config_;
   PlaceTracker place_tracker_;
+  DoubtfulFrames doubtful_frames_;
   ImageStatus::Clock::time_point last_image_;  // arrival of the last one that could be used
   std::string last_place_;                     // as published last
 

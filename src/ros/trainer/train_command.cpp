@@ -60,9 +60,12 @@ void check(const TrainGoal& goal) {
   requireOfGoal(
       goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
       "add_to excludes preset, yaml and reduction, which the model has");
-  requireOfGoal(!goal.calibrate || (goal.preset.empty() && goal.yaml.empty() &&
-                                    goal.reduction.empty() && goal.add_to.empty()),
-                "calibrate excludes preset, yaml, reduction and add_to");
+  requireOfGoal(
+      !goal.calibrate || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty() &&
+                          goal.add_to.empty() && goal.validate.empty()),
+      "calibrate excludes preset, yaml, reduction, add_to and validate");
+  requireOfGoal(goal.validate.size() <= kMaxBags,
+                "validate has more than " + std::to_string(kMaxBags) + " bags");
   requireOfGoal(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
   requireOfGoal(goal.vector_limit <= kMaxVectorLimit,
                 "vector_limit is above " + std::to_string(kMaxVectorLimit));
@@ -79,7 +82,7 @@ void check(const TrainGoal& goal) {
 
 /// Fields that are not the option of place_tool by the same name.
 const std::vector<std::string> kOtherFields = {
-    "bags", "preset", "yaml", "reduction", "vector_limit", "calibrate", "recognizers"};
+    "bags", "validate", "preset", "yaml", "reduction", "vector_limit", "calibrate", "recognizers"};
 
 /// `--image-topic` of image_topic.
 std::string optionOf(std::string field) {
@@ -96,6 +99,9 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
   std::vector<std::string> command = {findExecutable("place_tool"),
                                       goal.calibrate ? "calibrate" : "train"};
   for (const std::string& bag : goal.bags) command.push_back(confinedBagPath(bag, bag_roots));
+  for (const std::string& bag : goal.validate) {
+    command.push_back("--validate=" + confinedBagPath(bag, bag_roots));
+  }
   // A value joined to its option cannot be taken for another option.
   const auto add = [&command](const std::string& option, const std::string& value) {
     if (!value.empty()) command.push_back(option + "=" + value);

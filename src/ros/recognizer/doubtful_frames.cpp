@@ -1,0 +1,161 @@
+#include "ros/recognizer/doubtful_frames.h"
+
+#include <ros/console.h>
+#include <std_msgs/String.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <vector>
+
+#include "base/place_name.h"
+#include "base/text.h"
+#include "place_recognition/error.h"
+#include "ros/nodes/node_names.h"
+
+namespace place_recognition {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStart = "doubtful_";
+constexpr const char* kActive = ".active";  // as rosbag record calls it
+constexpr double kLongestBag = 3600;        // s
+constexpr int kBagsOfLimit = 8;
+constexpr double kTick = 1e-6;  // s, between frames where the clock stands still
+constexpr std::uint64_t kMegabyte = 1000000;
+
+std::string nameAt(std::time_t time) {
+  char text[32];
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  std::strftime(text, sizeof(text), "%Y-%m-%d_%H-%M-%S", &utc);
+  return kStart + std::string(text) + ".bag";
+}
+
+struct KeptBag {
+  fs::path path;
+  std::uint64_t bytes;
+};
+
+/// The bags of the folder that no person has labelled, and what killed nodes left, oldest first.
+std::vector<KeptBag> keptBags(const std::string& folder) {
+  std::vector<KeptBag> bags;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename();
+    const std::size_t end = name.find(".bag");
+    if (!startsWith(name, kStart) || end == std::string::npos) continue;
+    if (fs::exists(entry.path().parent_path() / (name.substr(0, end) + ".labels.yaml"))) continue;
+    bags.push_back({entry.path(), entry.file_size(ignored)});
+  }
+  std::sort(bags.begin(), bags.end(),
+            [](const KeptBag& a, const KeptBag& b) { return a.path < b.path; });
+  return bags;
+}
+
+const char* topicSuffix(const sensor_msgs::Image&) { return ""; }
+const char* topicSuffix(const sensor_msgs::CompressedImage&) { return names::kCompressedSuffix; }
+
+}  // namespace
+
+DoubtfulFrames::DoubtfulFrames(KeepOptions options) : options_(std::move(options)) {
+  if (!isKeeping()) return;
+  std::error_code failure;
+  fs::create_directories(options_.folder, failure);
+  if (!failure) options_.folder = fs::canonical(options_.folder, failure);
+  if (failure) {
+    throw Error("Cannot keep doubtful frames in " + options_.folder + ": " + failure.message() +
+                "; let ~keep_doubtful name a folder that can be written.");
+  }
+  // A folder that cannot be written to is told now, not at the first doubt.
+  StagedBag(options_.folder + "/" + nameAt(std::time(nullptr)), kActive).discard();
+}
+
+DoubtfulFrames::~DoubtfulFrames() {
+  try {
+    finishBag();
+  } catch (const Error& e) {
+    ROS_ERROR("%s", e.what());
+  }
+}
+
+void DoubtfulFrames::take(const std::string& topic, const ImageMessage& image,
+                          const Recognition& recognition, const std::string& place) {
+  if (!isKeeping() || !isDoubtful(topic, recognition)) return;
+  try {
+    keep(topic, image, place);
+  } catch (const Error& e) {
+    ROS_ERROR("No more doubtful frames are kept: %s", e.what());
+    options_.folder.clear();
+    bag_.reset();
+  }
+}
+
+bool DoubtfulFrames::isDoubtful(const std::string& topic, const Recognition& recognition) {
+  if (recognition.place < 0) return false;  // nothing to be seen
+  const auto [last, is_first] = last_places_.emplace(topic, recognition.place);
+  const bool flips = !is_first && last->second != recognition.place;
+  last->second = recognition.place;
+  return flips || !recognition.known;
+}
+
+void DoubtfulFrames::keep(const std::string& topic, const ImageMessage& image,
+                          const std::string& place) {
+  const ros::Time now = ros::Time::now();
+  if (now < ros::TIME_MIN) return;       // a simulated clock that has not come yet
+  if (now + ros::Duration(1) < last_) {  // the clock has jumped back
+    finishBag();
+    due_ = {};
+  }
+  if (now < due_) return;
+  due_ = now + ros::Duration(3600.0 / options_.per_hour);
+  if (!bag_) begin(now);
+  last_ = std::max(now, last_ + ros::Duration(kTick));
+  const std::string label = place == kUnknownPlace ? "" : place;
+  if (images_ == 0 || label != label_) {
+    std_msgs::String message;
+    message.data = label_ = label;
+    bag_->write(options_.label_topic, last_, message);
+  }
+  image.visit([&](const auto& message) {
+    bag_->write(topic + topicSuffix(message), last_, message);
+    bytes_ += ros::serialization::serializationLength(message);
+  });
+  ++images_;
+  const std::uint64_t limit = static_cast<std::uint64_t>(options_.megabytes) * kMegabyte;
+  if (bytes_ > limit / kBagsOfLimit || last_ - begin_ > ros::Duration(kLongestBag)) finishBag();
+}
+
+void DoubtfulFrames::begin(const ros::Time& time) {
+  named_ = std::max(named_ + 1, std::time(nullptr));  // later than all before
+  while (fs::exists(options_.folder + "/" + nameAt(named_))) ++named_;
+  bag_ = std::make_unique<StagedBag>(options_.folder + "/" + nameAt(named_), kActive);
+  begin_ = last_ = time;
+  bytes_ = images_ = 0;
+}
+
+void DoubtfulFrames::finishBag() {
+  const std::unique_ptr<StagedBag> bag = std::move(bag_);
+  if (!bag) return;
+  bag->complete();
+  ROS_INFO("Kept %s that the model doubts. Label them with: place_tool label %s",
+           counted(images_, "image").c_str(), bag->path().c_str());
+  removeOldest();
+}
+
+void DoubtfulFrames::removeOldest() const {
+  const std::vector<KeptBag> bags = keptBags(options_.folder);
+  std::uint64_t total = 0;
+  for (const KeptBag& bag : bags) total += bag.bytes;
+  for (const KeptBag& bag : bags) {
+    if (total <= static_cast<std::uint64_t>(options_.megabytes) * kMegabyte) return;
+    std::error_code ignored;
+    fs::remove(bag.path, ignored);
+    total -= bag.bytes;
+    ROS_INFO("%s is removed: more than ~keep_megabytes (%d) are kept.", bag.path.c_str(),
+             options_.megabytes);
+  }
+}
+
+}  // namespace place_recognition

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <ros/time.h>
+
+#include <cstdint>
+#include <ctime>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "place_recognition/recognizer.h"
+#include "ros/bags/staged_bag.h"
+#include "ros/nodes/image_input.h"
+
+namespace place_recognition {
+
+/// What is kept of the frames that a recognizer doubts, and where.
+struct KeepOptions {
+  std::string folder;       ///< empty: nothing is kept
+  int per_hour = 240;       ///< frames at most, evenly over the time
+  int megabytes = 500;      ///< of all bags in the folder; the oldest are removed
+  std::string label_topic;  ///< resolved
+};
+
+/// Keeps the frames that the model should learn next: those answered 'unknown', and those whose
+/// answer is another one than that of the frame before. They go to bags `doubtful_<UTC time>.bag`
+/// with the place over time as their label, so that a person only needs to correct it; a bag ends
+/// after an hour or an eighth of the megabytes. Bags with labels of a person beside them
+/// (`doubtful_<UTC time>.labels.yaml`) are neither counted nor removed. A disk that refuses ends
+/// the keeping with a message, not the node. Not thread-safe.
+class DoubtfulFrames {
+ public:
+  /// Throws Error if the folder cannot be made or written to.
+  explicit DoubtfulFrames(KeepOptions options);
+
+  /// Completes the bag.
+  ~DoubtfulFrames();
+  DoubtfulFrames(const DoubtfulFrames&) = delete;
+  DoubtfulFrames& operator=(const DoubtfulFrames&) = delete;
+
+  bool isKeeping() const { return !options_.folder.empty(); }
+
+  /// Keeps the image on `topic` if its answer `recognition` is doubtful. `place`: the answer over
+  /// time.
+  void take(const std::string& topic, const ImageMessage& image, const Recognition& recognition,
+            const std::string& place);
+
+ private:
+  bool isDoubtful(const std::string& topic, const Recognition& recognition);
+  void keep(const std::string& topic, const ImageMessage& image, const std::string& place);
+  void begin(const ros::Time& time);
+  void finishBag();
+  /// Removes the oldest bags until all that are left have no more than the megabytes.
+  void removeOldest() const;
+
+  KeepOptions options_;
+  ros::Time due_;                           // of the next frame to be kept
+  std::map<std::string, int> last_places_;  // the answer to the last frame of each topic
+  std::unique_ptr<StagedBag> bag_;          // none: no frame since the last one ended
+  std::time_t named_ = 0;                   // the time in its name
+  ros::Time begin_, last_;                  // of its frames
+  std::uint64_t bytes_ = 0;                 // of the bag
+  std::uint64_t images_ = 0;                // in the bag
+  std::string label_;                       // in the bag now
+};
+
+}  // namespace place_recognition

@@ -1,0 +1,62 @@
+#include "tool/replacement.h"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "base/text.h"
+#include "evaluation/evaluation.h"
+#include "evaluation/summary.h"
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+
+namespace place_recognition::tool {
+
+Replacement::Replacement(std::vector<RunOpener> runs, const std::string& path,
+                         const Progress& progress)
+    : runs_(std::move(runs)), path_(path) {
+  if (std::filesystem::exists(path_)) old_rooms_ = roomsOf(loadModel(path_), runs_, progress);
+}
+
+std::vector<Replacement::Room> Replacement::roomsOf(const Model& model,
+                                                    const std::vector<RunOpener>& runs,
+                                                    const Progress& progress) {
+  const std::shared_ptr<const Model> borrowed(std::shared_ptr<const Model>(), &model);
+  const Summary summary = summarize(evaluate(borrowed, runs, 0, progress));
+  std::vector<Room> rooms;
+  for (const RoomSummary& room : summary.rooms) {
+    const double rate = room.rate();
+    rooms.push_back({summary.places[static_cast<std::size_t>(room.place)], rate,
+                     rate * (1 - rate) / static_cast<double>(room.count)});
+  }
+  return rooms;
+}
+
+std::pair<double, double> Replacement::meanRate(const std::vector<Room>& rooms,
+                                                const std::vector<Room>& others) {
+  std::set<std::string> names;
+  double sum = 0, variance = 0;
+  for (const Room& room : rooms) {
+    names.insert(room.place);
+    sum += room.rate;
+    variance += room.variance;
+  }
+  for (const Room& room : others) names.insert(room.place);
+  const auto count = static_cast<double>(names.size());
+  return {sum / count, std::sqrt(variance) / count};
+}
+
+double Replacement::judge(const Model& model, const Progress& progress) const {
+  const std::vector<Room> rooms = roomsOf(model, runs_, progress);
+  const double rate = meanRate(rooms, old_rooms_).first;
+  const auto [old_rate, error] = meanRate(old_rooms_, rooms);
+  if (!old_rooms_.empty() && rate < old_rate - error) {
+    throw Error("The old model stays: " + path_ + " names " + percent(old_rate) +
+                " of the runs of --validate right (mean of the rooms), the new one " +
+                percent(rate) + ".");
+  }
+  return rate;
+}
+
+}  // namespace place_recognition::tool
