@@ -2,7 +2,7 @@
 """rosbag play for replay.launch, which says by environment variables what a person asked for.
 
 BAG is an absolute path, one that starts with ~/ or $HOME/, or one from the folder where roslaunch was
-called; blanks and quotes may be in it. IMAGE and ODOMETRY are topics, with or without a slash at their
+called; blanks and quotes may be in it. A list in brackets names the parts of a split recording. IMAGE and ODOMETRY are topics, with or without a slash at their
 start. RATE is how many times as fast as recorded, LOOP whether to start again at the end. Playing starts
 when somebody listens to the images: rosbag's own --wait-for-subscribers would wait until somebody
 listens to the labels, too.
@@ -15,6 +15,7 @@ import time
 import rosbag
 import rosgraph
 import roslib.packages
+import yaml
 
 YES = ("true", "yes", "on", "1")
 NO = ("false", "no", "off", "0")
@@ -28,6 +29,19 @@ def bag_path(bag):
     if not os.path.isfile(path):
         sys.exit(f"There is no file {path}; give the bag's path as bag:=PATH.")
     return path
+
+
+def bag_paths(given):
+    """One bag, or those of a list in brackets."""
+    if not given.startswith("["):
+        return [bag_path(given)]
+    try:
+        bags = yaml.load(given, yaml.BaseLoader)
+    except yaml.YAMLError:
+        bags = None
+    if not bags or not all(isinstance(bag, str) for bag in bags):
+        sys.exit(f"The argument bag is '{given}'; give a path, or a list as in bag:='[run_0.bag, run_1.bag]'.")
+    return [bag_path(bag) for bag in bags]
 
 
 def pace(rate):
@@ -77,21 +91,21 @@ def wait_for_listener(topics):
 
 def main():
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    path = bag_path(os.environ["BAG"])
+    paths = bag_paths(os.environ["BAG"])
     options = ["--rate", pace(os.environ["RATE"]), "--delay", CONNECTING]
     if is_loop(os.environ["LOOP"]):
         options.append("--loop")
-    recorded = recorded_topics(path)
+    recorded = {name: kind for path in paths for name, kind in recorded_topics(path).items()}
     image = os.environ["IMAGE"]
     images = meant([image, image + "/compressed"], recorded)
     if not images:
         there = ", ".join(name for name, kind in sorted(recorded.items()) if "Image" in kind)
-        sys.exit(f"{path} has no images on {image}; topics of images are: {there or 'none'}.")
+        sys.exit(f"{' '.join(paths)} has no images on {image}; topics of images are: {there or 'none'}.")
     others = meant(["/place_label", "/tf", "/tf_static", os.environ["ODOMETRY"]], recorded)
     wait_for_listener(images)
-    print(f"Playing {path}.", flush=True)
+    print(f"Playing {', '.join(paths)}.", flush=True)
     player = roslib.packages.find_node("rosbag", "play")[0]
-    os.execv(player, [player, *options, *sys.argv[1:], "--topics", *images, *others, "--bags", path])
+    os.execv(player, [player, *options, *sys.argv[1:], "--topics", *images, *others, "--bags", *paths])
 
 
 if __name__ == "__main__":

@@ -127,7 +127,8 @@ void removeLeftovers(const std::string& path) {
 }
 
 std::string readFile(const std::string& path, std::size_t limit) {
-  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // Else the opening of a named pipe would wait for somebody who writes.
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status;
   if (fd < 0 || fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) {
     const std::string why = fd < 0 ? std::strerror(errno) : "not a file";

@@ -54,6 +54,17 @@ std::optional<std::string> bagBelow(const fs::path& path, const std::string& roo
   return file.string();
 }
 
+/// Why what is at `path`, below a root, is no bag; empty if nothing is there.
+std::string whyNoBag(const fs::path& path, const std::string& root,
+                     const std::vector<std::string>& roots) {
+  std::error_code failure;
+  const fs::path file = fs::canonical(root / path, failure);
+  if (failure || !liesBelowAny(file, roots)) return "";
+  if (fs::is_directory(file, failure)) return "is a folder; name the bags in it, as in run.bag";
+  if (!fs::is_regular_file(file, failure)) return "is a pipe or a device, not a bag; name a file";
+  return "does not end in .bag; give the bag a name that does";
+}
+
 /// A link below a root that leads out of all roots.
 struct WayOut {
   fs::path link;
@@ -104,6 +115,10 @@ std::string confinedBagPath(const std::string& path, const std::vector<std::stri
     const fs::path expanded = withHome(path);
     for (const std::string& root : roots) {
       if (const auto bag = bagBelow(expanded, root, roots)) return *bag;
+    }
+    for (const std::string& root : roots) {
+      const std::string why_not = whyNoBag(expanded, root, roots);
+      if (!why_not.empty()) throw Error("'" + shortened(path) + "' " + why_not + ".");
     }
     for (const std::string& root : roots) {
       if (const auto way_out = wayOut(expanded, root, roots)) {

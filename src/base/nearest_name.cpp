@@ -1,16 +1,12 @@
 #include "base/nearest_name.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
+
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
-
-std::string lowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// The optimal string alignment distance; three rows of its table are kept.
 std::size_t editDistance(const std::string& a, const std::string& b) {

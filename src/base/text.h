@@ -28,6 +28,9 @@ std::string fixed(double number, int decimals);
 /// 0.123 as "12.3 %".
 std::string percent(double fraction, int decimals = 1);
 
+/// `text` with the letters A to Z as a to z.
+std::string lowerCase(std::string text);
+
 /// The same for all texts that differ in case only (Unicode case folding). `text` must be well
 /// formed UTF-8.
 std::string caseFolded(const std::string& text);

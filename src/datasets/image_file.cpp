@@ -1,7 +1,11 @@
 #include "datasets/image_file.h"
 
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
+#include <system_error>
 
 #include "base/atomic_file.h"
 #include "base/file_kind.h"
@@ -78,6 +82,16 @@ DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size) {
     return {{}, "it is no PNG, JPEG or WebP picture"};
   }
   return decode(header, bytes, size);
+}
+
+bool startsAsPicture(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::array<char, 64> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(start.data());
+  return isStreamed(readPictureHeader(bytes, static_cast<std::size_t>(file.gcount())).format);
 }
 
 DecodedImage readDeepImageFile(const std::string& path) {

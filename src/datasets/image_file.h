@@ -16,6 +16,9 @@ struct DecodedImage {
 /// announce at most 64 million pixels reach the decoder. Never throws for bad bytes. Thread-safe.
 DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size);
 
+/// Whether a file starts as such a picture does, whatever its name. False if it cannot be read.
+bool startsAsPicture(const std::string& path);
+
 /// The same for a file, which may also be BMP, TIFF, PNM (P4 to P6) or JPEG 2000.
 DecodedImage readDeepImageFile(const std::string& path);
 

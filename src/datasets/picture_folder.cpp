@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include "base/place_name.h"
+#include "base/text.h"
+#include "datasets/image_file.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -39,11 +41,6 @@ bool isOneOf(const std::string& text, const std::array<std::string_view, N>& lis
   return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-std::string lowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 /// In lower case, without its point.
 std::string endingOf(const std::string& name) {
   const std::string ending = lowerCase(fs::path(name).extension().string());
@@ -51,6 +48,12 @@ std::string endingOf(const std::string& name) {
 }
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// As in "0017", "0017." and "frame.0017".
+bool lacksEnding(const std::string& name) {
+  const std::string ending = endingOf(name);
+  return std::all_of(ending.begin(), ending.end(), isDigit);
+}
 
 /// The number that starts at `i`, without leading zeros, as digits; moves `i` behind it.
 std::string digits(const std::string& text, std::size_t& i) {
@@ -196,7 +199,9 @@ FolderEntries entriesOf(const std::string& folder) {
     if (fs::is_directory(status)) {
       entries.folders.push_back(name);
     } else if (fs::is_regular_file(status)) {
-      (isPictureName(name) ? entries.pictures : entries.others).push_back(name);
+      const bool is_picture =
+          isPictureName(name) || (lacksEnding(name) && startsAsPicture(entry->path().string()));
+      (is_picture ? entries.pictures : entries.others).push_back(name);
     } else if (entry->is_symlink(ignored)) {
       entries.dead.push_back(name);
     }

@@ -20,7 +20,8 @@ bool cameAlong(const std::string& name);
 bool naturalLess(const std::string& a, const std::string& b);
 
 /// What is directly in a folder, each in natural order, symbolic links followed; what came along is
-/// left out.
+/// left out. A file whose name has no ending, or a number for one, is a picture if it starts as a
+/// PNG, JPEG or WebP does.
 struct FolderEntries {
   std::vector<std::string> pictures;  ///< names
   std::vector<std::string> folders;   ///< names

@@ -51,11 +51,15 @@ std::string inQuotes(const std::string& label) {
 std::optional<std::vector<Interval>> readIntervals(const std::string& path, double start) {
   LabelsFile file;
   const YAML::Node tree = readYamlFile(path);
+  const YAML::Node list = tree.IsMap() ? tree["labels"] : YAML::Node(YAML::NodeType::Undefined);
+  if (list.IsDefined() && !list.IsSequence() && list.size() == 0) {
+    throw Error(path + ": labels is no list; write 'labels: []' if there are none.");
+  }
   readOptions(tree, path, file);
-  if (file.labels.empty() && tree["labels"].IsDefined()) return std::nullopt;
   if (file.times != "relative" && file.times != "absolute") {
     throw Error(path + ": times is '" + file.times + "'; it must be relative or absolute.");
   }
+  if (file.labels.empty() && list.IsDefined()) return std::nullopt;
   const double origin = file.times == "relative" ? start : 0;
   for (std::size_t i = 0; i < file.labels.size(); ++i) {
     Interval& interval = file.labels[i];

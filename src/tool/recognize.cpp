@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/place_name.h"
+#include "datasets/image_file.h"
 #include "datasets/picture_folder.h"
 #include "evaluation/run_recognizer.h"
 #include "place_recognition/error.h"
@@ -200,7 +201,8 @@ void recognize(const RecognizeOptions& options) {
   Frame frame;
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     const std::string& input = options.inputs[i];
-    if (isPictureName(input) && !std::filesystem::is_directory(input)) {
+    const bool is_picture = isPictureName(input) && !std::filesystem::is_directory(input);
+    if (is_picture || startsAsPicture(input)) {
       report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
       frame = pictureFrame(input, recognitions.depth());
       frame.stamp = static_cast<double>(i);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <string>
@@ -29,6 +30,18 @@ class ConfinedPaths : public testing::Test {
   }
 
   std::string confined(const std::string& path) { return confinedBagPath(path, {root_}); }
+
+  void expectSays(const std::string& path, const std::vector<std::string>& parts) {
+    try {
+      confined(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& e) {
+      for (const std::string& part : parts) {
+        EXPECT_NE(std::string(e.what()).find(part), std::string::npos)
+            << part << " in: " << e.what();
+      }
+    }
+  }
 
   ScratchFolder scratch_;
   const std::string root_ = scratch_ / "bags";
@@ -85,18 +98,17 @@ TEST_F(ConfinedPaths, MessagesTellNothingOfOtherFiles) {
   EXPECT_EQ(message, messageOf(missing));
 }
 
+TEST_F(ConfinedPaths, TheRefusalSaysWhatLiesBelowTheRootInstead) {
+  expectSays("deep", {"'deep' is a folder; name the bags in it"});
+  expectSays(root_ + "/notes.txt", {"notes.txt' does not end in .bag"});
+  ASSERT_EQ(mkfifo((root_ + "/pipe.bag").c_str(), 0666), 0);
+  expectSays("pipe.bag", {"is a pipe or a device"});
+  expectSays("missing.bag", {"is no bag (*.bag) below " + root_});
+  expectSays("/etc", {"is no bag (*.bag) below " + root_});  // nothing of what lies elsewhere
+  expectSays("..", {"is no bag (*.bag) below " + root_});
+}
+
 TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
-  const auto expectSays = [this](const std::string& path, const std::vector<std::string>& parts) {
-    try {
-      confined(path);
-      ADD_FAILURE() << path;
-    } catch (const Error& e) {
-      for (const std::string& part : parts) {
-        EXPECT_NE(std::string(e.what()).find(part), std::string::npos)
-            << part << " in: " << e.what();
-      }
-    }
-  };
   const std::string elsewhere = scratch_ / "elsewhere";
   fs::create_directory_symlink(elsewhere, root_ + "/linked");
   fs::create_directory_symlink("linked", root_ + "/twice");

@@ -64,6 +64,11 @@ TEST_F(LabelFiles, AbsoluteIntervalsInAnyOrder) {
 TEST_F(LabelFiles, AnEmptyListMeansNoLabels) {
   EXPECT_EQ(read("run.labels.yaml", "labels: []\n").at(1050), "");
   EXPECT_NE(errorOf("run.labels.yaml", "times: relative\n"), "");
+  for (const char* text : {"labels:\n", "labels: {}\n"}) {  // not certainly on purpose
+    EXPECT_NE(errorOf("run.labels.yaml", text).find("write 'labels: []'"), std::string::npos);
+  }
+  EXPECT_NE(errorOf("run.labels.yaml", "times: bag\nlabels: []\n").find("'bag'"),
+            std::string::npos);
 }
 
 TEST_F(LabelFiles, ColdLinesHoldUntilTheNext) {

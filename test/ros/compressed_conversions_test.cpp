@@ -74,7 +74,7 @@ TEST(CompressedConversions, RedIsRedWhateverTheFormatSays) {
   for (const char* format :
        {"rgb8; jpeg compressed rgb8", "rgb8; png compressed rgb8", "rgb8; jpeg compressed ",
         "bgr8; jpeg compressed rgb8", "rgba8; jpeg compressed rgb8", "bgra8; png compressed rgb8",
-        "rgb16; png compressed rgb16"}) {
+        "rgb16; png compressed rgb16", " RGB8 ; JPEG compressed RGB8"}) {
     EXPECT_EQ(strongestChannel(swapped, format), 2) << format;
   }
 }

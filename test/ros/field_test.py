@@ -104,6 +104,32 @@ class FullDiskTest(FieldCase):
                           if "places" in path.name], [])
 
 
+class TrainerTest(FieldCase):
+    def test_warnings_reach_who_asks_and_the_log(self):
+        whole, part = self.folder / "run_0.bag", self.folder / "run_1.bag"
+        self.write_run(whole.name)
+        with rosbag.Bag(str(whole)) as bag, rosbag.Bag(str(part), "w") as later:
+            for _, message, stamp in bag.read_messages("/image"):
+                if stamp.secs > 1008:
+                    later.write("/image", message, stamp + rospy.Duration(8))
+        node = self.start_node("trainer", f"_bag_roots:=[{self.folder}]")
+        rospy.wait_for_service("/trainer/retrain", 60)
+        retrain = rospy.ServiceProxy("/trainer/retrain", Retrain)
+
+        def ask(*bags):
+            return retrain(bags=[str(bag) for bag in bags], model="home", preset="crfh_colour")
+
+        alone = ask(part)
+        self.assertFalse(alone.success)
+        self.assertIn("rosbag record --repeat-latched", alone.message)
+        both = ask(part, whole)
+        self.assertEqual((both.success, both.images), (True, 23), both.message)
+        self.assertIn("/run_1.bag has no labels.", node.output)
+        self.assertIn(f"{part} goes on where {whole} ends, and starts in 'office'", node.output)
+        self.assertIn("is a folder; name the bags in it", ask(self.folder).message)
+        self.assertEqual(node.interrupt(), 0)
+
+
 class EndTest(FieldCase):
     def test_a_training_by_a_service_does_not_hold_the_trainer_up(self):
         run = str(self.folder / self.write_run("run.bag"))

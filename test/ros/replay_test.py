@@ -23,9 +23,9 @@ class ReplayTest(NodeCase):
         self.trip = self.folder / "Monday's trip"
         self.trip.mkdir()
 
-    def write_run(self, path, topic="/camera/image_raw", labels="/place_label"):
+    def write_run(self, path, topic="/camera/image_raw", labels="/place_label", frames=range(FRAMES)):
         with rosbag.Bag(str(path), "w") as bag:
-            for i in range(FRAMES):
+            for i in frames:
                 if i % 8 == 0:
                     bag.write(labels, String(("kitchen", "office")[i // 8]), rospy.Time(1000 + i))
                 image = CompressedImage(format="jpeg", data=cv2.imencode(
@@ -51,12 +51,14 @@ class ReplayTest(NodeCase):
         self.write_run(self.trip / "the run.bag")
         self.write_run(self.home / "run.bag")
         bare = self.write_run(self.trip / "bare.bag", "camera/image_raw", "place_label")
+        for part, frames in enumerate((range(9), range(9, FRAMES))):
+            self.write_run(self.trip / f"part {part}.bag", frames=frames)
         program = self.start(os.environ["PLACE_TOOL"], "train", bare, "--model", "home", "--config",
                              "crfh_colour")
         self.assertEqual(program.wait(), 0, program.output)
         for given, arguments in ((self.trip / "the run.bag", []), ("the run.bag", ["loop:=no"]),
                                  ("~/run.bag", ["image:=camera/image_raw"]), ("$HOME/run.bag", []),
-                                 ("bare.bag", [])):
+                                 ("bare.bag", []), ("[part 0.bag, part 1.bag]", [])):
             with self.subTest(str(given)):
                 self.assertEqual(self.replay(given, *arguments),
                                  list(range(1000, 1000 + FRAMES)))
@@ -70,6 +72,8 @@ class ReplayTest(NodeCase):
                 ("BAG", self.trip / "the lost run.bag", "There is no file"),
                 ("BAG", self.trip, "There is no file"),
                 ("BAG", self.trip / "notes.bag", "copy or record it again"),
+                ("BAG", f"[{run}, lost.bag]", "lost.bag; give"),
+                ("BAG", "[", "give a path, or a list as in bag:='[run_0.bag, run_1.bag]'"),
                 ("RATE", "fast", "The argument rate is 'fast'; give a number above 0"),
                 ("RATE", "0", "give a number above 0"), ("RATE", "nan", "give a number above 0"),
                 ("LOOP", "maybe", "The argument loop is 'maybe'; give true or false"),

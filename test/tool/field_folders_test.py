@@ -41,6 +41,35 @@ class FolderTest(FieldCase):
         self.assertNotIn("warning: Nothing", said)
         self.assertEqual(self.figures("import", "run", "--out", "run.bag")["images"], 24)
 
+    def test_pictures_whose_names_have_no_ending_are_read(self):
+        self.write_run("run", rooms=["office", "corridor"])
+        (self.folder / "run/kitchen").mkdir()
+        for view in range(8):
+            data = cv2.imencode((".jpg", ".png", ".webp")[view % 3], paint("kitchen", view))[1].tobytes()
+            (self.folder / f"run/kitchen/{('', 'frame', 'frame.')[view % 3]}{view:04d}").write_bytes(data)
+        (self.folder / "run/kitchen/README").write_text("BM and other notes")
+        figures, said = self.train("run")
+        self.assertEqual(figures["rooms"]["kitchen"]["count"], 8, said)
+        self.assertIn("kitchen", self.succeed("recognize", "run/kitchen/0000", *MODEL[:2]))
+        self.assert_names(self.refuse("recognize", "run/kitchen/README", *MODEL[:2]), "README")
+
+    def test_named_pipes_do_not_hold_anything_up(self):
+        self.write_run("run")
+        self.write_labelled("run.bag", 1000, ["kitchen"] * 4 + ["office"] * 4, [(0, "kitchen")])
+        self.train("run")
+        for name in ("run/kitchen/pipe.png", "run/pipe.bag", "pipe", "pipe.png", "pipe.bag"):
+            os.mkfifo(self.folder / name)
+        self.assertEqual(self.train("run")[0]["images"], 24)
+        for verb in (("info", "pipe"), ("info", "pipe.bag"), ("features", "pipe"), ("train", "pipe", *MODEL),
+                     ("recognize", "pipe.png", *MODEL[:2]), ("recognize", "pipe", *MODEL[:2]),
+                     ("recognize", "run", "--model", "./pipe"),
+                     ("train", "run.bag", "--labels", "pipe", *MODEL),
+                     ("train", "run", *MODEL[:2], "--config", "pipe")):
+            with self.subTest(verb):
+                self.assert_names(self.refuse(*verb), "pipe")
+        os.mkfifo(self.folder / "run.labels.yaml")
+        self.assert_names(self.refuse("info", "run.bag"), "run.labels.yaml", "not a file")
+
     def test_a_picture_beside_runs_does_not_make_rooms_of_them(self):
         for run in ("monday", "tuesday"):
             self.write_run(f"runs/{run}")

@@ -63,13 +63,17 @@ Model readModel(std::istream& file, const std::string& where) {
   }
 }
 
-std::ifstream openFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string failure = file ? "" : std::strerror(errno);
+/// Something other than a file, as a named pipe, must not even be opened.
+bool isOther(const std::string& path) {
   std::error_code ignored;
-  if (!file || !fs::is_regular_file(path, ignored)) {
-    throw Error("Cannot read " + path + ": " + (file ? "not a file" : failure) +
-                "; check the name.");
+  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+}
+
+std::ifstream openFile(const std::string& path) {
+  if (isOther(path)) throw Error("Cannot read " + path + ": not a file; check the name.");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw Error("Cannot read " + path + ": " + std::strerror(errno) + "; check the name.");
   }
   return file;
 }
@@ -123,6 +127,7 @@ Model loadModel(const std::string& path) {
 }
 
 bool startsAsModel(const std::string& path) {
+  if (isOther(path)) return false;
   std::ifstream file(path, std::ios::binary);
   return startsAsContainer(file);
 }

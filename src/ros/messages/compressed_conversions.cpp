@@ -1,6 +1,7 @@
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <string>
 
@@ -16,7 +17,8 @@ namespace encodings = sensor_msgs::image_encodings;
 
 /// The encoding of the pixels as they were decoded, if that is neither BGR nor grey; else empty.
 /// The rules are those of compressed_image_transport's subscriber.
-std::string encodingOf(const std::string& format, const cv::Mat& image) {
+std::string encodingOf(std::string format, const cv::Mat& image) {
+  format = lowerCase(format.substr(std::min(format.find_first_not_of(' '), format.size())));
   const std::size_t end = format.find(';');
   if (end == std::string::npos) return "";
   const std::string bits = image.depth() == CV_16U ? "16" : "8";

@@ -27,6 +27,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPoll(100);
 /// What place_tool has to tidy up after an interrupt before it is killed.
 constexpr std::chrono::seconds kPatience(8);
+/// Of the warnings that a message repeats.
+constexpr std::size_t kMaxWarningBytes = 2000;
 
 /// A file for the configuration that a goal brings along, removed in the end.
 class TemporaryYaml {
@@ -107,8 +109,9 @@ TrainResult failure(const std::string& message) {
 /// What the lines of place_tool tell.
 class ToolOutput {
  public:
-  ToolOutput(const std::string& model, const TrainJob::FeedbackCallback& on_feedback)
-      : model_(model), on_feedback_(on_feedback) {}
+  ToolOutput(const std::string& model, const TrainJob::FeedbackCallback& on_feedback,
+             const TrainJob::WarningCallback& on_warning)
+      : model_(model), on_feedback_(on_feedback), on_warning_(on_warning) {}
 
   void onOutput(const std::string& line) {
     try {
@@ -124,20 +127,30 @@ class ToolOutput {
   }
 
   void onError(const std::string& line) {
+    for (const std::string start : {"warning: ", "note: "}) {
+      if (!startsWith(line, start)) continue;
+      const std::string sentence = line.substr(start.size());
+      on_warning_(sentence);
+      if (warnings_.size() < kMaxWarningBytes) warnings_ += " " + sentence;
+      return;
+    }
     if (!line.empty()) last_error_ = line;
   }
 
   TrainResult result(int exit_status) const {
     if (exit_status == 0 && result_) return *result_;
-    return failure(last_error_.empty() ? "Training ended with " + describeExit(exit_status) + "."
-                                       : last_error_);
+    return failure((last_error_.empty() ? "Training ended with " + describeExit(exit_status) + "."
+                                        : last_error_) +
+                   warnings_);
   }
 
  private:
   std::string model_;
   const TrainJob::FeedbackCallback& on_feedback_;
+  const TrainJob::WarningCallback& on_warning_;
   std::optional<TrainResult> result_;
   std::string last_error_;
+  std::string warnings_;  // each with a blank before it
 };
 
 }  // namespace
@@ -145,18 +158,19 @@ class ToolOutput {
 TrainJob::TrainJob(const TrainGoal& goal, const std::vector<std::string>& bag_roots)
     : goal_(goal), bag_roots_(bag_roots) {}
 
-TrainResult TrainJob::run(const FeedbackCallback& on_feedback) {
+TrainResult TrainJob::run(const FeedbackCallback& on_feedback, const WarningCallback& on_warning) {
   try {
-    return train(on_feedback);
+    return train(on_feedback, on_warning);
   } catch (const std::exception& e) {
     return failure(e.what());
   }
 }
 
-TrainResult TrainJob::train(const FeedbackCallback& on_feedback) {
+TrainResult TrainJob::train(const FeedbackCallback& on_feedback,
+                            const WarningCallback& on_warning) {
   const TemporaryYaml yaml(goal_.yaml);
   ChildProcess tool(trainCommand(goal_, bag_roots_, yaml.path()), ChildProcess::Stderr::kPipe);
-  ToolOutput output(goal_.model, on_feedback);
+  ToolOutput output(goal_.model, on_feedback, on_warning);
   const auto on_output = [&output](const std::string& line) { output.onOutput(line); };
   const auto on_error = [&output](const std::string& line) { output.onError(line); };
   std::optional<Clock::time_point> deadline;

@@ -53,6 +53,8 @@ void logFeedback(const TrainFeedback& feedback) {
   ROS_INFO_THROTTLE(5, "%s", feedback.message.c_str());
 }
 
+void logWarning(const std::string& sentence) { ROS_WARN("%s", sentence.c_str()); }
+
 }  // namespace
 
 Trainer::Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
@@ -111,10 +113,11 @@ void Trainer::onCancel(GoalHandle handle) {
 }
 
 void Trainer::work(GoalHandle handle, const std::shared_ptr<TrainJob>& job) {
-  TrainResult result = job->run([&handle](const TrainFeedback& feedback) {
+  const auto on_feedback = [&handle](const TrainFeedback& feedback) {
     logFeedback(feedback);
     handle.publishFeedback(feedback);
-  });
+  };
+  TrainResult result = job->run(on_feedback, logWarning);
   if (result.success) reloadRecognizers(*handle.getGoal(), result);
   log(result);
   end();
@@ -134,7 +137,7 @@ bool Trainer::onRetrain(Retrain::Request& request, Retrain::Response& response) 
     response.message = kBusy;
     return true;
   }
-  TrainResult result = job->run(logFeedback);
+  TrainResult result = job->run(logFeedback, logWarning);
   if (result.success) reloadRecognizers(goal, result);
   log(result);
   end();
