@@ -118,7 +118,8 @@ class RelocalizationCase(NodeCase):
         return believer
 
     def place_to_pose(self, *arguments, hold=0.5):
-        node = self.start_node("place_to_pose", "_rooms:=rooms.yaml", f"_hold:={hold}", *arguments)
+        node = self.start_node("place_to_pose", "_rooms:=rooms.yaml", f"_hold:={hold}",
+                               "_min_probability:=0.9", *arguments)
         self.expect(node, "the rooms 'kitchen', 'lab', 'cupboard'.")
         return node
 
@@ -381,7 +382,8 @@ class RobotTest(FieldCase):
         self.addCleanup(camera.close)
         recognizer = self.launch("recognize.launch", "model:=home")
         self.expect(recognizer, "Recognizing with home")  # two that start at once get in each other's way
-        node = self.launch("relocalize.launch", f"rooms:={self.folder}/rooms.yaml", "publish:=true", "hold:=1")
+        node = self.launch("relocalize.launch", f"rooms:={self.folder}/rooms.yaml", "publish:=true",
+                           "min_probability:=0.9")
         self.wait_for(camera.listeners, "nobody listens to the camera")
         self.wait_for(lambda: camera.send() or rospy.sleep(0.05) or amcl.heard, lambda: node.output)
         self.assertAlmostEqual(amcl.heard[0].pose.pose.position.x, 3)

@@ -25,8 +25,8 @@ std::string fileOf(Parameters& parameters) {
 
 HeldRoom::Options heldOptions(Parameters& parameters) {
   HeldRoom::Options options;
-  options.min_probability = parameters.real("min_probability", 0.9, 0, 1);
-  options.hold = parameters.real("hold", 3, 0);
+  options.min_probability = parameters.real("min_probability", 0.99, 0, 1);
+  options.hold = parameters.real("hold", 1, 0);
   options.timeout = parameters.real("belief_timeout", 2, 0);
   return options;
 }
