@@ -80,6 +80,17 @@ Json overTimeJson(const Summary& summary) {
           {"followed_within_2s", over_time.followedWithin(OverTime::kAfter)}};
 }
 
+nlohmann::json confusedJson(const Summary& summary) {
+  nlohmann::json pairs = nlohmann::json::array();
+  for (const ConfusedPair& pair : summary.confused) {
+    pairs.push_back({{"places",
+                      {summary.places[static_cast<std::size_t>(pair.a)],
+                       summary.places[static_cast<std::size_t>(pair.b)]}},
+                     {"rate", pair.rate}});
+  }
+  return pairs;
+}
+
 }  // namespace
 
 nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary) {
@@ -93,6 +104,7 @@ nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary) 
            {{"labels", summary.places},
             {"counts", summary.confusion.counts},
             {"none", summary.confusion.none}}},
+          {"confused", confusedJson(summary)},
           {"calibration_error", summary.calibration_error},
           {"reliability", reliabilityJson(summary.reliability)},
           {"risk_coverage", riskJson(summary.risk_coverage)},

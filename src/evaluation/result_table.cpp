@@ -64,6 +64,20 @@ std::string confusionTable(const Summary& summary) {
   return alignColumns(rows);
 }
 
+/// The worst of the pairs of places that are taken for one another; empty if there are none.
+std::string confusedTable(const Summary& summary) {
+  constexpr std::size_t kMost = 5;
+  if (summary.confused.empty()) return "";
+  TextRows rows{{"taken for one another", "of the pictures of both"}};
+  for (const ConfusedPair& pair : summary.confused) {
+    if (rows.size() > kMost) break;
+    rows.push_back({summary.places[static_cast<std::size_t>(pair.a)] + ", " +
+                        summary.places[static_cast<std::size_t>(pair.b)],
+                    percent(pair.rate)});
+  }
+  return alignColumns(rows) + "\n";
+}
+
 std::string otherFigures(const Evaluation& evaluation, const Summary& summary) {
   TextRows rows;
   if (summary.runs.size() > 1) {
@@ -131,8 +145,9 @@ TextRows riskRows(const Summary& summary) {
 
 std::string resultTable(const Evaluation& evaluation, const Summary& summary) {
   return ratesTable(summary) + "\n" + camerasTable(summary) + confusionTable(summary) + "\n" +
-         alignColumns(reliabilityRows(summary)) + "\n" + alignColumns(riskRows(summary)) + "\n" +
-         overTimeTable(summary) + otherFigures(evaluation, summary);
+         confusedTable(summary) + alignColumns(reliabilityRows(summary)) + "\n" +
+         alignColumns(riskRows(summary)) + "\n" + overTimeTable(summary) +
+         otherFigures(evaluation, summary);
 }
 
 }  // namespace place_recognition

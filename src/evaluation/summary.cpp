@@ -71,6 +71,17 @@ void summarizeCameras(const Evaluation& evaluation, Summary& summary) {
   }
 }
 
+/// Places that the model has learned, and does not keep apart.
+std::vector<ConfusedPair> confusedIn(const Evaluation& evaluation) {
+  std::vector<int> truth, answers;
+  for (const FrameResult& frame : evaluation.frames) {
+    if (!evaluation.learned(frame)) continue;
+    truth.push_back(frame.truth);
+    answers.push_back(frame.place);
+  }
+  return confusedPairs(truth, answers, evaluation.places.size());
+}
+
 Confusion confusionOf(const Evaluation& evaluation) {
   const std::size_t places = evaluation.places.size();
   Confusion confusion{{places, std::vector<std::uint64_t>(places, 0)},
@@ -130,6 +141,7 @@ Summary summarize(const Evaluation& evaluation) {
   summarizeRuns(evaluation, summary);
   summarizeCameras(evaluation, summary);
   summary.confusion = confusionOf(evaluation);
+  summary.confused = confusedIn(evaluation);
   summarizeConfidence(evaluation, summary);
   summarizeUnknown(evaluation, summary);
   summarizeLatency(evaluation, summary);

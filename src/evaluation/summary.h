@@ -8,6 +8,7 @@
 #include "evaluation/evaluation.h"
 #include "evaluation/metrics.h"
 #include "evaluation/over_time.h"
+#include "recognition/model/scores.h"
 
 namespace place_recognition {
 
@@ -62,6 +63,7 @@ struct Summary {
                              ///< (thesis section 8.1); equals average_rate for a single run
   std::vector<CameraSummary> cameras;  ///< if there are several
   Confusion confusion;
+  std::vector<ConfusedPair> confused;       ///< indices into places; the most confused first
   std::vector<ReliabilityBin> reliability;  ///< from here on: pictures of learned places
   double calibration_error = 0;
   std::vector<RiskPoint> risk_coverage;

@@ -27,6 +27,10 @@ TEST(ResultJson, HasTheKeysThatOtherProgramsRead) {
   EXPECT_TRUE(json.at("calibration_error").is_number());
   EXPECT_EQ(json.at("support_vectors"), 12);
   EXPECT_EQ(json.at("model_bytes"), 2048);
+  EXPECT_EQ(json.at("confused").size(), 1u);
+  EXPECT_EQ(json.at("confused").at(0).at("places"),
+            (std::vector<std::string>{"kitchen", "office"}));
+  EXPECT_DOUBLE_EQ(json.at("confused").at(0).at("rate").get<double>(), 1.0 / 6);
   EXPECT_DOUBLE_EQ(json.at("latency_ms").at("p50").get<double>(), 4);
   EXPECT_EQ(json.at("runs").at(1).at("condition"), "night");
   EXPECT_EQ(json.at("risk_coverage").size(), 10u);
@@ -43,6 +47,8 @@ TEST(ResultTable, ShowsRoomsRunsAndConfusion) {
             "office                    1  100.0 %      0.0 %  100.0 %\n"
             "mean of the rooms             80.0 %              83.3 %  50.0 %\n");
   EXPECT_NE(table.find("A  kitchen                         3  1  .     1\n"), std::string::npos)
+      << table;
+  EXPECT_NE(table.find("kitchen, office                         16.7 %\n"), std::string::npos)
       << table;
 }
 

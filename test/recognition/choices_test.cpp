@@ -17,6 +17,18 @@ TEST(Scores, AverageRateWeighsRoomsEqually) {
   EXPECT_EQ(averageRate(std::vector<int>(), std::vector<int>(), 3), 0);
 }
 
+TEST(Scores, ConfusedPairsCountBothDirections) {
+  // Rooms 0 and 2: 2 of 4 + 1; 0 and 1: 1 of 4 + 2; none is no confusion.
+  const std::vector<int> truth{0, 0, 0, 0, 1, 1, 2}, answers{0, 2, 2, 1, 1, -1, 2};
+  const std::vector<ConfusedPair> pairs = confusedPairs(truth, answers, 4);
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].a, 0);
+  EXPECT_EQ(pairs[0].b, 2);
+  EXPECT_DOUBLE_EQ(pairs[0].rate, 2.0 / 5);
+  EXPECT_EQ(pairs[1].b, 1);
+  EXPECT_DOUBLE_EQ(pairs[1].rate, 1.0 / 6);
+}
+
 TEST(Scores, CalibrationErrorIsTheWeightedGapOfTheBins) {
   // Bin 0.9..1: mean confidence 0.95, one of two right; bin 0.3..0.4: 0.35, right.
   EXPECT_NEAR(calibrationError({0.94, 0.96, 0.35}, {true, false, true}), (2 * 0.45 + 1 * 0.65) / 3,

@@ -305,5 +305,20 @@ TEST(Training, RefusesANetworkThatIsNotThereBeforeItReadsAPicture) {
   EXPECT_THROW(train({unopened}, options), Error);
 }
 
+TEST(Train, NamesPlacesThatLookAlike) {
+  std::vector<Frame> frames = drawFrames(2, 40);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].place == "room0") frames[i].place = i % 2 == 0 ? "east" : "west";
+  }
+  const std::vector<std::string> warnings = train({opener(frames)}, quickOptions()).warnings;
+  const auto alike = [](const std::string& text) {
+    return text.find("'east' and 'west' look alike") == 0;
+  };
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(), alike), 1);
+  for (const std::string& warning : train({opener(drawFrames(3, 40))}, quickOptions()).warnings) {
+    EXPECT_EQ(warning.find("look alike"), std::string::npos) << warning;
+  }
+}
+
 }  // namespace
 }  // namespace place_recognition

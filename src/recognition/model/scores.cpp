@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace place_recognition {
 
@@ -60,6 +62,28 @@ double averageRate(const std::vector<int>& truth, const std::vector<int>& answer
 double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
                         std::size_t places) {
   return roomMean(truth, hits(truth, answers), places).standard_error;
+}
+
+std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
+                                        const std::vector<int>& answers, std::size_t places) {
+  assert(truth.size() == answers.size());
+  std::vector<double> frames(places, 0);
+  std::map<std::pair<int, int>, double> confusions;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    frames[static_cast<std::size_t>(truth[i])] += 1;
+    if (answers[i] < 0 || answers[i] == truth[i]) continue;
+    confusions[std::minmax(truth[i], answers[i])] += 1;
+  }
+  std::vector<ConfusedPair> pairs;
+  for (const auto& [places_of_pair, count] : confusions) {
+    const auto [a, b] = places_of_pair;
+    pairs.push_back(
+        {a, b,
+         count / (frames[static_cast<std::size_t>(a)] + frames[static_cast<std::size_t>(b)])});
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& left, const auto& right) { return left.rate > right.rate; });
+  return pairs;
 }
 
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct) {

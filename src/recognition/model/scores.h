@@ -35,6 +35,16 @@ double averageRate(const std::vector<int>& truth, const std::vector<int>& answer
 double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
                         std::size_t places);
 
+/// Two places that are taken for one another.
+struct ConfusedPair {
+  int a = 0, b = 0;  ///< a < b
+  double rate = 0;   ///< fraction of the frames of both that are answered with the other one
+};
+
+/// All pairs that are, the most confused first. As for averageRate().
+std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
+                                        const std::vector<int>& answers, std::size_t places);
+
 /// Expected calibration error: frames in ten equal bins of confidence, the bins' |share of correct
 /// answers - mean confidence| weighted by their frames. 0 without frames.
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct);

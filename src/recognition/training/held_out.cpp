@@ -6,7 +6,6 @@
 
 #include "learning/reduction.h"
 #include "place_recognition/calibration.h"
-#include "recognition/model/scores.h"
 
 namespace place_recognition {
 namespace {
@@ -151,6 +150,13 @@ double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>
                         std::size_t places) {
   const Answers answers = answersOf(held_out, samples);
   return averageRateError(answers.truth, answers.places, places);
+}
+
+std::vector<ConfusedPair> confusedPairs(const HeldOut& held_out,
+                                        const std::vector<SampleOrigin>& samples,
+                                        std::size_t places) {
+  const Answers answers = answersOf(held_out, samples);
+  return confusedPairs(answers.truth, answers.places, places);
 }
 
 std::vector<double> logLosses(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,

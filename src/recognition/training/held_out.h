@@ -9,6 +9,7 @@
 #include "learning/packed_gram.h"
 #include "place_recognition/learning_options.h"
 #include "place_recognition/progress.h"
+#include "recognition/model/scores.h"
 
 namespace place_recognition {
 
@@ -58,6 +59,11 @@ double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& sam
 /// Standard error of that mean, as if frames were independent.
 double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
                         std::size_t places);
+
+/// The pairs of places that the largest margin takes for one another, over the valid samples.
+std::vector<ConfusedPair> confusedPairs(const HeldOut& held_out,
+                                        const std::vector<SampleOrigin>& samples,
+                                        std::size_t places);
 
 /// -log of the probability given to the true place, in nats, for each of `chosen` samples, after
 /// calibration on the margins of these very samples (one number, which a few hundred frames

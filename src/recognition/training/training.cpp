@@ -62,6 +62,19 @@ void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>
   }
 }
 
+void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
+                         const std::vector<std::string>& places,
+                         std::vector<std::string>& warnings) {
+  constexpr double kWorthAWord = 0.1;
+  for (const ConfusedPair& pair : pairs) {
+    if (pair.rate < kWorthAWord) break;
+    warnings.push_back("'" + places[static_cast<std::size_t>(pair.a)] + "' and '" +
+                       places[static_cast<std::size_t>(pair.b)] +
+                       "' look alike: " + percent(pair.rate, 0) +
+                       " of their held-out pictures are taken for the other place.");
+  }
+}
+
 /// The blocks of time that stand for those of all runs: the one of median length.
 TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
   const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);
@@ -142,6 +155,8 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   training.passed_over = samples.passed_over;
   training.warnings = samples.warnings;
   warnOfFewImages(samples, options.validation.folds, training.warnings);
+  warnOfConfusedPairs(confusedPairs(held_out[chosen], judges.samples, places), model.places,
+                      training.warnings);
   for (std::string& warning : warnOfLikeNames(model.places)) {
     training.warnings.push_back(std::move(warning));
   }
