@@ -44,6 +44,8 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
   } catch (const Cancelled&) {
     return fail(tool, "stopped.", kStopped);
   } catch (const Error& e) {
+    // Ctrl-C reaches the programs that work for this one, too, and their end is no finding.
+    if (place_recognition::tool::stopRequested()) return fail(tool, "stopped.", kStopped);
     return fail(tool, e.what(), kBadInput);
   } catch (const std::bad_alloc&) {
     return fail(tool, "out of memory; give fewer or smaller pictures.", kBadInput);

@@ -5,6 +5,7 @@ import os
 import pty
 import signal
 import subprocess
+import time
 import unittest
 
 from tool_case import PLACE_TOOL, ToolCase
@@ -68,6 +69,20 @@ class StopTest(ToolCase):
                                    "--size", "64x48")
                 self.assertEqual(errors, "place_tool simulate: stopped.\n")
                 self.assertEqual(self.files(), [])
+
+    def test_the_end_of_who_reads_the_bag_is_no_damage(self):
+        """Ctrl-C in a terminal reaches all programs of the job."""
+        self.write_bag("run.bag", [("kitchen", "kitchen"), ("office", "office")] * 100)
+        for wait in (0, .03, .1, .3):
+            tool = subprocess.Popen(
+                [PLACE_TOOL, "train", *["run.bag"] * 10, "--model", "./m.places", "--progress", "json"],
+                cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                start_new_session=True)
+            tool.stdout.readline()
+            time.sleep(wait)
+            os.killpg(tool.pid, signal.SIGINT)
+            said = tool.communicate(timeout=60)[1]
+            self.assertEqual((tool.returncode, said.splitlines()[-1]), (130, "place_tool train: stopped."))
 
     def test_training_writes_no_model(self):
         self.write_run("monday")
