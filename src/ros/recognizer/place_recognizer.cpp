@@ -2,7 +2,6 @@
 
 #include <place_recognition/ModelInfo.h>
 #include <place_recognition/PlaceRecognition.h>
-#include <std_msgs/String.h>
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
@@ -14,7 +13,6 @@
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
-#include "ros/recognizer/place_marker.h"
 
 namespace place_recognition {
 namespace {
@@ -116,7 +114,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       reconfigure_mutex_, private_node_);
   reconfigure_server_->setCallback(
       [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
-  publishPlace(kUnknownPlace);
+  answers_.forget(place_tracker_);
   loadFirstModels(model);
   worker_ = std::thread([this] { work(); });
   updateSubscription();
@@ -156,20 +154,8 @@ void PlaceRecognizer::startCameras(Parameters& parameters) {
 
 void PlaceRecognizer::advertise() {
   // Who listens to an answer wants images; ~model_info and diagnostics need none.
-  const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
-    updateSubscription();
-  };
-  recognition_publisher_ = private_node_.advertise<PlaceRecognition>(
-      names::kRecognition, names::kAnswerQueue, changed, changed);
-  place_publisher_ = private_node_.advertise<std_msgs::String>(names::kPlace, names::kAnswerQueue,
-                                                               changed, changed, nullptr, true);
-  belief_publisher_ = private_node_.advertise<PlaceRecognition>(names::kBelief, names::kAnswerQueue,
-                                                                changed, changed);
-  smoothed_publisher_ = private_node_.advertise<PlaceRecognition>(
-      names::kSmoothed, names::kAnswerQueue, changed, changed);
+  answers_.advertise(private_node_, [this] { updateSubscription(); });
   model_info_publisher_ = private_node_.advertise<ModelInfo>(names::kModelInfo, 1, true);
-  marker_publisher_ = private_node_.advertise<visualization_msgs::Marker>(
-      names::kMarker, names::kAnswerQueue, changed, changed);
   services_ = {
       private_node_.advertiseService(names::kLoadModel, &PlaceRecognizer::onLoadModel, this),
       private_node_.advertiseService(names::kReloadModel, &PlaceRecognizer::onReloadModel, this),
@@ -195,14 +181,9 @@ void PlaceRecognizer::loadFirstModels(const std::string& name) {
 }
 
 bool PlaceRecognizer::isWanted() const {
-  return enabled_ &&
-         (!lazy_ || doubtful_frames_.isKeeping() ||
-          recognition_publisher_.getNumSubscribers() > 0 ||
-          place_publisher_.getNumSubscribers() > 0 || belief_publisher_.getNumSubscribers() > 0 ||
-          smoothed_publisher_.getNumSubscribers() > 0 ||
-          marker_publisher_.getNumSubscribers() > 0 ||
-          std::any_of(cameras_.begin(), cameras_.end(),
-                      [](const auto& camera) { return camera->debugImageIsWanted(); }));
+  return enabled_ && (!lazy_ || doubtful_frames_.isKeeping() || answers_.isWanted() ||
+                      std::any_of(cameras_.begin(), cameras_.end(),
+                                  [](const auto& camera) { return camera->debugImageIsWanted(); }));
 }
 
 void PlaceRecognizer::updateSubscription() {
@@ -217,7 +198,7 @@ void PlaceRecognizer::updateSubscription() {
   }
   // The latched room must not wait for whoever listens next.
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  forgetPlace();
+  answers_.forget(place_tracker_);
 }
 
 void PlaceRecognizer::onImage(std::size_t camera, const ImageMessage& message) {
@@ -382,48 +363,17 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   const std_msgs::Header& header = arrived.message.header();
   PlaceRecognition message = toPlaceRecognition(recognition, *camera.model(), header, seconds);
   message.camera = camera.name();
-  recognition_publisher_.publish(message);
+  answers_.publishFrame(message);
   // One of several cameras that shows nothing must not outvote the others.
   const bool fails = cameras_.size() > 1 && camera.blind();
   if (!fails && place_tracker_.counts(arrived.camera)) {
     last_image_ = arrived.arrival;
-    track(arrived.camera, message, recognition);
-    doubtful_frames_.take(camera.topic(), arrived.message, recognition, last_place_);
+    answers_.publishOverTime(place_tracker_.update(camera.lastStamp(), recognition, arrived.camera),
+                             message, place_tracker_);
+    doubtful_frames_.take(camera.topic(), arrived.message, recognition, answers_.place());
   }
   camera.publishDebugImage(image, recognition, header);
   camera.status().answered(header.stamp, arrived.arrival);
-}
-
-void PlaceRecognizer::track(std::size_t camera, const PlaceRecognition& message,
-                            const Recognition& recognition) {
-  const std::string& place =
-      place_tracker_.update(cameras_[camera]->lastStamp(), recognition, camera);
-  publishPlace(place);
-  if (belief_publisher_.getNumSubscribers() > 0) {
-    belief_publisher_.publish(place_tracker_.belief(message));
-  }
-  publishSmoothed(message);
-  if (marker_publisher_.getNumSubscribers() > 0) {
-    marker_publisher_.publish(placeMarker(place, message.header));
-  }
-}
-
-void PlaceRecognizer::publishPlace(const std::string& place) {
-  if (place == last_place_) return;
-  last_place_ = place;
-  std_msgs::String message;
-  message.data = place;
-  place_publisher_.publish(message);
-}
-
-void PlaceRecognizer::publishSmoothed(const PlaceRecognition& message) {
-  if (smoothed_publisher_.getNumSubscribers() == 0) {
-    place_tracker_.dropSmoothed();
-    return;
-  }
-  for (const PlaceRecognition& answer : place_tracker_.smooth(message)) {
-    smoothed_publisher_.publish(answer);
-  }
 }
 
 void PlaceRecognizer::publishModelInfo() {
@@ -436,24 +386,16 @@ void PlaceRecognizer::publishModelInfo() {
 void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   for (const auto& camera : cameras_) camera->reset();
-  forgetPlace();
+  answers_.forget(place_tracker_);
 }
 
 void PlaceRecognizer::watchCamera() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  if (last_place_ == kUnknownPlace) return;
+  if (answers_.place() == kUnknownPlace) return;
   const std::chrono::duration<double> silence = ImageStatus::Clock::now() - last_image_;
   if (silence.count() <= image_timeout_) return;
   ROS_WARN("No usable image for %.1f s; the place is unknown.", image_timeout_);
-  forgetPlace();
-}
-
-/// Needs state_mutex_.
-void PlaceRecognizer::forgetPlace() {
-  for (const PlaceRecognition& answer : place_tracker_.reset()) {
-    smoothed_publisher_.publish(answer);
-  }
-  publishPlace(kUnknownPlace);
+  answers_.forget(place_tracker_);
 }
 
 }  // namespace place_recognition

@@ -19,6 +19,7 @@
 #include "recognition/recognizer/model_slot.h"
 #include "ros/nodes/newest_image.h"
 #include "ros/nodes/parameters.h"
+#include "ros/recognizer/answer_publishers.h"
 #include "ros/recognizer/camera_list.h"
 #include "ros/recognizer/camera_recognizer.h"
 #include "ros/recognizer/diagnostics.h"
@@ -69,14 +70,9 @@ class PlaceRecognizer {
   void followModels();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
                double seconds);
-  /// ~place and what follows from it, unless the camera does not count.
-  void track(std::size_t camera, const PlaceRecognition& message, const Recognition& recognition);
-  void publishPlace(const std::string& place);
-  void publishSmoothed(const PlaceRecognition& message);
   void publishModelInfo();
   void reset();
   void watchCamera();
-  void forgetPlace();
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
@@ -97,14 +93,9 @@ class PlaceRecognizer {
   PlaceTracker place_tracker_;
   DoubtfulFrames doubtful_frames_;
   ImageStatus::Clock::time_point last_image_;  // arrival of the last one that could be used
-  std::string last_place_;                     // as published last
+  AnswerPublishers answers_;
 
-  ros::Publisher recognition_publisher_;
-  ros::Publisher place_publisher_;
-  ros::Publisher belief_publisher_;
-  ros::Publisher smoothed_publisher_;
   ros::Publisher model_info_publisher_;
-  ros::Publisher marker_publisher_;
   std::vector<ros::ServiceServer> services_;
   boost::recursive_mutex reconfigure_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<PlaceRecognizerConfig>> reconfigure_server_;
