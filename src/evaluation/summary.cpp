@@ -65,7 +65,8 @@ void summarizeCameras(const Evaluation& evaluation, Summary& summary) {
   for (std::size_t c = 0; c < evaluation.cameras.size(); ++c) {
     const auto ofCamera = [c](const FrameResult& f) { return f.camera == static_cast<int>(c); };
     const std::vector<RoomSummary> rooms = summarizeRooms(evaluation, ofCamera);
-    CameraSummary camera{evaluation.cameras[c], 0, meanRate(rooms)};
+    const std::string& topic = evaluation.cameras[c];
+    CameraSummary camera{topic.empty() ? "pictures in folders" : topic, 0, meanRate(rooms)};
     for (const RoomSummary& room : rooms) camera.count += room.count;
     summary.cameras.push_back(std::move(camera));
   }

@@ -34,7 +34,7 @@ struct RunSummary {
 
 /// The answers to the single frames of one of several cameras.
 struct CameraSummary {
-  std::string name;         ///< its topic
+  std::string name;         ///< its topic; of folders, which have none, "pictures in folders"
   std::uint64_t count = 0;  ///< pictures of learned rooms
   double average_rate = 0;  ///< mean of the rooms' rates
 };

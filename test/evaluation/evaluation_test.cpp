@@ -102,6 +102,7 @@ TEST(Evaluate, KeepsSeveralCamerasApart) {
   EXPECT_EQ(summary.cameras[0].count, 30u);  // the rear camera sees one room everywhere
   EXPECT_NEAR(summary.cameras[0].average_rate, 1.0 / 3, 1e-9);
   EXPECT_EQ(summary.cameras[1].count, 30u);
+  EXPECT_EQ(summary.cameras[2].name, "pictures in folders");
   EXPECT_NEAR(summary.cameras[1].average_rate, 1, 0.1);
   EXPECT_NE(resultTable(evaluation, summary).find("/front"), std::string::npos);
 }
