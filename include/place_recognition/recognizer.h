@@ -40,7 +40,8 @@ class Recognizer {
 
   /// A picture by itself, of whose light nothing is known: CV_8UC3 in BGR order or CV_8UC1, not
   /// empty. The result stays valid until the next call. A picture from which no cue could be
-  /// extracted has place -1, uniform probabilities and a reason.
+  /// extracted, or that shows too little (InformationOptions), has place -1, uniform probabilities
+  /// and a reason.
   const Recognition& recognize(const cv::Mat& image);
 
   /// The next frame of a stream, of `stamp`, s: those before it that are neither black nor white

@@ -40,6 +40,28 @@ struct SamplingOptions {
   void check() const;
 };
 
+/// Pictures that say little, such as those of a wall that fills the view (thesis section 3.5).
+/// Their measure is the edge density: the share of the pixels whose gradient at sigma = 1 exceeds
+/// 4 grey levels per pixel.
+struct InformationOptions {
+  double left_out_below = 0;
+  double unknown_below = 0;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(
+        "left_out_below", self.left_out_below,
+        "edge density, 0..1, below which a picture is not learned; 0: all are. It is the share of "
+        "the pixels that differ from their neighbours by more than 4 grey levels: less than 0.02 "
+        "of a bare wall, less than 0.05 of one with part of a picture on it");
+    visitor(
+        "unknown_below", self.unknown_below,
+        "edge density, 0..1, below which a picture is answered 'unknown', whatever its room; 0: "
+        "none is");
+  }
+  void check() const;
+};
+
 /// One cue: a feature, the kernel that compares it, and what it counts beside others.
 struct CueOptions {
   std::string name = "crfh";
@@ -119,6 +141,7 @@ struct UnknownOptions {
 struct TrainingOptions {
   ImageOptions image;
   SamplingOptions sampling;
+  InformationOptions information;
   AugmentationOptions augmentation;
   std::vector<CueOptions> cues = defaultCues();
   SvmOptions svm;
@@ -131,6 +154,7 @@ struct TrainingOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor("image", self.image, "preparation of the image");
     visitor("sampling", self.sampling, "which pictures of the runs are learned");
+    visitor("information", self.information, "pictures that say little");
     visitor("augmentation", self.augmentation, "further pictures made of those of the runs");
     visitor("cues", self.cues, "one or more cues; their margins are combined");
     visitor("svm", self.svm, "the machines");

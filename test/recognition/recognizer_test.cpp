@@ -62,6 +62,22 @@ TEST(Recognizer, SaysWhyThereIsNoAnswer) {
   EXPECT_TRUE(answer.probabilities.isApproxToConstant(1.0 / 3));
 }
 
+TEST(Recognizer, AnswersPicturesThatShowTooLittleWithTheReason) {
+  TrainingOptions options = quickOptions();
+  options.information.unknown_below = 0.01;
+  const std::shared_ptr<const Model> model = modelOf(options);
+  Recognizer recognizer(std::make_shared<const Model>(parseModel(serializeModel(*model), "test")));
+  EXPECT_GE(recognizer.recognize(drawRoom(0, 300)).place, 0);
+  const cv::Mat wall(72, 96, CV_8UC3, cv::Scalar(200, 210, 220));
+  for (const Recognition& answer : {recognizer.recognize(wall), recognizer.recognize(wall, 1.0)}) {
+    EXPECT_EQ(answer.place, -1);
+    EXPECT_FALSE(answer.known);
+    EXPECT_NE(answer.reason.find("too little"), std::string::npos) << answer.reason;
+  }
+  EXPECT_GE(recognizer.recognize(drawRoom(0, 300), 1.1).place, 0);
+  EXPECT_GE(Recognizer(modelOf(quickOptions())).recognize(wall).place, 0) << "off by default";
+}
+
 TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
   // The second cue needs a higher image than is shown: the answer is that of the first alone.
   TrainingOptions options = twoCueOptions();

@@ -1,11 +1,24 @@
 #include "recognition/frames/cue_extraction.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cstdio>
 
 namespace place_recognition {
 
 CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile& images)
-    : scaler_(images, options.image.max_width) {
+    : CueExtraction(options, images, options.information.left_out_below) {}
+
+CueExtraction::CueExtraction(const Model& model)
+    : CueExtraction(model.options, model.images, model.options.information.unknown_below) {
+  for (std::size_t c = 0; c < extractors_.size(); ++c) {
+    if (model.cue_weights[c] == 0) extractors_[c].reset();
+  }
+}
+
+CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile& images,
+                             double least_edge_density)
+    : least_edge_density_(least_edge_density), scaler_(images, options.image.max_width) {
   for (const CueOptions& cue : options.cues) {
     extractors_.push_back(makeFeatureExtractor(cue.feature));
     normalizations_.push_back(colorNormalization(cue.normalize));
@@ -14,20 +27,19 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
   }
 }
 
-CueExtraction::CueExtraction(const Model& model) : CueExtraction(model.options, model.images) {
-  for (std::size_t c = 0; c < extractors_.size(); ++c) {
-    if (model.cue_weights[c] == 0) extractors_[c].reset();
-  }
-}
-
 bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features,
                             const Light& light, bool with_embeddings) {
   assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
   const cv::Mat& scaled = scaler_.scaled(image);
   if (normalizes_) color_ = logColor(scaled);
-  normalized_.set(scaled, color_, light);
   features.resize(extractors_.size());
   reason_.clear();
+  judge(scaled);
+  if (shows_too_little_) {
+    std::fill(features.begin(), features.end(), Feature());
+    return false;
+  }
+  normalized_.set(scaled, color_, light);
   bool any = false;
   for (std::size_t c = 0; c < extractors_.size(); ++c) {
     if (!extractors_[c] || (is_embedding_[c] && !with_embeddings)) continue;
@@ -36,6 +48,18 @@ bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features
     if (isMissing(features[c]) && reason_.empty()) reason_ = extractors_[c]->missingReason();
   }
   return any;
+}
+
+void CueExtraction::judge(const cv::Mat& scaled) {
+  if (least_edge_density_ == 0) return;
+  const double density = edge_density_.of(scaled);
+  shows_too_little_ = density < least_edge_density_;
+  if (!shows_too_little_) return;
+  char text[96];
+  std::snprintf(text, sizeof(text),
+                "the image shows too little: its edge density is %.3f, below %g", density,
+                least_edge_density_);
+  reason_ = text;
 }
 
 }  // namespace place_recognition

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "features/edge_density.h"
 #include "features/feature_extractor.h"
 #include "place_recognition/model.h"
 #include "place_recognition/training_options.h"
@@ -18,9 +19,9 @@ namespace place_recognition {
 /// extractor looks at it. Keeps its buffers from image to image: one per thread.
 class CueExtraction {
  public:
-  /// `images`: what the model is trained on, for their size.
+  /// For training. `images`: what the model is trained on, for their size.
   CueExtraction(const TrainingOptions& options, const ImageProfile& images);
-  /// The cues of `model` that count: those of weight 0 are missing in every image.
+  /// For recognition: the cues of `model` that count, those of weight 0 are missing in every image.
   explicit CueExtraction(const Model& model);
 
   /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one per cue, into `features`, whose
@@ -35,7 +36,18 @@ class CueExtraction {
 
   const std::string& reason() const { return reason_; }
 
+  /// Whether the last image had no cue because it shows too little, see InformationOptions.
+  bool showsTooLittle() const { return shows_too_little_; }
+
  private:
+  CueExtraction(const TrainingOptions& options, const ImageProfile& images,
+                double least_edge_density);
+
+  void judge(const cv::Mat& scaled);
+
+  double least_edge_density_;
+  EdgeDensity edge_density_;
+  bool shows_too_little_ = false;
   ImageScaler scaler_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
   std::vector<ColorNormalization> normalizations_;             // of each cue

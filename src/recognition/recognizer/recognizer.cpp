@@ -109,7 +109,7 @@ const Recognition& Recognizer::combine(const CueAnswers& answers, double certain
     mean_->add(weightOf(c, certainty, embeddings_are_held), answers[c].margins,
                answers[c].familiarity);
   }
-  if (mean_->finish()) {
+  if (!extraction_->showsTooLittle() && mean_->finish()) {
     decide(evidence_shift);
   } else {
     answerNothing(extraction_->reason());

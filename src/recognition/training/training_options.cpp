@@ -1,6 +1,7 @@
 #include "place_recognition/training_options.h"
 
 #include <set>
+#include <utility>
 
 #include "base/data_folder.h"
 #include "learning/folds.h"
@@ -83,6 +84,15 @@ void SamplingOptions::check() const {
   }
 }
 
+void InformationOptions::check() const {
+  for (const auto& [key, value] :
+       {std::pair("left_out_below", left_out_below), std::pair("unknown_below", unknown_below)}) {
+    if (value >= 0 && value < 1) continue;
+    throw Error(std::string("Option 'information.") + key + "' is " + std::to_string(value) +
+                "; give a share of the pixels, 0 to less than 1.");
+  }
+}
+
 void ValidationOptions::check() const {
   if (folds < 2 || folds > kMaxFolds) {
     throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to " +
@@ -108,6 +118,7 @@ void UnknownOptions::check() const {
 void TrainingOptions::check() const {
   image.check();
   sampling.check();
+  information.check();
   if (cues.empty()) throw Error("Option 'cues' is empty; give at least one cue.");
   std::set<std::string> names;
   for (const CueOptions& cue : cues) {

@@ -99,6 +99,7 @@ const Recognition& CameraRecognizer::recognize(const cv::Mat& image, double stam
   }
   status_.judged(guard_->problem());
   const Recognition& recognition = recognizer_->recognize(image, stamp);
+  if (recognition.place < 0) status_.saidNothing(recognition.reason);
   status_.followed(recognizer_->lightCorrection(), recognizer_->evidenceShift());
   return recognition;
 }

@@ -58,6 +58,12 @@ void ImageStatus::judged(const std::string& problem) {
   image_problem_ = problem;
 }
 
+void ImageStatus::saidNothing(const std::string& reason) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++said_nothing_;
+  last_silence_ = reason;
+}
+
 void ImageStatus::followed(const Light& correction, double evidence_shift) {
   const std::lock_guard<std::mutex> lock(mutex_);
   light_correction_ = correction;
@@ -95,6 +101,8 @@ void ImageStatus::report(Report& report) {
   report.add("skipped while busy", skipped_);
   report.add("left out by the rate limit", left_out_);
   report.add("unusable", unusable_);
+  report.add("without a place", said_nothing_);
+  report.add("last reason for none", last_silence_);
   report.addf("gain to the light of the training: red, green, blue", "%.2f, %.2f, %.2f",
               light_correction_.red, light_correction_.green, light_correction_.blue);
   report.addf("shift of the evidence", "%.2f", evidence_shift_);

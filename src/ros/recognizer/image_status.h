@@ -31,6 +31,8 @@ class ImageStatus {
   void unusable(const std::string& problem);
   /// What is wrong with the last image, see ImageGuard; empty: nothing.
   void judged(const std::string& problem);
+  /// An image was answered without a place, for this reason.
+  void saidNothing(const std::string& reason);
   /// How the images differ from those of the training, as the answers so far tell, see Recognizer.
   void followed(const Light& correction, double evidence_shift);
   /// Why answers do not count for ~place, as long as it lasts; empty: they do.
@@ -64,8 +66,10 @@ class ImageStatus {
   std::uint64_t skipped_ = 0;
   std::uint64_t left_out_ = 0;
   std::uint64_t unusable_ = 0;
+  std::uint64_t said_nothing_ = 0;
   std::uint64_t answers_ = 0;
   std::string last_problem_;
+  std::string last_silence_;   // why an image said nothing
   std::string image_problem_;  // as long as it lasts, as the next one
   std::string not_counted_;
   double last_age_ = 0;  // s, of the image last answered
