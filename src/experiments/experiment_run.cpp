@@ -9,7 +9,7 @@ namespace place_recognition {
 namespace {
 
 /// Raised when what is computed changes, so that cells of an older program are not taken for new.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 /// As RFC 4180 has it: quoted where a cell holds what separates cells.
 std::string csvCell(const std::string& cell) {

@@ -44,7 +44,8 @@ void FinalExperiment::compute(const std::vector<Json>& cells, const CellSink& fi
     const auto set = std::find_if(sets_.begin(), sets_.end(), [&](const PictureSet& candidate) {
       return candidate.name == cell.at("training_set");
     });
-    const PlaceTraining training = samples.train(static_cast<int>(set - sets_.begin()), progress);
+    const PlaceTraining training =
+        samples.train(samples.samples().split(static_cast<int>(set - sets_.begin())), progress);
     const auto counts = testCounts(samples.samples(), training.test,
                                    answersOf(training.machines, training.test_values));
     Json list = Json::array();

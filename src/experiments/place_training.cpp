@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "learning/gram.h"
 #include "learning/support_set.h"
 #include "recognition/training/cue_training.h"
 
@@ -56,8 +57,7 @@ PlaceSamples::PlaceSamples(const std::vector<PictureSet>& sets, PlaceFeatures fe
   }
 }
 
-PlaceTraining PlaceSamples::train(int set, const Progress& progress) const {
-  const Fold split = set_samples_.split(set);
+PlaceTraining PlaceSamples::train(const Fold& split, const Progress& progress) const {
   const std::vector<Feature>& features = samples_.features[0];
   std::vector<SampleOrigin> origins;
   std::vector<Feature> training_features;
@@ -66,9 +66,9 @@ PlaceTraining PlaceSamples::train(int set, const Progress& progress) const {
     training_features.push_back(features[static_cast<std::size_t>(i)]);
   }
   constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // a picture apart
-  const std::vector<Fold> folds =
-      timeBlockFolds(origins, options_.validation.folds,
-                     std::vector<TimeBlocks>(static_cast<std::size_t>(set) + 1, kAFifth));
+  const std::vector<Fold> folds = timeBlockFolds(
+      origins, options_.validation.folds,
+      std::vector<TimeBlocks>(static_cast<std::size_t>(set_samples_.set_count), kAFifth));
   const TrainingTask task{origins, samples_.places.size(), folds, options_.svm, threads_, progress};
   CueOptions cue = options_.cues[0];
   TrainedCue trained = trainCue(std::move(training_features), cue, {options_.reduction}, task);
@@ -83,6 +83,16 @@ PlaceTraining PlaceSamples::train(int set, const Progress& progress) const {
   training.test_values = kernelValues(features, split.test, support_set, threads_);
   training.test = split.test;
   return training;
+}
+
+Eigen::MatrixXd PlaceSamples::measures(const Progress& progress) const {
+  return measureMatrix(Kernel(options_.cues[0].kernel), samples_.features[0], threads_, progress);
+}
+
+Eigen::MatrixXd PlaceSamples::gramMatrix(const Eigen::MatrixXd& measures, double gamma) const {
+  KernelOptions kernel = options_.cues[0].kernel;
+  kernel.gamma = gamma;
+  return place_recognition::gramMatrix(Kernel(kernel), measures);
 }
 
 }  // namespace place_recognition

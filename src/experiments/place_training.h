@@ -22,9 +22,9 @@ const char* name(PlaceFeatures features);
 /// found for every training set; gamma is open.
 TrainingOptions trainingOptions(PlaceFeatures features);
 
-/// A classifier trained on one set, before any reduction, and what it is tested on.
+/// A classifier trained on some samples, before any reduction, and what it is tested on.
 struct PlaceTraining {
-  double gamma = 0;  ///< found by cross-validation on blocks of the training set
+  double gamma = 0;  ///< found by cross-validation on blocks of the training samples
   BinarySvms machines;
   Eigen::MatrixXd training_values;  ///< kernel values: training pictures x support vectors
   Eigen::MatrixXd test_values;      ///< test pictures x support vectors
@@ -42,7 +42,12 @@ class PlaceSamples {
   PlaceSamples(const std::vector<PictureSet>& sets, PlaceFeatures features, unsigned threads,
                const Progress& progress);
 
-  PlaceTraining train(int set, const Progress& progress) const;
+  PlaceTraining train(const Fold& split, const Progress& progress) const;
+
+  /// Kernel::measure() of all samples (rows and columns).
+  Eigen::MatrixXd measures(const Progress& progress) const;
+  /// The Gram matrix of these measures.
+  Eigen::MatrixXd gramMatrix(const Eigen::MatrixXd& measures, double gamma) const;
 
   const SetSamples& samples() const { return set_samples_; }
   const std::vector<std::string>& places() const { return samples_.places; }

@@ -1,6 +1,7 @@
 #include "experiments/reduction_curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "learning/reduction.h"
@@ -8,29 +9,49 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kSteps = 50;
 constexpr double kLowestShare = 0.7;
+
+/// As many values, whatever the number of `thresholds` (see Reduction), in ascending order.
+std::vector<double> tausOf(const std::vector<double>& thresholds) {
+  std::vector<double> taus = {kExactTau};
+  const auto n = static_cast<double>(thresholds.size());
+  for (int step = 1; step < 130; ++step) {
+    const double dropped = step <= 40 ? 0.0025 * step : 0.1 + 0.01 * (step - 40);
+    const auto kept = static_cast<std::size_t>(n - std::floor(dropped * n));
+    if (kept < thresholds.size())
+      taus.push_back(std::max(taus.back(), thresholds[kept]));
+    else
+      taus.push_back(taus.back());
+  }
+  return taus;
+}
 
 }  // namespace
 
 ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
                               const std::string& method, bool normalize, const RateOf& rate) {
   const int all = static_cast<int>(supportVectors(machines).size());
-  ReductionCurve curve{{all, rate(machines)}};
+  ReductionCurve curve{{all, rate(machines), 0}};
   if (all == 0) return curve;
   ReductionOptions options;
   options.method = method;
   options.normalize = normalize;
   options.support_vectors = all;
   const auto reduction = factorize(machines, kernel_values, options);
-  for (int step = 1; step < kSteps; ++step) {
-    const int count = all - all * step / kSteps;
-    if (count == curve.back().vectors) continue;
-    const BinarySvms reduced = reduction->withVectors(count);
-    curve.push_back({static_cast<int>(supportVectors(reduced).size()), rate(reduced)});
+  for (const double tau : tausOf(reduction->thresholds())) {
+    const BinarySvms reduced = reduction->withTau(tau);
+    curve.push_back({static_cast<int>(supportVectors(reduced).size()), rate(reduced), tau});
     if (curve.back().rate < kLowestShare * curve.front().rate) break;
   }
   return curve;
+}
+
+const CurvePoint* pointAt(const ReductionCurve& curve, double tau) {
+  const CurvePoint* last = nullptr;
+  for (const CurvePoint& point : curve) {
+    if (point.tau <= tau) last = &point;
+  }
+  return last == &curve.back() && tau > last->tau ? nullptr : last;
 }
 
 int fewestVectors(const ReductionCurve& curve, double share) {
@@ -66,13 +87,13 @@ std::vector<std::pair<double, double>> meanCurve(const std::vector<ReductionCurv
 
 nlohmann::json toJson(const ReductionCurve& curve) {
   nlohmann::json points = nlohmann::json::array();
-  for (const CurvePoint& point : curve) points.push_back({point.vectors, point.rate});
+  for (const CurvePoint& point : curve) points.push_back({point.vectors, point.rate, point.tau});
   return points;
 }
 
 ReductionCurve curveFromJson(const nlohmann::json& json) {
   ReductionCurve curve;
-  for (const auto& point : json) curve.push_back({point.at(0), point.at(1)});
+  for (const auto& point : json) curve.push_back({point.at(0), point.at(1), point.at(2)});
   return curve;
 }
 

@@ -16,10 +16,15 @@ namespace place_recognition {
 struct CurvePoint {
   int vectors = 0;
   double rate = 0;  ///< on the test sets, 0..1
+  double tau = 0;   ///< 0: before reduction
 };
 
-/// Fewer and fewer vectors, from all of them in steps of two per cent, until the rate is below 70 %
-/// of that of all (section 7.2). For method qr, all machines have the same tau at every point.
+/// What is dropped at this tau depends on the rest but for rounding.
+constexpr double kExactTau = 1e-9;
+
+/// Larger and larger tau, the same for all machines, until the rate is below 70 % of that before
+/// reduction (section 7.2): first kExactTau, then the values that drop the next 0.25 % of the
+/// columns, 1 % from a tenth of them on.
 using ReductionCurve = std::vector<CurvePoint>;
 
 /// The rate of machines on the test sets, 0..1.
@@ -28,6 +33,10 @@ using RateOf = std::function<double(const BinarySvms&)>;
 /// `kernel_values`: of all training vectors (rows) and those of `machines`.
 ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
                               const std::string& method, bool normalize, const RateOf& rate);
+
+/// The point of a classifier reduced with `tau`: the last one of no larger tau. Null if the curve
+/// ends before.
+const CurvePoint* pointAt(const ReductionCurve& curve, double tau);
 
 /// The fewest vectors of any point that keeps `share` (0..1) of the rate of the first one.
 int fewestVectors(const ReductionCurve& curve, double share);

@@ -49,14 +49,16 @@ Eigen::VectorXd chooseByPivot(PivotedQr& qr, const ChoiceLimits& limits, const P
   return relative;
 }
 
-void orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& limits,
-                               const Progress& progress) {
+Eigen::VectorXd orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& limits,
+                                          const Progress& progress) {
   const Eigen::Index m = qr.candidates();
   const Eigen::Index targets = qr.squaredNorms().size() - m;
   const auto columnNorms = [&] { return qr.squaredNorms().head(m).array(); };
   const auto gap = [&] { return qr.squaredNorms().tail(targets).sum(); };
 
-  const double least_gap = std::pow(limits.tau, 2) * gap();
+  const double first_gap = gap();
+  const double least_gap = std::pow(limits.tau, 2) * first_gap;
+  std::vector<double> left;
   const double least_norm = std::pow(roundingError(qr.rows()), 2) * columnNorms().maxCoeff();
   Eigen::MatrixXd products = qr.targetProducts();
   for (Eigen::Index count = 0; count < limits.max_count && gap() > least_gap; ++count) {
@@ -67,11 +69,18 @@ void orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& limits,
             .select(products.rowwise().squaredNorm().array() / columnNorms(), 0);
     Eigen::Index best = 0;
     if (!(gains.maxCoeff(&best) > 0)) break;
+    left.push_back(std::sqrt(gap() / first_gap));
     qr.choose(best);
     qr.updateAll();
     const auto row = qr.r().row(count);
     products.noalias() -= row.head(m).transpose() * row.tail(targets);
   }
+  return Eigen::Map<Eigen::VectorXd>(left.data(), static_cast<Eigen::Index>(left.size()));
+}
+
+Eigen::Index rankAt(const Eigen::VectorXd& norms, double tau) {
+  return std::max<Eigen::Index>((norms.array() > tau).count(),
+                                std::min<Eigen::Index>(1, norms.size()));
 }
 
 }  // namespace place_recognition

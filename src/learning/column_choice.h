@@ -16,7 +16,13 @@ struct ChoiceLimits {
 Eigen::VectorXd chooseByPivot(PivotedQr& qr, const ChoiceLimits& limits, const Progress& progress);
 
 /// Orthogonal matching pursuit with several targets: always the column that explains most of what
-/// is left of all right-hand sides together, while that is more than `tau` of their norm.
-void orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& limits, const Progress& progress);
+/// is left of all right-hand sides together, while that is more than `tau` of their norm. Returns
+/// what was left before each choice relative to that norm, in descending order.
+Eigen::VectorXd orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& limits,
+                                          const Progress& progress);
+
+/// How many of the columns whose `norms` one of these functions returned are kept for `tau`: all
+/// of more than it, and always the first.
+Eigen::Index rankAt(const Eigen::VectorXd& norms, double tau);
 
 }  // namespace place_recognition

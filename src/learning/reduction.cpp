@@ -14,6 +14,8 @@ class NoReduction : public Reduction {
  public:
   explicit NoReduction(const BinarySvms& machines) : machines_(machines) {}
   BinarySvms withVectors(int) const override { return machines_; }
+  BinarySvms withTau(double) const override { return machines_; }
+  std::vector<double> thresholds() const override { return {}; }
 
  private:
   BinarySvms machines_;

@@ -27,6 +27,13 @@ class Reduction {
   /// Binary SVMs over the vectors of those reduced, where weights of at most `count` vectors are
   /// not zero: the same as with options that ask for `count`.
   virtual BinarySvms withVectors(int count) const = 0;
+
+  /// The same with options that ask for `tau`, as far as the factorization goes.
+  virtual BinarySvms withTau(double tau) const = 0;
+
+  /// In descending order the values of tau, 0..1, that leave each vector out: withTau(t) keeps
+  /// those of more than t. For method qr, of all machines together. Empty for method none.
+  virtual std::vector<double> thresholds() const = 0;
 };
 
 /// Factorizes as far as `options`, whose method is not auto, ask for. `kernel_values` is the n x m

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include "learning/reduction_task.h"
@@ -96,8 +97,25 @@ class EachReduction : public Reduction {
     }
   }
 
-  BinarySvms withVectors(int count) const override {
-    const std::vector<Eigen::Index> ranks = ranksFor(factors_, count);
+  BinarySvms withVectors(int count) const override { return withRanks(ranksFor(factors_, count)); }
+
+  BinarySvms withTau(double tau) const override {
+    std::vector<Eigen::Index> ranks;
+    for (const MachineFactors& machine : factors_) ranks.push_back(rankAt(machine.pivots, tau));
+    return withRanks(ranks);
+  }
+
+  std::vector<double> thresholds() const override {
+    std::vector<double> all;
+    for (const MachineFactors& machine : factors_) {
+      all.insert(all.end(), machine.pivots.data(), machine.pivots.data() + machine.pivots.size());
+    }
+    std::sort(all.rbegin(), all.rend());
+    return all;
+  }
+
+ private:
+  BinarySvms withRanks(const std::vector<Eigen::Index>& ranks) const {
     BinarySvms reduced = machines_;
     for (Eigen::Index m = 0; m < reduced.weights.cols(); ++m) {
       const auto i = static_cast<std::size_t>(m);
@@ -107,7 +125,6 @@ class EachReduction : public Reduction {
     return reduced;
   }
 
- private:
   BinarySvms machines_;
   Eigen::RowVectorXd scales_;
   std::vector<MachineFactors> factors_;

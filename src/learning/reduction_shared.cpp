@@ -24,11 +24,9 @@ class SharedReduction : public Reduction {
     const std::vector<int> vectors = supportVectors(machines_);
     PivotedQr qr = factorizationOf(task, vectors);
     const ChoiceLimits limits = task.limitsFor(qr);
-    if (task.options.method == "shared-qr") {
-      chooseByPivot(qr, limits, task.progress);
-    } else {
-      orthogonalMatchingPursuit(qr, limits, task.progress);
-    }
+    norms_ = task.options.method == "shared-qr"
+                 ? chooseByPivot(qr, limits, task.progress)
+                 : orthogonalMatchingPursuit(qr, limits, task.progress);
     r11_.resize(qr.rank(), qr.rank());
     for (const Eigen::Index column : qr.chosen()) {
       r11_.col(static_cast<Eigen::Index>(basis_.size())) = qr.r().col(column);
@@ -38,7 +36,17 @@ class SharedReduction : public Reduction {
   }
 
   BinarySvms withVectors(int count) const override {
-    const Eigen::Index rank = std::min<Eigen::Index>(count, r11_.cols());
+    return withRank(std::min<Eigen::Index>(count, r11_.cols()));
+  }
+
+  BinarySvms withTau(double tau) const override { return withRank(rankAt(norms_, tau)); }
+
+  std::vector<double> thresholds() const override {
+    return {norms_.data(), norms_.data() + norms_.size()};
+  }
+
+ private:
+  BinarySvms withRank(Eigen::Index rank) const {
     const Eigen::MatrixXd fitted =  // least squares: R11 X = Q'F
         r11_.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(targets_.topRows(rank));
     BinarySvms reduced = machines_;
@@ -50,10 +58,10 @@ class SharedReduction : public Reduction {
     return reduced;
   }
 
- private:
   BinarySvms machines_;
   Eigen::RowVectorXd scales_;
   std::vector<int> basis_;   ///< in the order of the choice
+  Eigen::VectorXd norms_;    ///< see column_choice.h
   Eigen::MatrixXd r11_;      ///< of the basis
   Eigen::MatrixXd targets_;  ///< Q'F
 };

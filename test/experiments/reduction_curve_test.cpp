@@ -24,6 +24,14 @@ TEST(MeanCurve, EndsWithTheShortest) {
   EXPECT_DOUBLE_EQ(mean[1].second, 0.6);
 }
 
+TEST(PointAt, IsTheLastOneOfNoLargerTau) {
+  const ReductionCurve curve = {{100, 0.8, 0}, {98, 0.8, 1e-9}, {80, 0.7, 0.1}, {60, 0.5, 0.2}};
+  EXPECT_EQ(pointAt(curve, kExactTau)->vectors, 98);
+  EXPECT_EQ(pointAt(curve, 0.15)->vectors, 80);
+  EXPECT_EQ(pointAt(curve, 0.2)->vectors, 60);
+  EXPECT_EQ(pointAt(curve, 0.3), nullptr);
+}
+
 TEST(ReductionCurve, DropsCopiesForNothing) {
   // Eight vectors that are two, four times over, under a linear kernel: K has rank two.
   Eigen::MatrixXd vectors(8, 2);
@@ -44,6 +52,9 @@ TEST(ReductionCurve, DropsCopiesForNothing) {
     const ReductionCurve curve = reductionCurve(machines, gram, method, true, rate);
     EXPECT_EQ(curve.front().vectors, 8) << method;
     EXPECT_LE(fewestVectors(curve, 1), 2) << method;
+    EXPECT_EQ(curve[1].tau, kExactTau);
+    EXPECT_EQ(curve[1].vectors, 2) << method;
+    EXPECT_EQ(curve[1].rate, 1) << method;
     const ReductionCurve again = curveFromJson(toJson(curve));
     EXPECT_EQ(again.size(), curve.size());
     EXPECT_EQ(again.back().vectors, curve.back().vectors);

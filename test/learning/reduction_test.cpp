@@ -125,6 +125,23 @@ TEST_P(Method, HoldsEveryReductionToFewerVectors) {
   }
 }
 
+TEST_P(Method, HoldsEveryReductionByTau) {
+  const Plane plane("gaussian", 3, "one-against-one");
+  const auto all = factorize(plane.machines, plane.gram,
+                             reduction(GetParam(), 0.5, true, count(plane.machines)));
+  for (const double tau : {1e-9, 1e-5, 1e-3, 0.05, 0.4}) {
+    const BinarySvms alone = reduce(plane.machines, plane.gram, reduction(GetParam(), tau));
+    EXPECT_TRUE(all->withTau(tau).weights == alone.weights) << tau;
+  }
+  const std::vector<double> thresholds = all->thresholds();
+  ASSERT_GT(thresholds.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(thresholds.rbegin(), thresholds.rend()));
+  EXPECT_EQ(thresholds.front(), 1);
+  // Just below a threshold its vector is there, at it no longer.
+  const auto weights = [&](double tau) { return (all->withTau(tau).weights.array() != 0).count(); };
+  EXPECT_GT(weights(thresholds[5] * (1 - 1e-9)), weights(thresholds[5]));
+}
+
 TEST_P(Method, KeepsTheShareOfVectorsAsked) {
   const Plane plane("gaussian", 3, "one-against-all");
   ReductionOptions options = reduction(GetParam(), 0.5);
