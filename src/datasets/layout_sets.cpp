@@ -1,5 +1,6 @@
 #include "datasets/layout_sets.h"
 
+#include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -89,10 +90,9 @@ void requireFolder(const std::string& folder) {
   if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
 }
 
-}  // namespace
-
-std::vector<PictureSet> conditionSets(const std::string& folder, const std::string& layout) {
-  requireFolder(folder);
+/// By name.
+std::map<std::string, PictureSet> setsByCondition(const std::string& folder,
+                                                  const std::string& layout) {
   std::map<std::string, PictureSet> sets;
   Layout one;
   one.name = layout;
@@ -104,6 +104,21 @@ std::vector<PictureSet> conditionSets(const std::string& folder, const std::stri
   } else {
     addSequences(folder, one, sets);
   }
+  return sets;
+}
+
+/// The kind of a place of COLD: 2PO of 2PO1-A.
+std::string kindOf(const std::string& place) {
+  std::string kind = place.substr(0, place.find('-'));
+  while (kind.size() > 1 && std::isdigit(static_cast<unsigned char>(kind.back()))) kind.pop_back();
+  return kind;
+}
+
+}  // namespace
+
+std::vector<PictureSet> conditionSets(const std::string& folder, const std::string& layout) {
+  requireFolder(folder);
+  std::map<std::string, PictureSet> sets = setsByCondition(folder, layout);
   if (sets.size() < 2) {
     throw Error("The folder " + folder +
                 " does not hold pictures of two conditions of light or more (cloudy, night, "
@@ -112,6 +127,27 @@ std::vector<PictureSet> conditionSets(const std::string& folder, const std::stri
   std::vector<PictureSet> list;
   for (auto& [name, set] : sets) list.push_back(std::move(set));
   return list;
+}
+
+std::vector<PictureSet> buildingSets(const std::string& folder, const std::string& layout) {
+  requireFolder(folder);
+  std::vector<PictureSet> buildings;
+  for (const fs::path& path : foldersIn(folder)) {
+    PictureSet& building = buildings.emplace_back();
+    building.name = path.filename().string();
+    for (auto& [condition, set] : setsByCondition(path.string(), layout)) {
+      for (LabelledPicture& picture : set.pictures) {
+        if (layout == "cold") picture.place = kindOf(picture.place);
+        building.pictures.push_back(std::move(picture));
+      }
+    }
+    if (building.pictures.empty()) {
+      throw Error("The folder " + path.string() +
+                  " holds no pictures of a condition of light (cloudy, night, sunny); see "
+                  "doc/datasets.md for the layouts.");
+    }
+  }
+  return buildings;
 }
 
 std::vector<PictureSet> sampleSets(const std::string& folder) {

@@ -16,6 +16,11 @@ namespace place_recognition {
 /// Throws Error if there are fewer than two conditions, or for what does not fit the layout.
 std::vector<PictureSet> conditionSets(const std::string& folder, const std::string& layout);
 
+/// Buildings: each folder in `folder`, read as above, the pictures of all its conditions, of which
+/// one is enough. Its places are to be named by their kind; in the names of cold (2PO1-A), what
+/// follows the kind is left out (2PO). Throws Error for what does not fit the layout.
+std::vector<PictureSet> buildingSets(const std::string& folder, const std::string& layout);
+
 /// The n-th sample of each material in the n-th set: MATERIAL/SAMPLE/PICTURE, samples in order of
 /// their names. Where pictures lie directly in the materials' folders, four blocks of each in order
 /// of their names take the place of samples. Throws Error if materials differ in their number of

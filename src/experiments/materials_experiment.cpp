@@ -80,16 +80,6 @@ SetSamples setSamplesOf(const Samples& samples, std::size_t set_count) {
   return result;
 }
 
-/// Mean rate on `test` of machines trained on `train`, both samples.
-double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
-              const SvmOptions& svm) {
-  const BinarySvms machines =
-      trainMachines(submatrix(gram, fold.train, fold.train), pick(samples.places, fold.train),
-                    static_cast<std::size_t>(samples.place_count), svm);
-  const auto answers = answersOf(machines, submatrix(gram, fold.test, fold.train));
-  return meanRate(testCounts(samples, fold.test, answers));
-}
-
 /// Mean rate on each sample of `train` when it is left out of it.
 double validate(const Eigen::MatrixXd& gram, const SetSamples& samples,
                 const std::vector<int>& train, const SvmOptions& svm) {

@@ -75,6 +75,15 @@ Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>&
   return part;
 }
 
+double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
+              const SvmOptions& svm) {
+  const BinarySvms machines =
+      trainMachines(submatrix(gram, fold.train, fold.train), pick(samples.places, fold.train),
+                    static_cast<std::size_t>(samples.place_count), svm);
+  const auto answers = answersOf(machines, submatrix(gram, fold.test, fold.train));
+  return meanRate(testCounts(samples, fold.test, answers));
+}
+
 std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& indices) {
   std::vector<int> picked;
   for (const int i : indices) picked.push_back(values[static_cast<std::size_t>(i)]);

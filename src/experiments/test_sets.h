@@ -50,6 +50,10 @@ Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>&
 /// Elements of `values` at `indices`.
 std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& indices);
 
+/// meanRate() on `fold.test` of machines trained on `fold.train`; `gram`: of all samples.
+double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
+              const SvmOptions& svm);
+
 /// Mean and sample standard deviation (0 for a single value), as in 75.44 ± 4.90.
 struct Spread {
   double mean = 0;

@@ -3,10 +3,12 @@
 #include <ostream>
 
 #include "datasets/layout_sets.h"
+#include "experiments/categories_experiment.h"
 #include "experiments/experiment_run.h"
 #include "experiments/figures_experiment.h"
 #include "experiments/final_experiment.h"
 #include "experiments/histogram_experiment.h"
+#include "experiments/learning_curve_experiment.h"
 #include "experiments/materials_experiment.h"
 #include "experiments/reduction_experiment.h"
 #include "tool/output.h"
@@ -52,6 +54,12 @@ std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
   if (options.name == "materials") {
     return std::make_unique<MaterialsExperiment>(std::move(sets), threads);
   }
+  if (options.name == "learning-curve") {
+    return std::make_unique<LearningCurveExperiment>(std::move(sets), threads);
+  }
+  if (options.name == "categories") {
+    return std::make_unique<CategoriesExperiment>(std::move(sets), threads);
+  }
   if (options.name == "figures") return std::make_unique<FiguresExperiment>();
   const auto sweep = options.name == "bins" ? HistogramSweep::kBins : HistogramSweep::kDescriptors;
   return std::make_unique<HistogramExperiment>(sweep, std::move(sets), options.max_dimensions,
@@ -65,8 +73,9 @@ std::vector<PictureSet> setsOf(const ExperimentOptions& options) {
   }
   if (!made_up && options.data.empty()) throw UsageError("--data is required");
   if (made_up) return {};
-  return options.name == "materials" ? sampleSets(options.data)
-                                     : conditionSets(options.data, options.layout);
+  if (options.name == "materials") return sampleSets(options.data);
+  if (options.name == "categories") return buildingSets(options.data, options.layout);
+  return conditionSets(options.data, options.layout);
 }
 
 void runExperimentVerb(const ExperimentOptions& options) {
@@ -107,11 +116,13 @@ void addExperiment(CommandLine& tool) {
   verb.argument("NAME", options->name,
                 "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
                 "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, which need no "
-                "--data")
+                "--data; learning-curve: how many pictures and which viewpoints are needed; "
+                "categories: rooms of a building that was not learned")
       .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials",
-              "figures"});
+              "figures", "learning-curve", "categories"});
   verb.option("--data", "DIR", options->data,
-              "Folder of pictures: CONDITION/ROOM/PICTURE; materials: MATERIAL/SAMPLE/PICTURE");
+              "Folder of pictures: CONDITION/ROOM/PICTURE; materials: MATERIAL/SAMPLE/PICTURE; "
+              "categories: BUILDING/CONDITION/ROOM/PICTURE");
   verb.option("--out", "DIR", options->out,
               "Folder for the tables and for finished cells, which are not computed again")
       .required();
