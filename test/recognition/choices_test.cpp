@@ -25,6 +25,7 @@ TEST(Scores, ConfusedPairsCountBothDirections) {
   EXPECT_EQ(pairs[0].a, 0);
   EXPECT_EQ(pairs[0].b, 2);
   EXPECT_DOUBLE_EQ(pairs[0].rate, 2.0 / 5);
+  EXPECT_DOUBLE_EQ(pairs[0].standard_error, std::sqrt(0.4 * 0.6 / 5));
   EXPECT_EQ(pairs[1].b, 1);
   EXPECT_DOUBLE_EQ(pairs[1].rate, 1.0 / 6);
 }

@@ -77,9 +77,9 @@ std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
   std::vector<ConfusedPair> pairs;
   for (const auto& [places_of_pair, count] : confusions) {
     const auto [a, b] = places_of_pair;
-    pairs.push_back(
-        {a, b,
-         count / (frames[static_cast<std::size_t>(a)] + frames[static_cast<std::size_t>(b)])});
+    const double both = frames[static_cast<std::size_t>(a)] + frames[static_cast<std::size_t>(b)];
+    const double rate = count / both;
+    pairs.push_back({a, b, rate, std::sqrt(rate * (1 - rate) / both)});
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const auto& left, const auto& right) { return left.rate > right.rate; });

@@ -39,6 +39,7 @@ double averageRateError(const std::vector<int>& truth, const std::vector<int>& a
 struct ConfusedPair {
   int a = 0, b = 0;  ///< a < b
   double rate = 0;   ///< fraction of the frames of both that are answered with the other one
+  double standard_error = 0;  ///< of the rate, as if frames were independent
 };
 
 /// All pairs that are, the most confused first. As for averageRate().

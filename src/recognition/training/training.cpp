@@ -67,7 +67,7 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
                          std::vector<std::string>& warnings) {
   constexpr double kWorthAWord = 0.1;
   for (const ConfusedPair& pair : pairs) {
-    if (pair.rate < kWorthAWord) break;
+    if (pair.rate - pair.standard_error < kWorthAWord) continue;
     warnings.push_back("'" + places[static_cast<std::size_t>(pair.a)] + "' and '" +
                        places[static_cast<std::size_t>(pair.b)] +
                        "' look alike: " + percent(pair.rate, 0) +
