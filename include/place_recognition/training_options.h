@@ -9,15 +9,41 @@
 
 namespace place_recognition {
 
+/// How the image of an omnidirectional camera, which looks into a mirror, becomes a panorama: the
+/// ring that the mirror shows is cut open and unrolled, its rim at the top (thesis section 2.3.1).
+struct PanoramaOptions {
+  std::string mirror = "none";
+  double center_x = 0.5;
+  double center_y = 0.5;
+  double inner = 0.12;
+  double outer = 0.47;
+
+  template <typename Self, typename Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("mirror", self.mirror,
+            "of an omnidirectional camera. none: it is an ordinary one; given: where its ring is, "
+            "the next four tell; found: likewise, looked for in the first images of the runs");
+    visitor("center_x", self.center_x, "of the ring, in shares of the image's width");
+    visitor("center_y", self.center_y, "of the ring, in shares of the image's height");
+    visitor("inner", self.inner,
+            "radius within which the mirror shows the camera itself, in shares of the image's "
+            "shorter side");
+    visitor("outer", self.outer, "radius of the mirror's rim, likewise");
+  }
+  void check() const;
+};
+
 /// What is done to an image before features are extracted.
 struct ImageOptions {
   int max_width = 640;
+  PanoramaOptions panorama;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("max_width", self.max_width,
             "pixels; wider images are scaled down to it; 0: never. Recognition brings images to "
             "the size that was learned");
+    visitor("panorama", self.panorama, "omnidirectional cameras");
   }
   void check() const;
 };

@@ -212,8 +212,10 @@ std::vector<LabelledPicture> listByTimes(const fs::path& cameras, const fs::path
   return pictures;
 }
 
-std::vector<LabelledPicture> listCold(const fs::path& folder, Warnings& warnings) {
-  const fs::path cameras = folder / "std_cam", list = folder / "localization" / "places.lst";
+std::vector<LabelledPicture> listCold(const fs::path& folder, const std::string& camera,
+                                      Warnings& warnings) {
+  const fs::path cameras = folder / (camera.empty() ? "std_cam" : camera),
+                 list = folder / "localization" / "places.lst";
   if (fs::exists(list)) return listByPictures(cameras, list);
   for (const fs::path& labels : {folder / "labels.dat", folder / "localization" / "labels.dat"}) {
     if (fs::exists(labels) && fs::is_directory(cameras)) {
@@ -221,7 +223,8 @@ std::vector<LabelledPicture> listCold(const fs::path& folder, Warnings& warnings
     }
   }
   throw Error("There is neither " + list.string() + " nor " + (folder / "labels.dat").string() +
-              "; give the folder of one COLD sequence, which holds std_cam and one of these.");
+              "; give the folder of one COLD sequence, which holds " + cameras.filename().string() +
+              " and one of these.");
 }
 
 }  // namespace
@@ -240,11 +243,11 @@ std::vector<LabelledPicture> listPictures(const std::string& folder, const Layou
                                           std::vector<std::string>& warnings) {
   if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
   const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
-  std::vector<LabelledPicture> pictures = layout.name == "rooms" ? listRooms(folder, warnings)
-                                          : layout.name == "indecs"
-                                              ? listIndecs(folder, layout.condition, warnings)
-                                          : layout.name == "idol" ? listIdol(folder, warnings)
-                                                                  : listCold(folder, warnings);
+  std::vector<LabelledPicture> pictures =
+      layout.name == "rooms"    ? listRooms(folder, warnings)
+      : layout.name == "indecs" ? listIndecs(folder, layout.condition, warnings)
+      : layout.name == "idol"   ? listIdol(folder, warnings)
+                                : listCold(folder, layout.camera, warnings);
   for (LabelledPicture& picture : pictures) picture.place = placeName(picture.place);
   if (pictures.empty()) {
     throw Error("The folder " + folder +

@@ -12,6 +12,7 @@ struct Layout {
   std::string name = "rooms";  ///< rooms, indecs, idol or cold; see doc/datasets.md
   std::string condition;       ///< indecs: cloudy, night or sunny; empty: the only one there is
   double rate = 5;             ///< rooms, indecs: pictures a second
+  std::string camera;          ///< cold: std_cam or omni_cam; empty: std_cam
 };
 
 /// The pictures of `folder` in the order of their stamps, which start at 0 for rooms and indecs and

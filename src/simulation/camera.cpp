@@ -92,6 +92,12 @@ const std::array<float, 8192>& deviates() {
 
 }  // namespace
 
+View turned(View view, float angle) {
+  view.yaw += angle;
+  view.pitch *= std::cos(angle);
+  return view;
+}
+
 float focalLength(int width) { return 6.5f / 7.18f * static_cast<float>(width); }
 
 cv::Mat develop(const cv::Mat& radiance, Random random) {

@@ -17,6 +17,10 @@ struct View {
   float pitch = 0.0f;  ///< rad, up
 };
 
+/// What a camera that is fixed to the first one sees: turned by `angle`, rad, about the vertical
+/// through the eye.
+View turned(View view, float angle);
+
 /// The focal length in pixels of the Olympus C-3030ZOOM at wide angle (6.5 mm before a sensor
 /// 7.18 mm wide: 58 degrees across) for a picture `width` pixels wide.
 float focalLength(int width);

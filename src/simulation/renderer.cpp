@@ -39,12 +39,12 @@ struct Renderer::Frame {
 };
 
 Renderer::Renderer(const Scene& scene, const RayTracer& tracer, const Lighting& lighting,
-                   cv::Size size)
+                   cv::Size size, float focal)
     : scene_(scene),
       tracer_(tracer),
       lighting_(lighting),
       samples_(2 * size.width, 2 * size.height),
-      focal_(focalLength(samples_.width)) {}
+      focal_(2.0f * focal) {}
 
 cv::Mat Renderer::render(const View& view) const {
   Frame frame;

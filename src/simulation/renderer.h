@@ -16,8 +16,9 @@ namespace place_recognition::simulation {
 /// of the upper left pixel is (0.5, 0.5). Thread-safe.
 class Renderer {
  public:
-  /// Keeps references to all three.
-  Renderer(const Scene& scene, const RayTracer& tracer, const Lighting& lighting, cv::Size size);
+  /// Keeps references to all three. `focal`: in pixels of the picture.
+  Renderer(const Scene& scene, const RayTracer& tracer, const Lighting& lighting, cv::Size size,
+           float focal);
 
   /// The radiance of each pixel: CV_32FC3, linear, BGR.
   cv::Mat render(const View& view) const;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "simulation/camera.h"
 #include "simulation/furnishing.h"
 #include "simulation/lighting.h"
+#include "simulation/omni_renderer.h"
 #include "simulation/path.h"
 #include "simulation/renderer.h"
 
@@ -72,11 +75,18 @@ std::size_t mountOf(const std::string& camera) {
   throw Error("Unknown camera '" + camera + "'; choose front, left, rear or right.");
 }
 
-/// What the camera of a robot with this view sees: turned about the vertical through the eye.
-View turned(View view, float angle) {
-  view.yaw += angle;
-  view.pitch *= std::cos(angle);
-  return view;
+using Render = std::function<cv::Mat(const View& view)>;
+
+/// The camera of the options; it keeps references to what it is of.
+Render renderOf(const SimulationOptions& options, const Scene& scene, const RayTracer& tracer,
+                const Lighting& lighting) {
+  if (options.omnidirectional) {
+    return [camera = std::make_shared<const OmniRenderer>(scene, tracer, lighting, options.size)](
+               const View& view) { return camera->render(view); };
+  }
+  const float focal = focalLength(options.size.width);
+  return [camera = std::make_shared<const Renderer>(scene, tracer, lighting, options.size, focal)](
+             const View& view) { return camera->render(view); };
 }
 
 SimulatedFrame frameOf(const Pose& pose, const std::string& camera) {
@@ -148,7 +158,7 @@ void simulate(const SimulationOptions& options, const FrameSink& sink) {
   // A grid of light finer than what the picture shows would be wasted.
   const float spacing = 0.12f * std::max(1.0f, 512.0f / static_cast<float>(options.size.width));
   const Lighting lighting(scene, tracer, daylight(options.condition), spacing, options.threads);
-  const Renderer renderer(scene, tracer, lighting, options.size);
+  const Render render = renderOf(options, scene, tracer, lighting);
 
   const std::uint64_t noise_seed = randomOf(options, kNoiseStream).next();
   const std::vector<std::string> cameras =
@@ -163,7 +173,7 @@ void simulate(const SimulationOptions& options, const FrameSink& sink) {
       const std::size_t mount = camera.empty() ? 0 : mountOf(camera);
       const View view = turned(poses[number].view, kMounts[mount].second);
       batch[i] = frameOf(poses[number], camera);
-      batch[i].image = develop(renderer.render(view), Random(noise_seed + mount, number));
+      batch[i].image = develop(render(view), Random(noise_seed + mount, number));
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (!sink(batch[i], start + i, frames)) return;

@@ -39,6 +39,8 @@ struct SimulationOptions {
   /// Those that the robot has at one spot: front, left, rear, right, by where they look, each once.
   /// Each takes a picture at every stamp. Empty: one that looks ahead and has no name.
   std::vector<std::string> cameras;
+  /// The camera looks up into a mirror and so sees all around (OmniRenderer).
+  bool omnidirectional = false;
 
   /// Throws Error naming the field that is out of range.
   void check() const;

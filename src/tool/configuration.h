@@ -18,7 +18,7 @@ struct ConfigurationOptions {
   /// `options`, overwritten by the file, overwritten by the assignments; checked. A list in the
   /// file, as of cues, replaces that of `options`. Networks that they name are tried
   /// (network_trial.h). Throws Error naming the file and the key.
-  TrainingOptions read(TrainingOptions options = {}) const;
+  TrainingOptions read(TrainingOptions options = TrainingOptions()) const;
 };
 
 /// A preset that comes with the package. Networks that it names are not tried.

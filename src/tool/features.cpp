@@ -4,6 +4,7 @@
 
 #include "place_recognition/error.h"
 #include "recognition/frames/cue_extraction.h"
+#include "recognition/frames/mirror_search.h"
 #include "tool/configuration.h"
 #include "tool/inputs.h"
 #include "tool/verbs.h"
@@ -52,9 +53,10 @@ void features(const FeaturesOptions& options) {
   TrainingOptions thesis;
   thesis.cues = {CueOptions()};
   const TrainingOptions training_options = options.configuration.read(thesis);
-  CueExtraction extraction(training_options, ImageProfile());
+  const cv::Mat image = readPicture(options.image);
+  CueExtraction extraction(withMirror(training_options, image, options.image), ImageProfile());
   std::vector<Feature> features;
-  if (!extraction.extract(readPicture(options.image), features)) {
+  if (!extraction.extract(image, features)) {
     throw Error(options.image + " has no feature: " + extraction.reason() +
                 "; take a larger or less empty picture, or another --config.");
   }

@@ -22,6 +22,9 @@ struct ImportOptions {
 };
 
 void importPictures(const ImportOptions& options) {
+  if (!options.layout.camera.empty() && options.layout.name != "cold") {
+    throw UsageError("--camera goes with --layout cold alone");
+  }
   requireWritable(options.out);
   std::vector<std::string> warnings;
   const std::vector<LabelledPicture> pictures =
@@ -90,6 +93,11 @@ void addImport(CommandLine& tool) {
   verb.option("--rate", "HZ", options->layout.rate,
               "rooms, indecs: pictures a second (default 5); the others have their own stamps")
       .positive();
+  verb.option(
+          "--camera", "NAME", options->layout.camera,
+          "cold: the camera whose pictures are read, std_cam (default) or omni_cam; train on the "
+          "latter with --set image.panorama.mirror=found")
+      .oneOf({"std_cam", "omni_cam"});
   verb.flag("--raw", options->raw, "Store pixels (sensor_msgs/Image) instead of JPEG");
   options->output.addTo(verb);
   verb.footer(

@@ -24,6 +24,7 @@ struct SimulateOptions {
   std::string protocol = "indecs";
   std::string format = "bag";
   std::string size = "512x384";
+  std::string camera = "perspective";
   SimulationOptions simulation;
   OutputOptions output;
 };
@@ -78,6 +79,7 @@ void simulateRuns(SimulateOptions options) {
   const bool as_bag = options.format == "bag";
   options.simulation.protocol = protocolFromName(options.protocol);
   options.simulation.size = parseSize(options.size);
+  options.simulation.omnidirectional = options.camera == "omni";
   options.simulation.check();
   ProgressDisplay display(options.output.progress);
   Json runs = Json::array();
@@ -119,6 +121,9 @@ void addSimulate(CommandLine& tool) {
       .oneOf({"bag", "images"});
   verb.option("--rate", "HZ", options->simulation.rate, "Frames a second");
   verb.option("--size", "WxH", options->size, "Pixels (default 512x384)");
+  verb.option("--camera", "NAME", options->camera,
+              "perspective, or omni: one that looks up into a mirror and sees all around")
+      .oneOf({"perspective", "omni"});
   verb.option(
           "--cameras", "LIST", options->simulation.cameras,
           "Cameras of the robot, front,left,rear,right: each with a topic /CAMERA/image_raw of its "

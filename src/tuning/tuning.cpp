@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "recognition/frames/image_profile.h"
+#include "recognition/frames/mirror_search.h"
 #include "recognition/model/embeddings.h"
 #include "tuning/cue_selection.h"
 #include "tuning/family_rounds.h"
@@ -43,7 +44,7 @@ Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& ho
   const auto start = std::chrono::steady_clock::now();
   base.check();
   space.check();
-  const TrainingOptions ready = withNetworks(base);
+  const TrainingOptions ready = withMirror(withNetworks(base), runs);
   SearchSpace ready_space = space;
   ready_space.cues = withNetworks(withCues(base, space.cues)).cues;
   Search search{

@@ -273,13 +273,13 @@ TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   EXPECT_EQ(complaint(options), "");
   options.validation.folds = 1;
   EXPECT_NE(complaint(options).find("validation.folds"), std::string::npos);
-  options = {};
+  options = TrainingOptions();
   options.image.max_width = -1;
   EXPECT_NE(complaint(options).find("image.max_width"), std::string::npos);
-  options = {};
+  options = TrainingOptions();
   options.unknown.false_alarm_rate = 1.5;
   EXPECT_NE(complaint(options).find("unknown.false_alarm_rate"), std::string::npos);
-  options = {};
+  options = TrainingOptions();
   options.cues[0].kernel.type = "cubic";
   EXPECT_NE(complaint(options).find("Cue 'colours'"), std::string::npos);
   for (const char* kernel : {"chi-squared", "intersection", "local-match"}) {
@@ -288,7 +288,7 @@ TEST(TrainingOptions, NamesTheFieldOutOfRange) {
     EXPECT_NE(complaint(options).find("use one of: linear, polynomial, gaussian, sigmoid"),
               std::string::npos);
   }
-  options = {};
+  options = TrainingOptions();
   options.cues.push_back(options.cues[0]);
   EXPECT_NE(complaint(options).find("'colours'"), std::string::npos);
   options.cues.clear();

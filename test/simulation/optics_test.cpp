@@ -7,6 +7,7 @@
 
 #include "simulation/camera.h"
 #include "simulation/lighting.h"
+#include "simulation/omni_renderer.h"
 #include "simulation/random.h"
 #include "simulation/ray_tracer.h"
 #include "simulation/renderer.h"
@@ -111,7 +112,7 @@ TEST(Renderer, ShowsAWallWhereThePinholeModelSays) {
   const RayTracer tracer(scene);
   const Lighting lighting(scene, tracer, kDark, 0.5f, 1);
   const cv::Size size(200, 150);
-  const Renderer renderer(scene, tracer, lighting, size);
+  const Renderer renderer(scene, tracer, lighting, size, focalLength(size.width));
   const cv::Mat radiance = renderer.render({{5.2f, 7.0f, 0.76f}, static_cast<float>(CV_PI) / 2, 0});
 
   const double focal = focalLength(size.width);
@@ -126,6 +127,42 @@ TEST(Renderer, ShowsAWallWhereThePinholeModelSays) {
   const cv::Moments moments = cv::moments(channels[1]);
   EXPECT_NEAR(moments.m10 / moments.m00 + 0.5, (left + right) / 2.0, 0.25);
   EXPECT_NEAR(moments.m01 / moments.m00 + 0.5, (top + bottom) / 2.0, 0.25);
+}
+
+TEST(OmniRenderer, ShowsALampWhereTheSphereModelSays) {
+  const cv::Size size(320, 240);
+  const MirrorRing ring = mirrorRing(size);
+  const auto radius = [](double angle) { return std::sin(angle) / (0.95 + std::cos(angle)); };
+  const double scale = ring.outer / radius(115 * CV_PI / 180);
+  EXPECT_NEAR(ring.inner, scale * radius(CV_PI / 4), 0.1);
+  const Vec3 eye(5.2f, 7.0f, 0.76f);
+  for (const float yaw : {0.0f, 0.7f, 2.0f, -1.4f, 3.1f}) {
+    for (const float turn : {0.0f, 0.78f, 1.9f, -2.4f}) {  // of the lamp, from ahead to the left
+      // A small luminous square 3 m away, facing the camera, its middle a little above it.
+      Scene scene;
+      const int lamp = addPlain(scene, 255, {1, 1, 1});
+      const float way = yaw + turn;
+      const Vec3 middle = eye + 3.0f * Vec3(std::cos(way), std::sin(way), 0.08f);
+      const Vec3 across(-0.1f * std::sin(way), 0.1f * std::cos(way), 0.0f), up(0.0f, 0.0f, 0.1f);
+      scene
+          .polygon({middle + across - up, middle - across - up, middle - across + up,
+                    middle + across + up},
+                   lamp)
+          .two_sided = true;
+      const RayTracer tracer(scene);
+      const Lighting lighting(scene, tracer, kDark, 0.5f, 1);
+      std::vector<cv::Mat> channels;
+      cv::split(OmniRenderer(scene, tracer, lighting, size).render({eye, yaw, 0}), channels);
+      cv::Mat lit;  // without the camera and what is beside the mirror
+      cv::threshold(channels[1], lit, 0.05, 0, cv::THRESH_TOZERO);
+      const cv::Moments moments = cv::moments(lit);
+      ASSERT_GT(moments.m00, 0);
+      const double angle = CV_PI / 2 + std::atan(0.08);  // from straight down
+      const double distance = scale * radius(angle);
+      EXPECT_NEAR(moments.m10 / moments.m00 + 0.5, ring.center.x + distance * std::sin(turn), 0.3);
+      EXPECT_NEAR(moments.m01 / moments.m00 + 0.5, ring.center.y - distance * std::cos(turn), 0.3);
+    }
+  }
 }
 
 TEST(Develop, ExposesADimSceneAsABrightOne) {

@@ -68,6 +68,11 @@ class ImportTest(ToolCase):
         places.write_text(f"{names[0]} CR-A\n{names[1]} PA-A\n")
         labels = self.import_pictures([f"std_cam/{name}" for name in names], "--layout", "cold")
         self.assertEqual(labels, [(1152886490.25, "CR-A"), (1152886491.5, "PA-A")])
+        labels = self.import_pictures([f"omni_cam/{name}" for name in names], "--layout", "cold", "--camera",
+                                      "omni_cam")
+        self.assertEqual(labels, [(1152886490.25, "CR-A"), (1152886491.5, "PA-A")])
+        self.assertIn("--camera goes with --layout cold alone",
+                      self.refuse("import", "data", "--out", "b.bag", "--camera", "omni_cam", status=2))
         places.write_text(f"{names[0]}\n")
         self.assertIn("places.lst line 1",
                       self.refuse("import", "data", "--out", "b.bag", "--layout", "cold"))

@@ -18,7 +18,9 @@ CueExtraction::CueExtraction(const Model& model)
 
 CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile& images,
                              double least_edge_density)
-    : least_edge_density_(least_edge_density), scaler_(images, options.image.max_width) {
+    : least_edge_density_(least_edge_density),
+      scaler_(images, options.image.max_width),
+      panorama_(options.image.panorama) {
   for (const CueOptions& cue : options.cues) {
     extractors_.push_back(makeFeatureExtractor(cue.feature));
     normalizations_.push_back(colorNormalization(cue.normalize));
@@ -30,16 +32,16 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
 bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features,
                             const Light& light, bool with_embeddings) {
   assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
-  const cv::Mat& scaled = scaler_.scaled(image);
-  if (normalizes_) color_ = logColor(scaled);
+  const cv::Mat& prepared = panorama_.unrolled(scaler_.scaled(image));
+  if (normalizes_) color_ = logColor(prepared);
   features.resize(extractors_.size());
   reason_.clear();
-  judge(scaled);
+  judge(prepared);
   if (shows_too_little_) {
     std::fill(features.begin(), features.end(), Feature());
     return false;
   }
-  normalized_.set(scaled, color_, light);
+  normalized_.set(prepared, color_, light);
   bool any = false;
   for (std::size_t c = 0; c < extractors_.size(); ++c) {
     if (!extractors_[c] || (is_embedding_[c] && !with_embeddings)) continue;

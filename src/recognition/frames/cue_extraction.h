@@ -11,15 +11,18 @@
 #include "place_recognition/training_options.h"
 #include "recognition/frames/color_normalization.h"
 #include "recognition/frames/image_scaling.h"
+#include "recognition/frames/panorama.h"
 
 namespace place_recognition {
 
 /// The road from an image to the feature of each cue, the same in training and in recognition: the
-/// image is brought to the size that is worked at, its colours are normalized, then each cue's
-/// extractor looks at it. Keeps its buffers from image to image: one per thread.
+/// image is brought to the size that is worked at, that of a mirror is unrolled, its colours are
+/// normalized, then each cue's extractor looks at it. Keeps its buffers from image to image: one
+/// per thread.
 class CueExtraction {
  public:
-  /// For training. `images`: what the model is trained on, for their size.
+  /// For training. `images`: what the model is trained on, for their size. A mirror must not be to
+  /// be `found` any more, see withMirror().
   CueExtraction(const TrainingOptions& options, const ImageProfile& images);
   /// For recognition: the cues of `model` that count, those of weight 0 are missing in every image.
   explicit CueExtraction(const Model& model);
@@ -49,6 +52,7 @@ class CueExtraction {
   EdgeDensity edge_density_;
   bool shows_too_little_ = false;
   ImageScaler scaler_;
+  Panorama panorama_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
   std::vector<ColorNormalization> normalizations_;             // of each cue
   std::vector<bool> is_embedding_;                             // of each cue

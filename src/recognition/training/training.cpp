@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "learning/classifier_parts.h"
 #include "recognition/frames/color_normalization.h"
+#include "recognition/frames/mirror_search.h"
 #include "recognition/model/embeddings.h"
 #include "recognition/training/block_choice.h"
 #include "recognition/training/camera_correlation_training.h"
@@ -194,7 +195,7 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
                const Progress& progress) {
   options.check();
   return timed([&] {
-    const TrainingOptions ready = withNetworks(options);
+    const TrainingOptions ready = withMirror(withNetworks(options), runs);
     Training training =
         learn(collectSamples(runs, ready, threads, progress), ready, threads, progress);
     training.model.asked = options;
@@ -205,6 +206,7 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
 Training trainIncrementally(const Model& model, const std::vector<RunOpener>& runs,
                             int vector_limit, unsigned threads, const Progress& progress) {
   TrainingOptions options = model.asked;
+  options.image = model.options.image;
   options.cues = model.options.cues;
   options.reduction = learningOnReduction(options.reduction, vector_limit);
   options.check();

@@ -66,7 +66,24 @@ std::vector<CueOptions> defaultCues() {
       histogramCue("shapes", "none", {"Lxx", "Lxy", "Lyy"}, {1, 4}, 28, "logarithmic")};
 }
 
+void PanoramaOptions::check() const {
+  if (mirror != "none" && mirror != "given" && mirror != "found") {
+    throw Error("Option 'image.panorama.mirror' is '" + mirror + "'; give none, given or found.");
+  }
+  const auto isShare = [](double value) { return value >= 0 && value <= 1; };
+  if (!isShare(center_x) || !isShare(center_y)) {
+    throw Error("Options 'image.panorama.center_x' and 'center_y' are " + std::to_string(center_x) +
+                " and " + std::to_string(center_y) +
+                "; give shares of the image's width and height, 0 to 1.");
+  }
+  if (!(inner >= 0 && inner < outer && outer <= 2)) {
+    throw Error("Options 'image.panorama.inner' and 'outer' are " + std::to_string(inner) +
+                " and " + std::to_string(outer) + "; give 0 <= inner < outer <= 2.");
+  }
+}
+
 void ImageOptions::check() const {
+  panorama.check();
   if (max_width < 0 || (max_width > 0 && max_width < 16)) {
     throw Error("Option 'image.max_width' is " + std::to_string(max_width) +
                 "; give at least 16 pixels, or 0 to leave images as they are.");
