@@ -43,6 +43,12 @@ void mixColors(const std::uint8_t* __restrict bgr, const Mixture& mixture, int n
   }
 }
 
+/// Every third number from the first on, the channel of a mixture of one.
+PLACE_RECOGNITION_TARGET_CLONES
+void takeColor(const std::uint8_t* __restrict channel, int n, float* __restrict out) {
+  for (int x = 0; x < n; ++x) out[x] = static_cast<float>(channel[3 * x] - 128);
+}
+
 PLACE_RECOGNITION_TARGET_CLONES
 void mixGrey(const std::uint8_t* __restrict grey, const Mixture& mixture, int n,
              float* __restrict out) {
@@ -55,8 +61,18 @@ void mixGrey(const std::uint8_t* __restrict grey, const Mixture& mixture, int n,
 void extractChannelRow(const cv::Mat& image, Channel channel, int y, int left, int n, float* row) {
   assert(left >= 0 && left + n <= image.cols);
   assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
-  const auto mix = image.type() == CV_8UC3 ? mixColors : mixGrey;
-  mix(image.ptr<std::uint8_t>(y) + left * image.channels(), mixture(channel), n, row);
+  const std::uint8_t* pixels = image.ptr<std::uint8_t>(y) + left * image.channels();
+  if (image.type() == CV_8UC1) return mixGrey(pixels, mixture(channel), n, row);
+  switch (channel) {
+    case Channel::kB:
+      return takeColor(pixels, n, row);
+    case Channel::kG:
+      return takeColor(pixels + 1, n, row);
+    case Channel::kR:
+      return takeColor(pixels + 2, n, row);
+    default:
+      return mixColors(pixels, mixture(channel), n, row);
+  }
 }
 
 ChannelScale channelScale(Channel channel) {
