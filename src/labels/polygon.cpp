@@ -67,8 +67,8 @@ bool contains(const Polygon& polygon, const Vector2d& point) {
   bool inside = false;
   forEachEdge(polygon, [&](const Vector2d& a, const Vector2d& b) {
     if ((a.y() > point.y()) == (b.y() > point.y())) return;
-    const double share = (point.y() - a.y()) / (b.y() - a.y());
-    if (point.x() < a.x() + share * (b.x() - a.x())) inside = !inside;
+    const double fraction = (point.y() - a.y()) / (b.y() - a.y());
+    if (point.x() < a.x() + fraction * (b.x() - a.x())) inside = !inside;
   });
   return inside;
 }
@@ -78,8 +78,8 @@ double distanceToBorder(const Polygon& polygon, const Vector2d& point) {
   forEachEdge(polygon, [&](const Vector2d& a, const Vector2d& b) {
     const Vector2d edge = b - a;
     const double length = edge.squaredNorm();
-    const double share = length > 0 ? std::clamp((point - a).dot(edge) / length, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (a + share * edge - point).norm());
+    const double fraction = length > 0 ? std::clamp((point - a).dot(edge) / length, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (a + fraction * edge - point).norm());
   });
   return nearest;
 }

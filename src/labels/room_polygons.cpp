@@ -10,9 +10,9 @@
 namespace place_recognition {
 namespace {
 
-/// Of a room; looking for walls that cross takes a time of its square.
+/// The most corners of a room: the search for walls that cross takes quadratic time.
 constexpr std::size_t kMaxCorners = 10000;
-/// Of a room, m^2.
+/// The smallest area of a room, m^2.
 constexpr double kMinArea = 1e-4;
 
 struct PlaceEntry {

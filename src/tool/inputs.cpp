@@ -152,11 +152,9 @@ std::vector<RunOpener> InputOptions::openers(const std::vector<std::string>& inp
   const std::vector<std::string> carried = carriedLabels(runs, bag);
   std::vector<RunOpener> openers;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    openers.push_back([this, run = runs[i], label = carried[i]] {
-      InputOptions options = *this;
-      options.bag.initial_label = label;
-      return options.open(run);
-    });
+    InputOptions options = *this;
+    options.bag.initial_label = carried[i];
+    openers.push_back([options, run = runs[i]] { return options.open(run); });
   }
   return openers;
 }

@@ -125,8 +125,11 @@ std::optional<Replacement> replacementOf(const TrainOptions& options, const std:
                                          const Progress& progress) {
   if (options.validate.empty()) return std::nullopt;
   const bool goes_on = !std::filesystem::exists(path) && !options.add_to.empty();
-  return Replacement(options.input.openers(options.validate),
-                     goes_on ? modelPath(options.add_to) : path, progress);
+  InputOptions input = options.input;  // --label and --labels are those of what is learned
+  input.bag.label.clear();
+  input.bag.labels_file.clear();
+  return Replacement(input.openers(options.validate), goes_on ? modelPath(options.add_to) : path,
+                     progress);
 }
 
 void train(const TrainOptions& options) {

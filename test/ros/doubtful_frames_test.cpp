@@ -1,7 +1,10 @@
 #include "ros/recognizer/doubtful_frames.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <boost/make_shared.hpp>
+#include <csignal>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 
@@ -149,6 +152,31 @@ TEST_F(DoubtfulFramesTest, AFolderThatCannotBeMadeIsAnError) {
   KeepOptions wrong = options();
   wrong.folder = scratch_.write("file", "") + "/kept";
   EXPECT_THROW(DoubtfulFrames{wrong}, Error);
+}
+
+TEST_F(DoubtfulFramesTest, AFolderIsOfOneRecognizer) {
+  {
+    DoubtfulFrames first(options());
+    EXPECT_THROW(DoubtfulFrames{options()}, Error);
+  }
+  EXPECT_NO_THROW(DoubtfulFrames{options()});
+}
+
+TEST_F(DoubtfulFramesTest, ADiskThatRefusesLeavesNothingHalfWritten) {
+  DoubtfulFrames frames(options());
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{20000, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  for (int i = 0; i < 100; ++i) {
+    at(1000 + 2 * i);
+    frames.take("/image", message(1, 1600), answer(0, false), "kitchen");
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(frames.isKeeping());
+  EXPECT_TRUE(fs::is_empty(scratch_ / "kept"));
 }
 
 TEST_F(DoubtfulFramesTest, NothingIsKeptUnlessAskedFor) {

@@ -50,9 +50,9 @@ class OperationTest(NodeCase):
         self.write_run("monday")
         self.write_run("tuesday", seed=1)
         self.tool("train", "monday", "--model", "home", "--config", "crfh_colour")
-        node = self.start_node("place_recognizer", "image:=/camera/image_raw",
-                               "_image_transport:=compressed", "_model:=home",
-                               "_keep_doubtful:=~/doubts", "_keep_per_hour:=1000000")
+        node = self.launch("recognize.launch", "model:=home", "image:=/camera/image_raw",
+                           "image_transport:=compressed", "keep_doubtful:=~/doubts",
+                           "keep_per_hour:=1000000")
         self.expect(node, "Recognizing with home")
         # Steady answers are none to doubt; each change is.
         self.show(["kitchen"] * 8 + ["corridor", "kitchen"] * 5)

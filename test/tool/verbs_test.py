@@ -93,6 +93,12 @@ class TrainTest(ToolCase):
                                 *COLOUR)
         self.assertIn("The old model stays: ./home.places names 100.0 %", complaint)
         self.assertEqual((self.folder / "home.places").read_bytes(), before)
+        # Runs to judge by keep their own labels.
+        self.write_bag("judge.bag", [(room, room) for room in ROOMS for _ in range(4)])
+        self.write_bag("more.bag", [("kitchen", None)] * 4)
+        figures = self.figures("train", "more.bag", "--label", "kitchen", "--add-to", "./home.places",
+                               "--model", "./more.places", "--validate", "judge.bag")
+        self.assertGreater(figures["validate_rate"], 0.9)
         text = self.succeed("train", "monday", "tuesday", "--add-to", "./home.places", "--model",
                             "./next.places", "--validate", "tuesday")
         self.assertIn("On the runs of --validate 100.0 % right", text)

@@ -14,7 +14,7 @@
 namespace place_recognition {
 namespace {
 
-/// Of such an image neither the light nor the evidence of what follows can be told.
+/// A blank image tells neither the light nor the evidence of the frames that follow.
 bool isBlank(const cv::Mat& image) {
   const ImageStatistics statistics = statisticsOf(image);
   return isBlack(statistics) || isWhite(statistics);

@@ -12,6 +12,9 @@ namespace place_recognition {
 /// is full is an Error. Thread-safe.
 class StagedBag {
  public:
+  /// The suffix of what is being recorded, as rosbag record has it.
+  static constexpr const char* kActive = ".active";
+
   /// Opens `path` + `suffix` for writing. Throws Error if the folder cannot be written to.
   StagedBag(const std::string& path, const std::string& suffix);
 

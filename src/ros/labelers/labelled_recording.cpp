@@ -16,10 +16,10 @@
 namespace place_recognition {
 namespace {
 
-constexpr const char* kActive = ".active";  // as rosbag record calls it
-constexpr double kReportPeriod = 5;         // s
-constexpr double kTick = 1e-6;              // s, between what a clock gives one time
-constexpr double kTimeJump = 0.5;           // s back that are worth a word
+constexpr const char* kActive = StagedBag::kActive;
+constexpr double kReportPeriod = 5;  // s
+constexpr double kTick = 1e-6;       // s, between what a clock gives one time
+constexpr double kTimeJump = 0.5;    // s back that are worth a word
 
 std::unique_ptr<StagedBag> openBag(std::string path) {
   if (path.empty()) return nullptr;
@@ -51,9 +51,6 @@ std::string noClock(std::uint64_t images) {
          " images have come, but they cannot be recorded: /use_sim_time is true and there is no "
          "/clock.";
 }
-
-const char* topicSuffix(const sensor_msgs::Image&) { return ""; }
-const char* topicSuffix(const sensor_msgs::CompressedImage&) { return names::kCompressedSuffix; }
 
 }  // namespace
 
@@ -147,7 +144,7 @@ ros::Time LabelledRecording::add(const ImageMessage& image) {
   }
   recordLabel(time);
   image.visit([&](const auto& message) {
-    record(image_topic_ + topicSuffix(message), time, message);
+    record(image_topic_ + image.topicSuffix(), time, message);
     ++images_;
   });
   return time;

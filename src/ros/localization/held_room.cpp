@@ -1,19 +1,13 @@
 #include "ros/localization/held_room.h"
 
-#include <cstdio>
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
 
-/// Of the room that is named.
+/// The probability of the room that is named, against the others and 'unknown'.
 double probabilityOfPlace(const PlaceRecognition& belief) {
   return belief.confidence * belief.evidence;
-}
-
-std::string rounded(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", number);
-  return text;
 }
 
 }  // namespace
@@ -43,17 +37,17 @@ std::string HeldRoom::sureRoom(const ros::Time& now) const {
 std::string HeldRoom::whyNot(const ros::Time& now) const {
   if (!belief_) return "no answer of place_recognizer has come";
   if (isMissing(now)) {
-    return "the last answer of place_recognizer came " + rounded((now - arrival_).toSec()) +
+    return "the last answer of place_recognizer came " + fixed((now - arrival_).toSec(), 2) +
            " s ago";
   }
   if (!belief_->known) return "the answer is 'unknown'";
   if (since_.isZero()) {
     return "'" + belief_->place + "' has a probability of " +
-           rounded(probabilityOfPlace(*belief_)) + ", less than ~min_probability";
+           fixed(probabilityOfPlace(*belief_), 2) + ", less than ~min_probability";
   }
   const double held = (now - since_).toSec();
   if (held < options_.hold) {
-    return "'" + belief_->place + "' has been sure for " + rounded(held) + " s, less than ~hold";
+    return "'" + belief_->place + "' has been sure for " + fixed(held, 2) + " s, less than ~hold";
   }
   return "";
 }

@@ -30,7 +30,8 @@ class HeldRoom {
   /// As in "the answer is 'unknown'"; empty: a room is sure.
   std::string whyNot(const ros::Time& now) const;
 
-  /// Of a room now; 0 if no answer has come in time, or if the model does not know the room.
+  /// The probability of a room now; 0 if no answer has come in time, or if the model does not know
+  /// the room.
   double probabilityOf(const std::string& room, const ros::Time& now) const;
 
  private:

@@ -1,7 +1,6 @@
 #include "ros/localization/relocalizer.h"
 
 #include <Eigen/LU>
-#include <cstdio>
 
 #include "base/text.h"
 #include "ros/messages/pose_conversions.h"
@@ -77,10 +76,8 @@ bool Relocalizer::isHeard() {
 
 std::string Relocalizer::stateText() const {
   if (!amcl_pose_) return "No pose has come on " + subscriber_.getTopic();
-  char text[96];
-  std::snprintf(text, sizeof text, "amcl is lost (its position deviates by %.2f m)",
-                largestDeviation(positionCovariance(amcl_pose_->pose)));
-  return text;
+  return "amcl is lost (its position deviates by " +
+         fixed(largestDeviation(positionCovariance(amcl_pose_->pose)), 2) + " m)";
 }
 
 void Relocalizer::robotIsIn(const std::string& room, const UniformDistribution& area,

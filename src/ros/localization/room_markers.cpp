@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <map>
 
+#include "base/text.h"
+
 namespace place_recognition {
 namespace {
 
@@ -36,7 +38,7 @@ geometry_msgs::Point pointAt(const Eigen::Vector2d& position, double height) {
   return point;
 }
 
-/// Of no stamp, for rviz to show it wherever the map is now.
+/// Without a stamp, so that rviz shows it wherever the map is now.
 Marker markerOf(std::size_t polygon, const std::string& frame, const std::string& kind,
                 std::int32_t type) {
   Marker marker;
@@ -94,8 +96,7 @@ Marker nameMarker(const Eigen::Vector2d& position, double area, std::size_t poly
 }
 
 std::string percentText(double probability) {
-  const long percent = std::lround(100 * probability);
-  return percent > 0 ? " " + std::to_string(percent) + " %" : "";
+  return probability >= 0.005 ? " " + percent(probability, 0) : "";
 }
 
 }  // namespace

@@ -15,6 +15,11 @@ const std_msgs::Header& ImageMessage::header() const {
                     message_);
 }
 
+const char* ImageMessage::topicSuffix() const {
+  const bool compressed = std::holds_alternative<sensor_msgs::CompressedImageConstPtr>(message_);
+  return compressed ? names::kCompressedSuffix : "";
+}
+
 cv::Mat ImageMessage::image() const {
   return std::visit([](const auto& message) { return toImage(*message); }, message_);
 }

@@ -27,6 +27,9 @@ class ImageMessage {
   /// The picture, which may share the message's memory. Throws Error if it cannot be used.
   cv::Mat image() const;
 
+  /// What its topic has after the name without a transport.
+  const char* topicSuffix() const;
+
   /// Calls `use` with the message itself, a sensor_msgs::Image or CompressedImage.
   template <typename Use>
   void visit(const Use& use) const {

@@ -17,8 +17,7 @@ namespace place_recognition {
 /// isWanted().
 class AnswerPublishers {
  public:
-  /// Who listens at once is told of nothing before `changed` is called, which may be from any
-  /// thread, when somebody begins or ceases to listen.
+  /// `changed` is called, from any thread, when somebody begins or ceases to listen.
   void advertise(ros::NodeHandle private_node, const std::function<void()>& changed);
 
   /// Whether anybody listens.

@@ -2,8 +2,11 @@
 
 #include <ros/console.h>
 #include <std_msgs/String.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <vector>
@@ -19,11 +22,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kStart = "doubtful_";
-constexpr const char* kActive = ".active";  // as rosbag record calls it
-constexpr double kLongestBag = 3600;        // s
+constexpr double kLongestBag = 3600;  // s
 constexpr int kBagsOfLimit = 8;
 constexpr double kTick = 1e-6;  // s, between frames where the clock stands still
-constexpr std::uint64_t kMegabyte = 1000000;
+
+std::uint64_t bytesOf(const KeepOptions& options) {
+  constexpr std::uint64_t kMegabyte = 1000000;
+  return static_cast<std::uint64_t>(options.megabytes) * kMegabyte;
+}
 
 std::string nameAt(std::time_t time) {
   char text[32];
@@ -54,22 +60,32 @@ std::vector<KeptBag> keptBags(const std::string& folder) {
   return bags;
 }
 
-const char* topicSuffix(const sensor_msgs::Image&) { return ""; }
-const char* topicSuffix(const sensor_msgs::CompressedImage&) { return names::kCompressedSuffix; }
-
 }  // namespace
 
-DoubtfulFrames::DoubtfulFrames(KeepOptions options) : options_(std::move(options)) {
+DoubtfulFrames::DoubtfulFrames(KeepOptions options) : options_(prepared(std::move(options))) {
   if (!isKeeping()) return;
+  lock_ = std::make_unique<FolderLock>(options_.folder, FolderLock::IfTaken::kGiveUp);
+  if (lock_->isTaken()) {
+    throw Error("Another recognizer keeps its doubtful frames in " + options_.folder +
+                "; let ~keep_doubtful name a folder for this one.");
+  }
+}
+
+/// With the folder made, and by a path that holds wherever the process goes.
+KeepOptions DoubtfulFrames::prepared(KeepOptions options) {
+  if (options.folder.empty()) return options;
   std::error_code failure;
-  fs::create_directories(options_.folder, failure);
-  if (!failure) options_.folder = fs::canonical(options_.folder, failure);
+  fs::create_directories(options.folder, failure);
+  if (!failure) options.folder = fs::canonical(options.folder, failure);
   if (failure) {
-    throw Error("Cannot keep doubtful frames in " + options_.folder + ": " + failure.message() +
+    throw Error("Cannot keep doubtful frames in " + options.folder + ": " + failure.message() +
                 "; let ~keep_doubtful name a folder that can be written.");
   }
-  // A folder that cannot be written to is told now, not at the first doubt.
-  StagedBag(options_.folder + "/" + nameAt(std::time(nullptr)), kActive).discard();
+  if (access(options.folder.c_str(), W_OK) != 0) {  // told now, not at the first doubt
+    throw Error("The folder " + options.folder + " cannot be written to: " + std::strerror(errno) +
+                "; let ~keep_doubtful name one that can.");
+  }
+  return options;
 }
 
 DoubtfulFrames::~DoubtfulFrames() {
@@ -82,12 +98,13 @@ DoubtfulFrames::~DoubtfulFrames() {
 
 void DoubtfulFrames::take(const std::string& topic, const ImageMessage& image,
                           const Recognition& recognition, const std::string& place) {
-  if (!isKeeping() || !isDoubtful(topic, recognition)) return;
+  if (!isKeeping() || failed_ || !isDoubtful(topic, recognition)) return;
   try {
     keep(topic, image, place);
   } catch (const Error& e) {
     ROS_ERROR("No more doubtful frames are kept: %s", e.what());
-    options_.folder.clear();
+    failed_ = true;
+    if (bag_) bag_->discard();
     bag_.reset();
   }
 }
@@ -119,18 +136,18 @@ void DoubtfulFrames::keep(const std::string& topic, const ImageMessage& image,
     bag_->write(options_.label_topic, last_, message);
   }
   image.visit([&](const auto& message) {
-    bag_->write(topic + topicSuffix(message), last_, message);
+    bag_->write(topic + image.topicSuffix(), last_, message);
     bytes_ += ros::serialization::serializationLength(message);
   });
   ++images_;
-  const std::uint64_t limit = static_cast<std::uint64_t>(options_.megabytes) * kMegabyte;
-  if (bytes_ > limit / kBagsOfLimit || last_ - begin_ > ros::Duration(kLongestBag)) finishBag();
+  if (bytes_ > bytesOf(options_) / kBagsOfLimit || last_ - begin_ > ros::Duration(kLongestBag))
+    finishBag();
 }
 
 void DoubtfulFrames::begin(const ros::Time& time) {
   named_ = std::max(named_ + 1, std::time(nullptr));  // later than all before
   while (fs::exists(options_.folder + "/" + nameAt(named_))) ++named_;
-  bag_ = std::make_unique<StagedBag>(options_.folder + "/" + nameAt(named_), kActive);
+  bag_ = std::make_unique<StagedBag>(options_.folder + "/" + nameAt(named_), StagedBag::kActive);
   begin_ = last_ = time;
   bytes_ = images_ = 0;
 }
@@ -138,7 +155,12 @@ void DoubtfulFrames::begin(const ros::Time& time) {
 void DoubtfulFrames::finishBag() {
   const std::unique_ptr<StagedBag> bag = std::move(bag_);
   if (!bag) return;
-  bag->complete();
+  try {
+    bag->complete();
+  } catch (const Error&) {
+    bag->discard();
+    throw;
+  }
   ROS_INFO("Kept %s that the model doubts. Label them with: place_tool label %s",
            counted(images_, "image").c_str(), bag->path().c_str());
   removeOldest();
@@ -149,7 +171,7 @@ void DoubtfulFrames::removeOldest() const {
   std::uint64_t total = 0;
   for (const KeptBag& bag : bags) total += bag.bytes;
   for (const KeptBag& bag : bags) {
-    if (total <= static_cast<std::uint64_t>(options_.megabytes) * kMegabyte) return;
+    if (total <= bytesOf(options_) / kBagsOfLimit * (kBagsOfLimit - 1)) return;
     std::error_code ignored;
     fs::remove(bag.path, ignored);
     total -= bag.bytes;

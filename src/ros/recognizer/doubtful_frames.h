@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "base/folder_lock.h"
 #include "place_recognition/recognizer.h"
 #include "ros/bags/staged_bag.h"
 #include "ros/nodes/image_input.h"
@@ -27,10 +28,11 @@ struct KeepOptions {
 /// with the place over time as their label, so that a person only needs to correct it; a bag ends
 /// after an hour or an eighth of the megabytes. Bags with labels of a person beside them
 /// (`doubtful_<UTC time>.labels.yaml`) are neither counted nor removed. A disk that refuses ends
-/// the keeping with a message, not the node. Not thread-safe.
+/// the keeping with a message, not the node. Not thread-safe but for isKeeping().
 class DoubtfulFrames {
  public:
-  /// Throws Error if the folder cannot be made or written to.
+  /// Throws Error if the folder cannot be made or written to, or if another recognizer keeps its
+  /// frames there.
   explicit DoubtfulFrames(KeepOptions options);
 
   /// Completes the bag.
@@ -46,14 +48,17 @@ class DoubtfulFrames {
             const std::string& place);
 
  private:
+  static KeepOptions prepared(KeepOptions options);
   bool isDoubtful(const std::string& topic, const Recognition& recognition);
   void keep(const std::string& topic, const ImageMessage& image, const std::string& place);
   void begin(const ros::Time& time);
   void finishBag();
-  /// Removes the oldest bags until all that are left have no more than the megabytes.
+  /// Removes the oldest bags until the next one has room within the megabytes.
   void removeOldest() const;
 
-  KeepOptions options_;
+  const KeepOptions options_;
+  std::unique_ptr<FolderLock> lock_;
+  bool failed_ = false;                     // the disk has refused
   ros::Time due_;                           // of the next frame to be kept
   std::map<std::string, int> last_places_;  // the answer to the last frame of each topic
   std::unique_ptr<StagedBag> bag_;          // none: no frame since the last one ended
