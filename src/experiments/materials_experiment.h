@@ -1,30 +1,19 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
 #include "datasets/picture_set.h"
 #include "experiments/experiment.h"
+#include "experiments/material_grid.h"
 #include "experiments/test_sets.h"
-#include "place_recognition/learning_options.h"
+#include "place_recognition/feature.h"
 
 namespace place_recognition {
 
-/// A classifier of chapter 7, but for what it is trained on.
-struct MaterialClassifier {
-  std::string feature;  ///< mr8 or lbp
-  KernelOptions kernel;
-  SvmOptions svm;
-};
-
-/// The kernel's name and the parameters it has, as in "polynomial p=0 d=4".
-std::string describe(const KernelOptions& kernel);
-
-/// Chapter 7: support vector reduction on materials. Each sample of the materials is tested on in
-/// turn, the others are trained on. One cell a classifier and tested sample, over two features,
-/// chi-squared and Gaussian kernels of gamma 10^-3 ... 10^3, polynomial kernels of p = 0, 1 and d =
-/// 1 ... 5, both ways of many classes, C = 100, and for Table 7.2 C = 1, 10 and 1000.
+/// Chapter 7: support vector reduction on materials. Some samples of each material are trained on,
+/// the others are tested on. One cell per feature, split and kernel, for all machines of that
+/// kernel; see material_grid.h.
 class MaterialsExperiment : public Experiment {
  public:
   /// `samples`: pictures of every material each; three or more. `threads`: 0: one per core.
@@ -36,13 +25,16 @@ class MaterialsExperiment : public Experiment {
   Findings findings(const std::vector<Json>& results) const override;
 
  private:
-  Json cellOf(const MaterialClassifier& classifier, const PictureSet& tested) const;
-  Json evaluate(const MaterialClassifier& classifier, int tested, const SetSamples& samples,
-                const Eigen::MatrixXd& measures) const;
+  Json cellOf(const std::string& feature, const TrainingSamples& split,
+              const KernelOptions& kernel) const;
+  /// `cells`: one per kernel, null if it is not wanted.
+  void computeSplit(const TrainingSamples& split, const std::vector<const Json*>& cells,
+                    const SetSamples& samples, const std::vector<Feature>& features,
+                    const CellSink& finished, const Progress& progress) const;
 
   std::vector<PictureSet> sets_;
   unsigned threads_;
-  std::vector<MaterialClassifier> classifiers_;
+  std::vector<TrainingSamples> splits_;
 };
 
 }  // namespace place_recognition

@@ -131,14 +131,17 @@ class MaterialsTest(ExperimentCase):
                     self.write_picture(f"samples/{room}/{'abc'[sample]}/{view}.png",
                                        paint(room, view, sample))
         figures = self.experiment("materials", data="samples")
-        self.assertEqual(figures["cells"], 99 * 3)
+        features, kernels, splits = 3, 24, 6
+        self.assertEqual(figures["cells"], features * kernels * splits)
         for number in range(1, 7):
             self.assertGreater(len(self.table(f"out/table_7_{number}.csv")), 4)
         self.write_run("blocks", views=4, rooms=rooms)
-        figures = self.experiment("materials", "--part", "1/99", data="blocks", out="parts")
-        self.assertEqual((figures["cells"], figures["computed"]), (99 * 4, 4))
+        figures = self.experiment("materials", "--part", "1/24", data="blocks", out="parts")
+        self.assertEqual((figures["cells"], figures["computed"]), (features * kernels * 12, 36))
         results = json.loads((self.folder / "out/results.json").read_text())
-        self.assertEqual(len(results), 99 * 3)
+        self.assertEqual(len(results), features * kernels * splits)
+        for result in results:
+            self.assertEqual(len(result["result"]), 8, "four C and two ways of many classes")
 
 
 class FiguresTest(ExperimentCase):
