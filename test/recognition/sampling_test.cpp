@@ -9,7 +9,9 @@
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
 #include "recognition/drawn_run.h"
+#include "recognition/training/halving_sample.h"
 #include "recognition/training/held_out_frames.h"
+#include "recognition/training/samples.h"
 
 namespace place_recognition {
 namespace {
@@ -110,6 +112,31 @@ TEST(StratifiedStream, KeepsTheFirstAndOneOfEachStretch) {
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(all.keepsNext());
 }
 
+TEST(StratifiedLevels, EveryStretchOfAPowerOfTwoHasOneMemberOfThatLevel) {
+  StratifiedLevels stream(1), same(1), other(2);
+  std::vector<int> levels, others;
+  for (int i = 0; i < 4096; ++i) {
+    levels.push_back(stream.next());
+    EXPECT_EQ(levels.back(), same.next());
+    others.push_back(other.next());
+  }
+  EXPECT_NE(levels, others);
+  for (int k = 0, length = 1; length <= 4096; ++k, length *= 2) {
+    const auto isHigh = [k](int level) { return level >= k; };
+    for (auto stretch = levels.begin(); stretch != levels.end(); stretch += length) {
+      EXPECT_EQ(std::count_if(stretch, stretch + length, isHigh), 1) << k;
+    }
+  }
+  EXPECT_GE(levels[0], 12);
+}
+
+TEST(StratifiedLevels, SeeEveryAngleOfATripod) {
+  StratifiedLevels stream(1);
+  std::vector<bool> kept;
+  for (int i = 0; i < 2400; ++i) kept.push_back(stream.next() >= 4);
+  for (const int count : angles(kept)) EXPECT_GT(count, 0);
+}
+
 /// A hundred frames of each of two rooms, 20 a second.
 Training trainFast(const TrainingOptions& options) {
   std::vector<Frame> frames = drawFrames(2, 100);
@@ -139,6 +166,32 @@ TEST(Sampling, LearnsNoMoreThanItMayAndSaysSo) {
 
   options.augmentation.other_light = true;
   EXPECT_EQ(trainFast(options).images, 20u);  // and the same in other light
+}
+
+TEST(Sampling, OfALongRunFewerAndFewerPicturesAreLookedAt) {
+  const std::vector<Frame> frames = drawFrames(2, 400);
+  TrainingOptions options = quickOptions();
+  options.sampling.most = 40;  // 20, and the same changed
+  int looked_at = 0;
+  const auto change = [&](const cv::Mat& image, const std::string&) {
+    ++looked_at;
+    return ChangedPicture{image, {}};
+  };
+  const Samples samples = collectSamples({opener(frames)}, options, 2, {}, 2, {}, change);
+  EXPECT_EQ(samples.recorded, 20u);
+  EXPECT_EQ(samples.images, (std::vector<std::uint64_t>{10, 10}));
+  EXPECT_EQ(samples.passed_over, 780u);
+  // 40 until frames are dropped for the first time, 20 between any two times.
+  EXPECT_LE(looked_at, 40 + 20 * 6);
+  ASSERT_EQ(samples.warnings.size(), 1u);
+  EXPECT_NE(samples.warnings[0].find("Of 800 pictures 20 are learned"), std::string::npos)
+      << samples.warnings[0];
+  std::array<int, 4> quarters{};  // of each room, by the order of its frames
+  for (std::size_t i = 0; i < samples.recorded; ++i) {
+    const auto quarter = static_cast<std::size_t>(samples.origins[i].stamp / 200);
+    ++quarters.at(quarter);
+  }
+  for (const int count : quarters) EXPECT_NEAR(count, 5, 2);
 }
 
 TEST(Sampling, TheSeedSaysWhichPicturesAreLearned) {

@@ -16,11 +16,18 @@ ExtractionPool::ExtractionPool(const TrainingOptions& options, const ImageProfil
 ExtractionPool::~ExtractionPool() { stop(); }
 
 void ExtractionPool::submit(const cv::Mat& image, ExtractedFeatures& result, const Light& light) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++unfinished_;
+  }
   if (!queue_.push({image, &result, light})) rethrowFailure();
 }
 
 void ExtractionPool::finish() {
-  stop();
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [this] { return unfinished_ == 0 || failure_; });
+  }
   rethrowFailure();
 }
 
@@ -32,10 +39,14 @@ void ExtractionPool::work(const TrainingOptions& options, const ImageProfile& im
         job.result->problem = extraction.reason();
       }
       job.result->color = extraction.color() + logGains(job.light);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      --unfinished_;
+      changed_.notify_all();
     }
   } catch (...) {
-    const std::lock_guard<std::mutex> lock(failure_mutex_);
+    const std::lock_guard<std::mutex> lock(mutex_);
     if (!failure_) failure_ = std::current_exception();
+    changed_.notify_all();
     queue_.close();
   }
 }
@@ -48,7 +59,7 @@ void ExtractionPool::stop() {
 }
 
 void ExtractionPool::rethrowFailure() {
-  const std::lock_guard<std::mutex> lock(failure_mutex_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (failure_) std::rethrow_exception(failure_);
 }
 

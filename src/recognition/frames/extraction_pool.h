@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <condition_variable>
+#include <cstddef>
 #include <exception>
 #include <mutex>
 #include <opencv2/core/mat.hpp>
@@ -34,7 +36,7 @@ class ExtractionPool {
   /// finish(). Throws what an extractor threw.
   void submit(const cv::Mat& image, ExtractedFeatures& result, const Light& light = {});
 
-  /// Waits until every result is there. Throws what an extractor threw.
+  /// Waits until every result is there; more images may follow. Throws what an extractor threw.
   void finish();
 
  private:
@@ -50,7 +52,9 @@ class ExtractionPool {
 
   BoundedQueue<Job> queue_;
   std::vector<std::thread> threads_;
-  std::mutex failure_mutex_;
+  std::mutex mutex_;  // of the following
+  std::condition_variable changed_;
+  std::size_t unfinished_ = 0;  // images submitted whose result is not there
   std::exception_ptr failure_;
 };
 

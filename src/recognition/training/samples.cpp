@@ -14,6 +14,7 @@
 #include "recognition/frames/image_guard.h"
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/light.h"
+#include "recognition/training/halving_sample.h"
 #include "recognition/training/labelled_light.h"
 #include "recognition/training/sampling.h"
 
@@ -27,6 +28,7 @@ struct Record {
   double stamp = 0;
   int camera = 0;  // index into Samples::cameras
   std::string name;
+  int level = 0;  // see HalvingSample
   ExtractedFeatures extracted;
   ExtractedFeatures changed;  // if that is asked for
 
@@ -91,7 +93,9 @@ class Collector {
         model_(model),
         sampling_(options.sampling),
         change_(std::move(change)),
+        most_(static_cast<std::size_t>(options.sampling.most) / (change_ ? 2 : 1)),
         seed_(options.seed),
+        share_(options.seed),
         cues_(options.cues.size()),
         pool_(options, profile, threads) {}
 
@@ -170,20 +174,35 @@ class Collector {
       leaveOut(skipped_.back(), frame.place, frame.name, frame.problem);
     } else if (!camera.rate.admits(frame.stamp)) {
       ++passed_over_;
-    } else {
+    } else if (const std::optional<int> level = share_.next(frame.place)) {
       for (const std::string& warning : camera.guard.judge(frame.image, frame.stamp)) {
         warnings_.push_back(inputs_.back() + ": " + warning);
       }
       include(statisticsOf(frame.image), profile_);
       const int run = static_cast<int>(inputs_.size()) - 1;
-      records_.push_back({frame.place, run, frame.stamp, camera.number, frame.name, {}, {}});
+      records_.push_back(
+          {frame.place, run, frame.stamp, camera.number, frame.name, *level, {}, {}});
       const Light light = camera.light.next(frame);
       pool_.submit(frame.image, records_.back().extracted, light);
       if (change_) {
         const ChangedPicture changed = change_(frame.image, frame.place);
         pool_.submit(changed.image, records_.back().changed, light * changed.correction);
       }
+      if (records_.size() > 2 * most_) dropHalf();
     }
+  }
+
+  /// So that memory stays bounded.
+  void dropHalf() {
+    pool_.finish();
+    dropFeatureless();
+    share_.halve();
+    dropRecords([this](const Record& record) { return !share_.keeps(record.place, record.level); });
+  }
+
+  template <typename Condition>
+  void dropRecords(Condition condition) {
+    records_.erase(std::remove_if(records_.begin(), records_.end(), condition), records_.end());
   }
 
   void leaveOut(Skipped& skipped, const std::string& place, const std::string& name,
@@ -198,7 +217,7 @@ class Collector {
       leaveOut(skipped_[record.run], record.place, record.name, record.extracted.problem);
       return true;
     };
-    records_.erase(std::remove_if(records_.begin(), records_.end(), featureless), records_.end());
+    dropRecords(featureless);
   }
 
   void requirePlaces(std::size_t least_places) {
@@ -243,32 +262,41 @@ class Collector {
            " has a label; say which place each of them shows.";
   }
 
-  static int placeOf(const Record& record, const Samples& samples) {
-    const auto& places = samples.places;
+  static int placeOf(const Record& record, const std::vector<std::string>& places) {
     return static_cast<int>(std::lower_bound(places.begin(), places.end(), record.place) -
                             places.begin());
   }
 
   /// Leaves no more records than may be learned.
   void thinOut(Samples& samples) {
-    const std::size_t most = static_cast<std::size_t>(sampling_.most) / (change_ ? 2 : 1);
-    const std::size_t count = records_.size();
-    std::vector<int> rooms;
-    for (const Record& record : records_) rooms.push_back(placeOf(record, samples));
-    const std::vector<bool> kept = stratifiedSample(rooms, most, seed_);
+    const std::vector<bool> kept = choose(samples.places);
     std::size_t next = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < kept.size(); ++i) {
       if (!kept[i]) continue;
       if (next != i) records_[next] = std::move(records_[i]);
       ++next;
     }
+    std::size_t left_out = records_.size() - next;
     records_.resize(next);
-    samples.passed_over = passed_over_ + (count - next);
-    if (next == count) return;
+    for (const std::string& place : samples.places) left_out += share_.leftOut(place);
+    samples.passed_over = passed_over_ + left_out;
+    if (left_out == 0) return;
     samples.warnings.push_back(
-        "Of " + std::to_string(count) + " pictures " + std::to_string(next) +
+        "Of " + std::to_string(left_out + next) + " pictures " + std::to_string(next) +
         " are learned, the same share of each room (sampling.most); of a fast "
         "camera sampling.rate=5 passes over more as it is read.");
+  }
+
+  /// Which records are learned: of each place the same share of all its frames.
+  std::vector<bool> choose(const std::vector<std::string>& places) const {
+    std::vector<std::size_t> frames;
+    for (const std::string& place : places) frames.push_back(share_.leftOut(place));
+    std::vector<int> rooms;
+    for (const Record& record : records_) {
+      rooms.push_back(placeOf(record, places));
+      ++frames[static_cast<std::size_t>(rooms.back())];
+    }
+    return stratifiedSample(rooms, equalShares(frames, most_), seed_);
   }
 
   void fill(Samples& samples) {
@@ -276,7 +304,8 @@ class Collector {
     samples.colors.assign(samples.places.size(), {});
     samples.features.resize(cues_);
     for (Record& record : records_) {
-      const SampleOrigin origin{placeOf(record, samples), record.run, record.stamp, record.camera};
+      const SampleOrigin origin{placeOf(record, samples.places), record.run, record.stamp,
+                                record.camera};
       ++samples.images[static_cast<std::size_t>(origin.place)];
       samples.colors[static_cast<std::size_t>(origin.place)].add(record.extracted.color);
       append(origin, static_cast<int>(samples.origins.size()), record.extracted, samples);
@@ -326,9 +355,11 @@ class Collector {
   ImageProfile profile_;         // with those that came
   const Model* model_;           // null: none
   SamplingOptions sampling_;
-  std::uint64_t passed_over_ = 0;
+  std::uint64_t passed_over_ = 0;  // by sampling.rate
   PictureChange change_;
+  std::size_t most_;  // records that may be learned
   std::uint64_t seed_;
+  HalvingSample share_;
   std::size_t cues_;
   ExtractionPool pool_;  // the last member: its threads end first
 };

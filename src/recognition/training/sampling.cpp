@@ -1,22 +1,28 @@
 #include "recognition/training/sampling.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace place_recognition {
+std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std::size_t most) {
+  const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  if (all <= most) return sizes;
+  std::vector<std::size_t> shares;
+  for (const std::size_t size : sizes) shares.push_back((size * most + all - 1) / all);
+  return shares;
+}
 
-std::vector<bool> stratifiedSample(const std::vector<int>& groups, std::size_t most,
-                                   std::uint64_t seed) {
-  const std::size_t count = groups.size();
-  if (count <= most) return std::vector<bool>(count, true);
-  std::vector<std::vector<std::size_t>> members(
-      static_cast<std::size_t>(*std::max_element(groups.begin(), groups.end())) + 1);
-  for (std::size_t i = 0; i < count; ++i) {
+std::vector<bool> stratifiedSample(const std::vector<int>& groups,
+                                   const std::vector<std::size_t>& counts, std::uint64_t seed) {
+  std::vector<std::vector<std::size_t>> members(counts.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
     members[static_cast<std::size_t>(groups[i])].push_back(i);
   }
   std::mt19937_64 random(seed);
-  std::vector<bool> kept(count);
-  for (const std::vector<std::size_t>& group : members) {
-    const std::size_t stretches = (group.size() * most + count - 1) / count;
+  std::vector<bool> kept(groups.size());
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const std::vector<std::size_t>& group = members[k];
+    const std::size_t stretches = std::min(counts[k], group.size());
     for (std::size_t s = 0; s < stretches; ++s) {
       const std::size_t begin = s * group.size() / stretches;
       const std::size_t end = (s + 1) * group.size() / stretches;
@@ -24,6 +30,16 @@ std::vector<bool> stratifiedSample(const std::vector<int>& groups, std::size_t m
     }
   }
   return kept;
+}
+
+std::vector<bool> stratifiedSample(const std::vector<int>& groups, std::size_t most,
+                                   std::uint64_t seed) {
+  std::vector<std::size_t> sizes;
+  for (const int group : groups) {
+    sizes.resize(std::max(sizes.size(), static_cast<std::size_t>(group) + 1));
+    ++sizes[static_cast<std::size_t>(group)];
+  }
+  return stratifiedSample(groups, equalShares(sizes, most), seed);
 }
 
 bool StratifiedStream::keepsNext() {

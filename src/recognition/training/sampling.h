@@ -30,10 +30,18 @@ class FrameRate {
   double last_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Which samples to keep so that there are no more than `most` (and one of each group): of each
-/// group the same share, by stratified sampling. The group is cut into as many stretches of equal
-/// length as are kept of it, and one sample is drawn from each: a fixed step would hit the period
-/// of a tripod's angles. `groups`: of each sample, 0 or more.
+/// How many members to keep of groups of these `sizes` so that there are no more than `most` (and
+/// one of each group): of each the same share.
+std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std::size_t most);
+
+/// Which samples to keep so that there are at most `counts[k]` of group k, by stratified sampling.
+/// The group is cut into as many stretches of equal length as are kept of it, and one sample is
+/// drawn from each: a fixed step would hit the period of a tripod's angles. `groups`: of each
+/// sample, an index into `counts`.
+std::vector<bool> stratifiedSample(const std::vector<int>& groups,
+                                   const std::vector<std::size_t>& counts, std::uint64_t seed);
+
+/// The same with equalShares() of the groups: all samples if they are no more than `most`.
 std::vector<bool> stratifiedSample(const std::vector<int>& groups, std::size_t most,
                                    std::uint64_t seed);
 
