@@ -67,10 +67,10 @@ void decide(benchmark::State& state, std::size_t vectors, std::size_t rooms) {
   kernel.gamma = 1;
   const SupportSet set(Kernel(kernel), firstVectors(vectors));
   Eigen::VectorXd values(vectors);
-  Eigen::RowVectorXd margins;
-  for (auto _ : state) {  // as Classifier::margins() does
+  Eigen::RowVectorXd decision_values;
+  for (auto _ : state) {  // as Classifier::decisionValues() does
     set.kernelValues(frame, values);
-    margins = placeMargins(machines, machines.margins(values.transpose()));
+    decision_values = placeValues(machines, machines.decisionValues(values.transpose()));
   }
 }
 

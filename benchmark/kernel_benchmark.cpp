@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kVectors = 1000;
 constexpr double kGamma = 1;
-constexpr double kTolerance = 1e-6;  // of kernel values and margins: elements are floats
+constexpr double kTolerance = 1e-6;  // of kernel values and decision values: elements are floats
 
 /// A histogram as libsvm's sparse kernels take it.
 using Nodes = std::vector<svm_node>;
@@ -96,15 +96,15 @@ class Peer {
     return column_;
   }
 
-  const Eigen::RowVectorXd& margins() {
+  const Eigen::RowVectorXd& decision_values() {
     column();
-    margins_.resize(Views::kPlaces);
-    for (std::size_t m = 0; m < Views::kPlaces; ++m) margins_[m] = marginOf(m);
-    return margins_;
+    decision_values_.resize(Views::kPlaces);
+    for (std::size_t m = 0; m < Views::kPlaces; ++m) decision_values_[m] = decisionValue(m);
+    return decision_values_;
   }
 
  private:
-  double marginOf(std::size_t machine) {
+  double decisionValue(std::size_t machine) {
     double* weights = weights_[machine].data();
     double rho = -setup().machines.biases[machine];
     int labels[] = {1, -1};
@@ -119,9 +119,9 @@ class Peer {
     model.rho = &rho;
     model.label = labels;
     model.nSV = counts;
-    double margin = 0;
-    svm_predict_values(&model, column_.data(), &margin);
-    return margin;
+    double decision_value = 0;
+    svm_predict_values(&model, column_.data(), &decision_value);
+    return decision_value;
   }
 
   Nodes frame_;
@@ -130,7 +130,7 @@ class Peer {
   Nodes numbers_;
   std::vector<svm_node*> rows_;
   std::vector<Eigen::VectorXd> weights_;
-  Eigen::RowVectorXd margins_;
+  Eigen::RowVectorXd decision_values_;
 };
 
 Peer& peer() {
@@ -158,19 +158,20 @@ void columnByMerging(benchmark::State& state) {
 void decision(benchmark::State& state) {
   const SupportSet set(Kernel(setup().kernel), setup().vectors);
   Eigen::VectorXd values(kVectors);
-  Eigen::RowVectorXd margins;
-  for (auto _ : state) {  // as Classifier::margins() does
+  Eigen::RowVectorXd decision_values;
+  for (auto _ : state) {  // as Classifier::decisionValues() does
     set.kernelValues(setup().frame, values);
-    margins = placeMargins(setup().machines, setup().machines.margins(values.transpose()));
+    decision_values =
+        placeValues(setup().machines, setup().machines.decisionValues(values.transpose()));
   }
-  if (!margins.isApprox(peer().margins(), kTolerance)) {
-    state.SkipWithError("The margins differ from libsvm's.");
+  if (!decision_values.isApprox(peer().decisionValues(), kTolerance)) {
+    state.SkipWithError("The decision values differ from libsvm's.");
   }
 }
 
 void decisionOfLibsvm(benchmark::State& state) {
   peer();
-  for (auto _ : state) benchmark::DoNotOptimize(peer().margins().data());
+  for (auto _ : state) benchmark::DoNotOptimize(peer().decisionValues().data());
 }
 
 BENCHMARK(columnOfKernel)->Unit(benchmark::kMillisecond);

@@ -16,7 +16,7 @@ namespace place_recognition {
 namespace {
 
 constexpr std::size_t kImages = 1000;
-constexpr double kTolerance = 1e-6;  // of the largest margin
+constexpr double kTolerance = 1e-6;  // of the largest decision value
 
 struct Setup {
   Eigen::MatrixXd gram;
@@ -94,10 +94,11 @@ void qr(benchmark::State& state, double tau) {
   const BinarySvms expected = reduceWithEigen(tau);
   state.counters["before"] = countWeights(setup().machines);
   state.counters["after"] = countWeights(reduced);
-  const Eigen::MatrixXd margins = expected.margins(setup().gram);
-  const double change = (reduced.margins(setup().gram) - margins).cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd decision_values = expected.decisionValues(setup().gram);
+  const double change =
+      (reduced.decisionValues(setup().gram) - decision_values).cwiseAbs().maxCoeff();
   if (countWeights(reduced) != countWeights(expected) ||
-      change > kTolerance * margins.cwiseAbs().maxCoeff()) {
+      change > kTolerance * decision_values.cwiseAbs().maxCoeff()) {
     state.SkipWithError("The reduced machines differ from the peer's.");
   }
 }

@@ -2,8 +2,8 @@
 // probabilities on held-out blocks. One core, on the same features as training_peer.py.
 //
 //   training_benchmark write FOLDER COUNT   the features of so many pictures, for both
-//   training_benchmark run FOLDER           prints seconds; leaves the margins for the peer to
-//   check
+//   training_benchmark run FOLDER           prints seconds; leaves the decision values for the peer
+//   to check
 
 #include <ctime>
 #include <fstream>
@@ -73,19 +73,20 @@ std::vector<int> labelsOf(const std::vector<int>& vectors, const std::vector<int
   return chosen;
 }
 
-/// Margins of every vector by machines that were trained without its block.
-Eigen::MatrixXd heldOutMargins(const PackedGram& gram, const std::vector<int>& labels) {
+/// Decision values of every vector by machines that were trained without its block.
+Eigen::MatrixXd crossValidate(const PackedGram& gram, const std::vector<int>& labels) {
   const int count = static_cast<int>(labels.size());
-  Eigen::MatrixXd margins(count, static_cast<Eigen::Index>(Views::kPlaces));
+  Eigen::MatrixXd decision_values(count, static_cast<Eigen::Index>(Views::kPlaces));
   for (int fold = 0; fold < kFolds; ++fold) {
     const int begin = fold * count / kFolds, end = (fold + 1) * count / kFolds;
     std::vector<int> train, test;
     for (int i = 0; i < count; ++i) (begin <= i && i < end ? test : train).push_back(i);
     const BinarySvms machines =
         trainMachines(gram, train, labelsOf(train, labels), Views::kPlaces, SvmOptions());
-    margins.middleRows(begin, end - begin) = machines.margins(gram.values(test, train));
+    decision_values.middleRows(begin, end - begin) =
+        machines.decisionValues(gram.values(test, train));
   }
-  return margins;
+  return decision_values;
 }
 
 void run(const std::string& folder) {
@@ -99,13 +100,14 @@ void run(const std::string& folder) {
   options.gamma = kGamma;
   const Kernel kernel(options);
   const PackedGram gram(kernel, measureMatrix(kernel, features, 1, {}), 1);
-  const Calibration calibration = fitCalibration(heldOutMargins(gram, labels), labels);
+  const Calibration calibration = fitCalibration(crossValidate(gram, labels), labels);
   const BinarySvms machines = trainMachines(gram, all, labels, Views::kPlaces, SvmOptions());
   const std::clock_t end = std::clock();
 
-  const Eigen::MatrixXd margins = machines.margins(gram.values(all, all));
-  writeNumbers(folder + "/margins",
-               std::vector<double>(margins.data(), margins.data() + margins.size()));
+  const Eigen::MatrixXd decision_values = machines.decisionValues(gram.values(all, all));
+  writeNumbers(
+      folder + "/decision_values",
+      std::vector<double>(decision_values.data(), decision_values.data() + decision_values.size()));
   writeNumbers(folder + "/slope", std::vector<double>{calibration.slope});
   std::cout << static_cast<double>(end - start) / CLOCKS_PER_SEC << "\n";
 }

@@ -14,7 +14,7 @@ import scipy.sparse
 from sklearn.svm import SVC
 
 GAMMA, C, FOLDS, PLACES = 1.0, 100.0, 5, 5
-TOLERANCE = 0.01  # of margins: both solvers stop at 1e-4 of their conditions
+TOLERANCE = 0.01  # of decision values: both solvers stop at 1e-4 of their conditions
 
 
 def read_features(folder):
@@ -42,23 +42,23 @@ def chi_squared_distances(features):
     return np.maximum(distances, 0)
 
 
-def margins_of(gram, labels, train, test):
-    margins = np.empty((len(test), PLACES))
+def decision_values(gram, labels, train, test):
+    values = np.empty((len(test), PLACES))
     for place in range(PLACES):
         machine = SVC(C=C, kernel='precomputed', tol=1e-4)
         machine.fit(gram[np.ix_(train, train)], labels[train] == place)
-        margins[:, place] = machine.decision_function(gram[np.ix_(test, train)])
-    return margins
+        values[:, place] = machine.decision_function(gram[np.ix_(test, train)])
+    return values
 
 
-def fit_slope(margins, labels):
-    """Largest likelihood of softmax(slope * margins), wanted a little less than certain."""
+def fit_slope(values, labels):
+    """Largest likelihood of softmax(slope * values), wanted a little less than certain."""
     count = len(labels)
-    wanted = np.full(margins.shape, 1 / (count + PLACES))
+    wanted = np.full(values.shape, 1 / (count + PLACES))
     wanted[np.arange(count), labels] = (count + 1) / (count + PLACES)
 
     def loss(log_slope):
-        scores = np.exp(log_slope) * margins
+        scores = np.exp(log_slope) * values
         largest = scores.max(axis=1, keepdims=True)
         log_sums = largest + np.log(np.exp(scores - largest).sum(axis=1, keepdims=True))
         return -(wanted * (scores - log_sums)).sum()
@@ -76,15 +76,15 @@ def main(folder):
     held_out = np.empty((count, PLACES))
     for fold in range(FOLDS):
         test = np.arange(fold * count // FOLDS, (fold + 1) * count // FOLDS)
-        held_out[test] = margins_of(gram, labels, np.setdiff1d(everything, test), test)
+        held_out[test] = decision_values(gram, labels, np.setdiff1d(everything, test), test)
     slope = fit_slope(held_out, labels)
-    margins = margins_of(gram, labels, everything, everything)
+    values = decision_values(gram, labels, everything, everything)
     print(time.process_time() - start)
 
-    theirs = np.fromfile(folder + '/margins').reshape(PLACES, count).T
+    theirs = np.fromfile(folder + '/decision_values').reshape(PLACES, count).T
     their_slope = np.fromfile(folder + '/slope')[0]
-    if np.abs(theirs - margins).max() > TOLERANCE or abs(their_slope / slope - 1) > TOLERANCE:
-        sys.exit(f'The margins differ by {np.abs(theirs - margins).max():.3g}, the slopes are '
+    if np.abs(theirs - values).max() > TOLERANCE or abs(their_slope / slope - 1) > TOLERANCE:
+        sys.exit(f'The decision values differ by {np.abs(theirs - values).max():.3g}, the slopes are '
                  f'{their_slope:.4g} and {slope:.4g}.')
 
 

@@ -7,13 +7,14 @@ namespace place_recognition {
 
 /// What speaks for a frame showing any of the trained places at all, see Calibration::evidence().
 struct EvidenceWeights {
-  double margins = 1;      ///< of log sum_k exp(slope f_k), a smooth largest margin
-  double familiarity = 0;  ///< of the largest kernel value against a support vector
+  double decision_values = 1;  ///< of log sum_k exp(slope f_k), a smooth largest decision value
+  double familiarity = 0;      ///< of the largest kernel value against a support vector
   double offset = 0;
 };
 
-/// Margins to probabilities: p_k = exp(slope f_k) / sum_j exp(slope f_j). One slope for all places,
-/// so that the most probable place is always the one of the largest margin (eq. 5.41).
+/// Decision values to probabilities: p_k = exp(slope f_k) / sum_j exp(slope f_j). One slope for all
+/// places, so that the most probable place is always the one of the largest decision value
+/// (eq. 5.41).
 ///
 /// A sigmoid for each place (Platt 1999) knows more numbers than a few hundred frames can tell: on
 /// real rooms it was worse held out, by mean rate, by likelihood and by calibration error.
@@ -22,28 +23,29 @@ struct Calibration {
   EvidenceWeights weights = {};
 
   /// One per place; they sum to 1 and are finite for every finite input.
-  Eigen::RowVectorXd probabilities(const Eigen::RowVectorXd& margins) const;
+  Eigen::RowVectorXd probabilities(const Eigen::RowVectorXd& decision_values) const;
 
-  /// How much speaks for any of the places at all, as log odds: the weighted sum of margins and
-  /// familiarity. Probabilities cannot tell: they sum to one also where every machine says no.
-  /// Margins alone cannot either: far from all support vectors they are just the biases.
-  double logOdds(const Eigen::RowVectorXd& margins, double familiarity = 0) const;
+  /// How much speaks for any of the places at all, as log odds: the weighted sum of decision values
+  /// and familiarity. Probabilities cannot tell: they sum to one also where every machine says no.
+  /// Decision values alone cannot either: far from all support vectors they are just the biases.
+  double logOdds(const Eigen::RowVectorXd& decision_values, double familiarity = 0) const;
 
   /// The same, 0..1: the logistic function of logOdds().
-  double evidence(const Eigen::RowVectorXd& margins, double familiarity = 0) const;
+  double evidence(const Eigen::RowVectorXd& decision_values, double familiarity = 0) const;
 
   /// log sum_k exp(slope f_k).
-  double logSum(const Eigen::RowVectorXd& margins) const;
+  double logSum(const Eigen::RowVectorXd& decision_values) const;
 };
 
-/// The slope of greatest likelihood on margins (frames x places) of frames held out from training,
-/// and their places. As in Platt's method the wanted probabilities are a little less than certain,
-/// as if one frame in n + 1 told nothing, which keeps the slope finite. Without frames: slope 1.
-Calibration fitCalibration(const Eigen::MatrixXd& margins, const std::vector<int>& labels);
+/// The slope of greatest likelihood on decision values (frames x places) of frames held out from
+/// training, and their places. As in Platt's method the wanted probabilities are a little less than
+/// certain, as if one frame in n + 1 told nothing, which keeps the slope finite. Without frames:
+/// slope 1.
+Calibration fitCalibration(const Eigen::MatrixXd& decision_values, const std::vector<int>& labels);
 
-/// Weights such that margins and familiarity count alike, each in units of its own spread over
-/// frames of known places held out from training, and that evidence is 1/2 where all but a `share`
-/// of these frames lie above, 0.95 at their median. No frames of unknown places are needed.
+/// Weights such that decision values and familiarity count alike, each in units of its own spread
+/// over frames of known places held out from training, and that evidence is 1/2 where all but a
+/// `share` of these frames lie above, 0.95 at their median. No frames of unknown places are needed.
 EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::VectorXd& familiarity,
                             double share);
 

@@ -11,18 +11,18 @@ namespace place_recognition {
 struct ClassifierParts;
 
 /// Support vector machines of all places over one shared support set (thesis chapter 5): feature
-/// in, one margin a place out. Made by training and by reading a model. Immutable; safe to share
-/// between threads.
+/// in, one decision value a place out. Made by training and by reading a model. Immutable; safe to
+/// share between threads.
 class Classifier {
  public:
   ~Classifier();
   Classifier(Classifier&&) noexcept;
   Classifier& operator=(Classifier&&) noexcept;
 
-  /// Place margins of `feature` (not missing, of the kind trained on), `places()` elements.
+  /// Place decision values of `feature` (not missing, of the kind trained on), `places()` elements.
   /// `kernel_values` is scratch memory, reused between calls.
-  void margins(const Feature& feature, Eigen::VectorXd& kernel_values,
-               Eigen::RowVectorXd& place_margins) const;
+  void decisionValues(const Feature& feature, Eigen::VectorXd& kernel_values,
+                      Eigen::RowVectorXd& place_values) const;
 
   std::size_t places() const;
   std::size_t supportVectorCount() const;

@@ -55,7 +55,8 @@ struct ReductionOptions {
     visitor(
         "method", self.method,
         "none; qr: each machine by itself (section 6.3); shared-qr: one basis for all "
-        "machines; shared-greedy: the basis that reproduces all margins best; auto: the method "
+        "machines; shared-greedy: the basis that reproduces all decision values best; auto: the "
+        "method "
         "and the share (of 15, 25, 35, 50, 70 or all 100 %) of the fewest vectors that lose "
         "neither log loss nor rate on held-out blocks of the training runs; all where more than "
         "4000 pictures are learned");

@@ -48,10 +48,10 @@ constexpr std::size_t kMaxHeldOutFrames = 1000;
 /// Held-out answers that judged a model: kept so that old and new ones count together when it
 /// learns on.
 struct HeldOutFrames {
-  std::vector<int> places;                   ///< what each frame shows
-  std::vector<int> folds;                    ///< frames of one fold were held out together
-  std::vector<Eigen::MatrixXf> margins;      ///< [cue]: frames x places
-  std::vector<Eigen::VectorXf> familiarity;  ///< [cue]: of each frame; NaN: it lacks the cue
+  std::vector<int> places;                       ///< what each frame shows
+  std::vector<int> folds;                        ///< frames of one fold were held out together
+  std::vector<Eigen::MatrixXf> decision_values;  ///< [cue]: frames x places
+  std::vector<Eigen::VectorXf> familiarity;      ///< [cue]: of each frame; NaN: it lacks the cue
 };
 
 /// Everything needed to recognize, and where it came from. Immutable once trained or loaded; shared
@@ -64,8 +64,8 @@ struct Model {
   ImageProfile images;                  ///< that it was trained on
   std::vector<std::string> places;      ///< names, in ascending order; at least two
   std::vector<Classifier> classifiers;  ///< one per cue of `options`
-  std::vector<double> cue_weights;      ///< one per cue, of the sum of margins
-  Calibration calibration;              ///< of the summed margins
+  std::vector<double> cue_weights;      ///< one per cue, of the sum of decision values
+  Calibration calibration;              ///< of the summed decision values
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;
   HeldOutFrames held_out;     ///< what the three above rest on; empty in files of earlier versions

@@ -24,9 +24,9 @@ struct Recognition {
   bool known = false;     ///< false: the answer is 'unknown'; evidence below the threshold
   double confidence = 0;  ///< probability of `place`, 0..1
   double evidence = 0;    ///< that it is any of the places, 0..1; below the threshold: 'unknown'
-  Eigen::RowVectorXd probabilities;  ///< one per place; sum to 1, the largest is `place`
-  Eigen::RowVectorXd margins;        ///< one per place; as they come from the machines
-  std::string reason;                ///< why place is -1, for a person
+  Eigen::RowVectorXd probabilities;    ///< one per place; sum to 1, the largest is `place`
+  Eigen::RowVectorXd decision_values;  ///< one per place; as they come from the machines
+  std::string reason;                  ///< why place is -1, for a person
 };
 
 /// Image in, answer out. Keeps its buffers between frames: one recognizer a thread, any number of
@@ -53,8 +53,8 @@ class Recognizer {
   void forgetStream();
 
   /// Cues of type `embedding`, which cost much, are computed for at most `rate` frames of a stream
-  /// a second; 0: for each. In between their last margins count, by their weight times e^(-age /
-  /// decorrelation_time): what was seen tells of what is seen now for about as long.
+  /// a second; 0: for each. In between their last decision values count, by their weight times
+  /// e^(-age / decorrelation_time): what was seen tells of what is seen now for about as long.
   /// `decorrelation_time`, s: 0 lets them count for nothing.
   void setEmbeddingRate(double rate, double decorrelation_time);
 
@@ -75,7 +75,7 @@ class Recognizer {
   /// What one cue says of an image.
   struct CueAnswer {
     bool missing = true;
-    Eigen::RowVectorXd margins;
+    Eigen::RowVectorXd decision_values;
     double familiarity = 0;  // the largest kernel value
   };
   using CueAnswers = std::vector<CueAnswer>;

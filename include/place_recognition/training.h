@@ -36,10 +36,10 @@ Training train(const std::vector<RunOpener>& runs, const TrainingOptions& option
 /// Learns on (thesis section 9.1): trains on what `model` remembers, its support vectors, and on
 /// the labelled frames of new `runs`, which may hold known places or new ones; features, kernels
 /// and gammas stay those of the model. No cue keeps more than `vector_limit` support vectors:
-/// shared-greedy reduction forgets what matters least to all margins together (0: as many as it
-/// needs, or the reduction that was asked for if that has a number or a tau). Held-out frames of
-/// the new runs and those that judged the model decide together on the weights of the cues and on
-/// the calibration. Errors as train(), but one new place is enough.
+/// shared-greedy reduction forgets what matters least to all decision values together (0: as many
+/// as it needs, or the reduction that was asked for if that has a number or a tau). Held-out frames
+/// of the new runs and those that judged the model decide together on the weights of the cues and
+/// on the calibration. Errors as train(), but one new place is enough.
 Training trainIncrementally(const Model& model, const std::vector<RunOpener>& runs,
                             int vector_limit, unsigned threads = 0, const Progress& progress = {});
 

@@ -182,7 +182,7 @@ struct TrainingOptions {
     visitor("sampling", self.sampling, "which pictures of the runs are learned");
     visitor("information", self.information, "pictures that say little");
     visitor("augmentation", self.augmentation, "further pictures made of those of the runs");
-    visitor("cues", self.cues, "one or more cues; their margins are combined");
+    visitor("cues", self.cues, "one or more cues; their decision values are combined");
     visitor("svm", self.svm, "the machines");
     visitor("reduction", self.reduction, "support vector reduction");
     visitor("validation", self.validation, "cross-validation within the training runs");

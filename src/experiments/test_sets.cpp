@@ -56,9 +56,11 @@ double meanRate(const std::vector<TestCount>& counts) {
 }
 
 std::vector<int> answersOf(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values) {
-  const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));
+  const Eigen::MatrixXd decision_values =
+      placeValues(machines, machines.decisionValues(kernel_values));
   std::vector<int> answers;
-  for (Eigen::Index i = 0; i < margins.rows(); ++i) answers.push_back(largest(margins.row(i)));
+  for (Eigen::Index i = 0; i < decision_values.rows(); ++i)
+    answers.push_back(largest(decision_values.row(i)));
   return answers;
 }
 

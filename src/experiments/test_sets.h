@@ -40,7 +40,7 @@ std::vector<TestCount> testCounts(const SetSamples& samples, const std::vector<i
 /// Mean of the test sets' rates, 0..1; 0 if there are none.
 double meanRate(const std::vector<TestCount>& counts);
 
-/// The place of the largest margin for each row of `kernel_values`.
+/// The place of the largest decision value for each row of `kernel_values`.
 std::vector<int> answersOf(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values);
 
 /// The elements of `matrix` in some rows and columns.

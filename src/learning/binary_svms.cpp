@@ -46,7 +46,7 @@ std::vector<std::vector<int>> signsOfMachines(const std::vector<int>& labels, st
 
 }  // namespace
 
-Eigen::MatrixXd BinarySvms::margins(const Eigen::MatrixXd& kernel_values) const {
+Eigen::MatrixXd BinarySvms::decisionValues(const Eigen::MatrixXd& kernel_values) const {
   return (kernel_values * weights).rowwise() + biases;
 }
 
@@ -54,18 +54,18 @@ std::size_t machineCount(std::size_t places, bool one_against_one) {
   return one_against_one ? places * (places - 1) / 2 : places;
 }
 
-Eigen::MatrixXd placeMargins(const BinarySvms& machines, const Eigen::MatrixXd& machine_margins) {
-  if (!machines.one_against_one) return machine_margins;
+Eigen::MatrixXd placeValues(const BinarySvms& machines, const Eigen::MatrixXd& machine_values) {
+  if (!machines.one_against_one) return machine_values;
   const auto places = static_cast<Eigen::Index>(machines.places);
-  Eigen::MatrixXd votes = Eigen::MatrixXd::Zero(machine_margins.rows(), places);
+  Eigen::MatrixXd votes = Eigen::MatrixXd::Zero(machine_values.rows(), places);
   Eigen::MatrixXd sums = votes;
   forEachPair(machines.places, [&](Eigen::Index machine, Eigen::Index a, Eigen::Index b) {
-    const auto margin = machine_margins.col(machine);
-    const Eigen::VectorXd for_a = (margin.array() > 0).cast<double>();
+    const auto decision_value = machine_values.col(machine);
+    const Eigen::VectorXd for_a = (decision_value.array() > 0).cast<double>();
     votes.col(a) += for_a;
     votes.col(b).array() += 1 - for_a.array();
-    sums.col(a) += margin;
-    sums.col(b) -= margin;
+    sums.col(a) += decision_value;
+    sums.col(b) -= decision_value;
   });
   return votes.array() + sums.array() / (3 * (sums.array().abs() + 1));
 }

@@ -8,7 +8,7 @@
 
 namespace place_recognition {
 
-/// Binary machines over n common vectors: margin of machine j is
+/// Binary machines over n common vectors: decision value of machine j is
 /// f_j(x) = sum_i weights(i, j) K(x_i, x) + biases(j), where weights = alpha_i y_i (eq. 5.32).
 struct BinarySvms {
   std::size_t places = 0;
@@ -16,19 +16,19 @@ struct BinarySvms {
   Eigen::MatrixXd weights;       ///< n x machines
   Eigen::RowVectorXd biases;     ///< machines
 
-  /// Machine margins, one row a row of `kernel_values` (any x n).
-  Eigen::MatrixXd margins(const Eigen::MatrixXd& kernel_values) const;
+  /// Machine decision values, one row a row of `kernel_values` (any x n).
+  Eigen::MatrixXd decisionValues(const Eigen::MatrixXd& kernel_values) const;
 };
 
 /// One-against-one: machine of the pair (a, b), a < b, positive for a, in the order (0,1), (0,2),
 /// ..., (1,2), ... One-against-all: as many machines as places.
 std::size_t machineCount(std::size_t places, bool one_against_one);
 
-/// One value a place from the machines' margins (rows: frames); the largest is the place. For
-/// one-against-all the margin itself (eq. 5.41). For one-against-one the votes, plus the sum s of
-/// the place's signed margins squashed to s / (3 (|s| + 1)), which breaks ties without ever
-/// outweighing a vote.
-Eigen::MatrixXd placeMargins(const BinarySvms& machines, const Eigen::MatrixXd& machine_margins);
+/// One value a place from the machines' decision values (rows: frames); the largest is the place.
+/// For one-against-all the decision value itself (eq. 5.41). For one-against-one the votes, plus
+/// the sum s of the place's signed decision values squashed to s / (3 (|s| + 1)), which breaks ties
+/// without ever outweighing a vote.
+Eigen::MatrixXd placeValues(const BinarySvms& machines, const Eigen::MatrixXd& machine_values);
 
 /// Trains every machine on some of the vectors of a Gram matrix, all of which have a column in it,
 /// with C-SVC (libsvm, precomputed kernel). `labels`: place 0..places-1 of each of `vectors`. A

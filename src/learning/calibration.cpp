@@ -7,10 +7,10 @@
 namespace place_recognition {
 namespace {
 
-/// slope * margins, kept so far from infinity that differences stay finite.
-Eigen::RowVectorXd exponents(double slope, const Eigen::RowVectorXd& margins) {
+/// slope * decision values, kept so far from infinity that differences stay finite.
+Eigen::RowVectorXd exponents(double slope, const Eigen::RowVectorXd& decision_values) {
   constexpr double kLargest = 1e300;
-  return (slope * margins).cwiseMax(-kLargest).cwiseMin(kLargest);
+  return (slope * decision_values).cwiseMax(-kLargest).cwiseMin(kLargest);
 }
 
 /// exp(z_k) / sum_j exp(z_j).
@@ -20,24 +20,24 @@ Eigen::RowVectorXd softmax(const Eigen::RowVectorXd& z) {
 }
 
 /// Derivative of the negative log-likelihood with respect to the slope: expected less wanted
-/// margins. It rises with the slope, for the likelihood is log-concave.
-double slopeGradient(double slope, const Eigen::MatrixXd& margins, double wanted_sum) {
-  const Eigen::VectorXd largest = margins.rowwise().maxCoeff();
-  const Eigen::ArrayXXd powers = (slope * (margins.colwise() - largest)).array().exp();
+/// decision values. It rises with the slope, for the likelihood is log-concave.
+double slopeGradient(double slope, const Eigen::MatrixXd& decision_values, double wanted_sum) {
+  const Eigen::VectorXd largest = decision_values.rowwise().maxCoeff();
+  const Eigen::ArrayXXd powers = (slope * (decision_values.colwise() - largest)).array().exp();
   const Eigen::ArrayXd expected =
-      (powers * margins.array()).rowwise().sum() / powers.rowwise().sum();
+      (powers * decision_values.array()).rowwise().sum() / powers.rowwise().sum();
   return expected.sum() - wanted_sum;
 }
 
-/// Sum over frames of the margins expected under the wanted probabilities.
-double wantedSum(const Eigen::MatrixXd& margins, const std::vector<int>& labels) {
+/// Sum over frames of the decision values expected under the wanted probabilities.
+double wantedSum(const Eigen::MatrixXd& decision_values, const std::vector<int>& labels) {
   const auto frames = static_cast<double>(labels.size());
-  double true_margins = 0;
+  double true_values = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    true_margins += margins(static_cast<Eigen::Index>(i), labels[i]);
+    true_values += decision_values(static_cast<Eigen::Index>(i), labels[i]);
   }
-  const double mean_margins = margins.sum() / static_cast<double>(margins.cols());
-  return (frames * true_margins + mean_margins) / (frames + 1);
+  const double mean_values = decision_values.sum() / static_cast<double>(decision_values.cols());
+  return (frames * true_values + mean_values) / (frames + 1);
 }
 
 /// The element that a `share` of the values lie below.
@@ -55,33 +55,35 @@ double unitsOf(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-Eigen::RowVectorXd Calibration::probabilities(const Eigen::RowVectorXd& margins) const {
-  return softmax(exponents(slope, margins));
+Eigen::RowVectorXd Calibration::probabilities(const Eigen::RowVectorXd& decision_values) const {
+  return softmax(exponents(slope, decision_values));
 }
 
-double Calibration::logSum(const Eigen::RowVectorXd& margins) const {
-  const Eigen::RowVectorXd z = exponents(slope, margins);
+double Calibration::logSum(const Eigen::RowVectorXd& decision_values) const {
+  const Eigen::RowVectorXd z = exponents(slope, decision_values);
   const double largest = z.maxCoeff();
   return largest + std::log((z.array() - largest).exp().sum());
 }
 
-double Calibration::logOdds(const Eigen::RowVectorXd& margins, double familiarity) const {
-  return weights.margins * logSum(margins) + weights.familiarity * familiarity + weights.offset;
+double Calibration::logOdds(const Eigen::RowVectorXd& decision_values, double familiarity) const {
+  return weights.decision_values * logSum(decision_values) + weights.familiarity * familiarity +
+         weights.offset;
 }
 
-double Calibration::evidence(const Eigen::RowVectorXd& margins, double familiarity) const {
-  return 1 / (1 + std::exp(-logOdds(margins, familiarity)));
+double Calibration::evidence(const Eigen::RowVectorXd& decision_values, double familiarity) const {
+  return 1 / (1 + std::exp(-logOdds(decision_values, familiarity)));
 }
 
-Calibration fitCalibration(const Eigen::MatrixXd& margins, const std::vector<int>& labels) {
-  assert(margins.rows() == static_cast<Eigen::Index>(labels.size()));
+Calibration fitCalibration(const Eigen::MatrixXd& decision_values, const std::vector<int>& labels) {
+  assert(decision_values.rows() == static_cast<Eigen::Index>(labels.size()));
   if (labels.empty()) return {};
-  // For margins of at most 1. The flattest slope is for margins that tell nothing or the opposite.
+  // For decision values of at most 1. The flattest slope is for decision values that tell nothing
+  // or the opposite.
   constexpr double kFlattest = 1e-3;
   constexpr double kSteepest = 1e12;
-  const double largest = margins.cwiseAbs().maxCoeff();
+  const double largest = decision_values.cwiseAbs().maxCoeff();
   const double scale = largest > 0 ? largest : 1;
-  const Eigen::MatrixXd scaled = margins / scale;
+  const Eigen::MatrixXd scaled = decision_values / scale;
   const double wanted = wantedSum(scaled, labels);
 
   double low = kFlattest;
@@ -104,14 +106,15 @@ EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::Vector
   assert(log_sums.size() == familiarity.size());
   if (log_sums.size() == 0) return {};
   EvidenceWeights weights;
-  weights.margins = unitsOf(log_sums);
+  weights.decision_values = unitsOf(log_sums);
   weights.familiarity = unitsOf(familiarity);
-  const Eigen::VectorXd sums = weights.margins * log_sums + weights.familiarity * familiarity;
+  const Eigen::VectorXd sums =
+      weights.decision_values * log_sums + weights.familiarity * familiarity;
   const double limit = quantile(sums, share);
   const double spread = quantile(sums, 0.5) - limit;
   constexpr double kMedian = 3;  // 1 / (1 + exp(-3)) = 0.95
   const double gain = spread > 0 ? kMedian / spread : 1;
-  weights.margins *= gain;
+  weights.decision_values *= gain;
   weights.familiarity *= gain;
   weights.offset = -gain * limit;
   return weights;

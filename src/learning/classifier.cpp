@@ -36,12 +36,12 @@ Classifier::~Classifier() = default;
 Classifier::Classifier(Classifier&&) noexcept = default;
 Classifier& Classifier::operator=(Classifier&&) noexcept = default;
 
-void Classifier::margins(const Feature& feature, Eigen::VectorXd& kernel_values,
-                         Eigen::RowVectorXd& place_margins) const {
+void Classifier::decisionValues(const Feature& feature, Eigen::VectorXd& kernel_values,
+                                Eigen::RowVectorXd& place_values) const {
   const auto& [machines, support_set, vector_places] = *parts_;
   kernel_values.resize(static_cast<Eigen::Index>(support_set.size()));
   support_set.kernelValues(feature, kernel_values);
-  place_margins = placeMargins(machines, machines.margins(kernel_values.transpose()));
+  place_values = placeValues(machines, machines.decisionValues(kernel_values.transpose()));
 }
 
 std::size_t Classifier::places() const { return parts_->machines.places; }

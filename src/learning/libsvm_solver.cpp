@@ -9,7 +9,8 @@
 namespace place_recognition {
 namespace {
 
-/// Stopping tolerance on the optimality conditions; margins are determined to about as much.
+/// Stopping tolerance on the optimality conditions; decision values are determined to about as
+/// much.
 constexpr double kTolerance = 1e-4;
 /// Size of libsvm's own cache, which holds rows of a machine's problem.
 constexpr double kCacheMegabytes = 200;

@@ -10,11 +10,12 @@
 
 namespace place_recognition {
 
-/// Support vector reduction, thesis chapter 6: fewer vectors, nearly the same margins.
+/// Support vector reduction, thesis chapter 6: fewer vectors, nearly the same decision values.
 ///
 /// qr            each machine on its own support vectors; weights by eq. 6.21
 /// shared-qr     pivoted QR of all columns once, one basis for all machines, weights refitted
-/// shared-greedy basis grown one vector at a time so that all machines' margins on the training
+/// shared-greedy basis grown one vector at a time so that all machines' decision values on the
+/// training
 ///               vectors are reproduced best (orthogonal matching pursuit), weights refitted
 /// none          the machines as they are
 ///

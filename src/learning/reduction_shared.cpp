@@ -3,7 +3,7 @@
 namespace place_recognition {
 namespace {
 
-/// The columns of the support vectors, with the margins as targets.
+/// The columns of the support vectors, with the decision values as targets.
 PivotedQr factorizationOf(const ReductionTask& task, const std::vector<int>& vectors) {
   const Eigen::MatrixXd& weights = task.machines.weights;
   const auto m = static_cast<Eigen::Index>(vectors.size());
@@ -12,8 +12,8 @@ PivotedQr factorizationOf(const ReductionTask& task, const std::vector<int>& vec
     const int vector = vectors[static_cast<std::size_t>(i)];
     qr.set(i, task.kernel_values.col(vector), task.scales[vector]);
   }
-  const Eigen::MatrixXd margins = task.kernel_values * weights;  // without bias: F = K A
-  for (Eigen::Index t = 0; t < weights.cols(); ++t) qr.set(m + t, margins.col(t), 1);
+  const Eigen::MatrixXd decision_values = task.kernel_values * weights;  // without bias: F = K A
+  for (Eigen::Index t = 0; t < weights.cols(); ++t) qr.set(m + t, decision_values.col(t), 1);
   return qr;
 }
 

@@ -30,7 +30,7 @@ struct ReductionTask {
 /// Each machine by itself, all with the same tau (section 6.3).
 std::unique_ptr<const Reduction> factoriseEach(const ReductionTask& task);
 
-/// All machines on one basis, fitted to their margins.
+/// All machines on one basis, fitted to their decision values.
 std::unique_ptr<const Reduction> factoriseShared(const ReductionTask& task);
 
 }  // namespace place_recognition

@@ -35,7 +35,7 @@ Json scores(const Model& model, const Recognition& answer) {
   for (std::size_t k = 0; k < model.places.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     scores[model.places[k]] = {{"probability", answer.probabilities(i)},
-                               {"margin", answer.margins(i)}};
+                               {"margin", answer.decision_values(i)}};
   }
   return scores;
 }

@@ -64,7 +64,7 @@ class Reducer {
       if (!options_.report.empty()) curve = sweep.curve();
     }
     std::vector<BinarySvms> machines = reduction_.reduce(chosen, progress_);
-    const MarginChange change = reduction_.change(machines);
+    const DecisionValueChange change = reduction_.change(machines);
     std::optional<double> rate;
     if (rate_) rate = (*rate_)(machines);
 
@@ -80,7 +80,7 @@ class Reducer {
     return figures;
   }
 
-  std::string marginsOf() const {
+  std::string valuesOf() const {
     if (options_.train.empty()) {
       return "the model's own support vectors, all that it has of its training (give --train for "
              "all pictures)";
@@ -134,7 +134,7 @@ void reduceModel(const ReduceOptions& options) {
   ProgressDisplay display(options.output.progress);
   const Progress progress = display.callback();
   const Reducer reducer(options, progress);
-  ReductionReport report{path, reducer.marginsOf(), reducer.before(), {}};
+  ReductionReport report{path, reducer.valuesOf(), reducer.before(), {}};
   report.methods.push_back(reducer.reduce(options.reduction.method, path));
   for (const char* method : kMethods) {
     if (options.report.empty() || method == options.reduction.method) continue;
@@ -189,7 +189,8 @@ void addReduce(CommandLine& tool) {
               "Labelled runs to measure the rate on, before and after")
       .many();
   verb.option("--train", "INPUT", options->train,
-              "The runs that the model was trained on: the margins are then kept on all of their "
+              "The runs that the model was trained on: the decision values are then kept on all of "
+              "their "
               "pictures. Without it on the support vectors only, all that the model has of them")
       .many();
   verb.option("--report", "DIR", options->report,

@@ -38,7 +38,7 @@ TextRows tableRows(const ReductionReport& report) {
 }
 
 std::string notes(const ReductionReport& report) {
-  return "Changes are those of the machines' margins on " + report.margins_of +
+  return "Changes are those of the machines' decision values on " + report.values_of +
          ". The time a frame is that of comparing it with the support vectors, without extracting "
          "its features.";
 }
@@ -66,7 +66,7 @@ Json reductionJson(const ReductionReport& report) {
                {"support_vectors_after", after.support_vectors},
                {"max_margin_change", after.change.largest},
                {"mean_margin_change", after.change.mean},
-               {"margins_of", report.margins_of},
+               {"margins_of", report.values_of},
                {"model_bytes", after.model_bytes},
                {"comparison_ms", after.comparison_ms},
                {"model", report.model},

@@ -15,7 +15,7 @@ namespace place_recognition::tool {
 struct ReductionFigures {
   std::string method;  ///< `before` for the model that was reduced
   std::size_t support_vectors = 0;
-  MarginChange change;
+  DecisionValueChange change;
   std::optional<double> rate;  ///< 0..1 on the validation runs, if there are any
   std::uint64_t model_bytes = 0;
   double comparison_ms = 0;  ///< see comparisonMilliseconds()
@@ -25,9 +25,10 @@ struct ReductionFigures {
 
 /// What reductions made of a model.
 struct ReductionReport {
-  std::string model;        ///< file of the reduced one
-  std::string margins_of;   ///< the pictures that changes of margins are measured on, in words
-  ReductionFigures before;  ///< the model as it was
+  std::string model;  ///< file of the reduced one
+  std::string
+      values_of;  ///< the pictures that changes of decision values are measured on, in words
+  ReductionFigures before;                ///< the model as it was
   std::vector<ReductionFigures> methods;  ///< the one that was saved first
 };
 

@@ -38,14 +38,14 @@ CueComparison::CueComparison(CueOptions cue, std::vector<Feature> features,
   }
 }
 
-HeldOut CueComparison::heldOut(const SvmOptions& svm, unsigned threads) const {
+HeldOutValues CueComparison::heldOut(const SvmOptions& svm, unsigned threads) const {
   const PackedGram gram(Kernel(kernel_), measures_, threads);
   ReductionOptions unreduced;
   unreduced.method = "none";
   const Progress silent;
   const TrainingTask task{
       samples_.origins, samples_.places.size(), samples_.folds, svm, threads, silent};
-  return std::move(heldOutMargins(gram, rows_, task, {unreduced}).front());
+  return std::move(crossValidate(gram, rows_, task, {unreduced}).front());
 }
 
 }  // namespace place_recognition

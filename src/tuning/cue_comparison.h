@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "place_recognition/training_options.h"
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 #include "tuning/tuning_samples.h"
 
 namespace place_recognition {
@@ -21,8 +21,8 @@ class CueComparison {
   /// The cue as it was given.
   const CueOptions& cue() const { return cue_; }
 
-  /// Held-out margins, samples x places. Zero where the cue is missing.
-  HeldOut heldOut(const SvmOptions& svm, unsigned threads) const;
+  /// Held-out decision values, samples x places. Zero where the cue is missing.
+  HeldOutValues heldOut(const SvmOptions& svm, unsigned threads) const;
 
  private:
   CueOptions cue_;

@@ -32,7 +32,8 @@ std::vector<CueOptions> optionsOf(const std::vector<CueComparison>& comparisons,
 }
 
 /// `held_out` of these cues, with the weights that training prefers.
-HeldOut combined(const std::vector<HeldOut>& held_out, const std::vector<CueOptions>& cues) {
+HeldOutValues combined(const std::vector<HeldOutValues>& held_out,
+                       const std::vector<CueOptions>& cues) {
   return combine(held_out, priorWeights(cues));
 }
 
@@ -71,14 +72,14 @@ std::vector<Step> stepsFrom(const Combination& current, std::size_t cues, std::s
 
 Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_t prior,
                        const TuningSamples& samples, Search& search) {
-  std::vector<HeldOut> held_out;
+  std::vector<HeldOutValues> held_out;
   for (const CueComparison& comparison : comparisons) {
     report(search.progress, "Judging cues",
            static_cast<double>(held_out.size()) / static_cast<double>(comparisons.size()));
     held_out.push_back(comparison.heldOut(search.base.svm, search.threads));
   }
   const auto judge = [&](const std::string& stage, const Combination& combination) {
-    std::vector<HeldOut> of_these;
+    std::vector<HeldOutValues> of_these;
     for (const std::size_t c : combination) of_these.push_back(held_out[c]);
     const std::vector<CueOptions> cues = optionsOf(comparisons, combination);
     const Score result = score(combined(of_these, cues), samples);
@@ -121,7 +122,7 @@ double chooseC(const std::vector<CueComparison>& comparisons, const Combination&
            static_cast<double>(scores.size()) / static_cast<double>(values.size()));
     SvmOptions svm = search.base.svm;
     svm.c = c;
-    std::vector<HeldOut> held_out;
+    std::vector<HeldOutValues> held_out;
     for (const std::size_t cue : chosen) {
       held_out.push_back(comparisons[cue].heldOut(svm, search.threads));
     }

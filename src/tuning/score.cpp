@@ -1,7 +1,7 @@
 #include "tuning/score.h"
 
 #include "recognition/model/scores.h"
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 namespace {
@@ -30,7 +30,7 @@ RoomMean meanOfTested(const TuningSamples& samples, const Value& value) {
 
 }  // namespace
 
-Score score(const HeldOut& held_out, const TuningSamples& samples) {
+Score score(const HeldOutValues& held_out, const TuningSamples& samples) {
   const std::vector<int> tested = testedSamples(samples);
   const std::vector<double> losses = logLosses(held_out, samples.origins, tested);
   Score result;
@@ -42,7 +42,7 @@ Score score(const HeldOut& held_out, const TuningSamples& samples) {
     const int source = samples.source[i];
     result.losses[source] += losses[k];
     ++pictures[source];
-    const int answer = held_out.valid[i] ? largest(held_out.margins.row(i)) : -1;
+    const int answer = held_out.valid[i] ? largest(held_out.decision_values.row(i)) : -1;
     (source == i ? truth : changed_truth).push_back(samples.origins[i].place);
     (source == i ? answers : changed_answers).push_back(answer);
   }

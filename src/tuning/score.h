@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 #include "tuning/tuning_samples.h"
 
 namespace place_recognition {
@@ -16,10 +16,10 @@ struct Score {
   std::vector<double> losses;  ///< of each recorded sample, mean over its pictures; 0: never tested
 };
 
-/// Scores margins by -log of the probability that they give to the true room, after calibration on
-/// these very margins (one number, which a few hundred pictures determine well). A sample whose
-/// margins are missing counts as an answer that knows nothing.
-Score score(const HeldOut& held_out, const TuningSamples& samples);
+/// Scores decision values by -log of the probability that they give to the true room, after
+/// calibration on these very decision values (one number, which a few hundred pictures determine
+/// well). A sample whose decision values are missing counts as an answer that knows nothing.
+Score score(const HeldOutValues& held_out, const TuningSamples& samples);
 
 /// Standard error of the difference of two scores' log losses: pictures that are hard for both
 /// cancel out. As if pictures were independent.

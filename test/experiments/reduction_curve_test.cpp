@@ -45,7 +45,7 @@ TEST(ReductionCurve, DropsCopiesForNothing) {
   }
   const Eigen::MatrixXd gram = vectors * vectors.transpose();
   const auto rate = [&](const BinarySvms& reduced) {
-    const Eigen::MatrixXd change = reduced.margins(gram) - machines.margins(gram);
+    const Eigen::MatrixXd change = reduced.decisionValues(gram) - machines.decisionValues(gram);
     return change.cwiseAbs().maxCoeff() < 1e-9 ? 1.0 : 0.0;
   };
   for (const char* method : {"qr", "shared-qr", "shared-greedy"}) {

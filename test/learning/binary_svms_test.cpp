@@ -43,7 +43,7 @@ SvmOptions svmOptions(double c, const std::string& multiclass) {
 const SvmOptions kAll = svmOptions(10, "one-against-all");
 const SvmOptions kPairs = svmOptions(10, "one-against-one");
 
-TEST(BinarySvms, FindsTheWidestMargin) {
+TEST(BinarySvms, FindsTheWidestDecisionValue) {
   // On a line: -3 and -1 against 1 and 4: f(x) = x, support vectors -1 and 1 with alpha 1/2.
   const std::vector<Feature> features = {point(-3, 0), point(-1, 0), point(1, 0), point(4, 0)};
   const Kernel kernel(kernelOptions("linear"));
@@ -59,20 +59,20 @@ TEST(BinarySvms, MeetTheConditionsOfOptimality) {
   const Clouds clouds(120, 3);
   const Eigen::MatrixXd gram = clouds.gram();
   const BinarySvms machines = trainMachines(gram, clouds.labels, 3, kAll);
-  const Eigen::MatrixXd margins = machines.margins(gram);
+  const Eigen::MatrixXd decision_values = machines.decisionValues(gram);
   for (Eigen::Index m = 0; m < 3; ++m) {
     EXPECT_NEAR(machines.weights.col(m).sum(), 0, 1e-9);
     for (Eigen::Index i = 0; i < 120; ++i) {
       const double sign = clouds.labels[static_cast<std::size_t>(i)] == m ? 1 : -1;
       const double alpha = sign * machines.weights(i, m);
-      const double margin = sign * margins(i, m);
+      const double decision_value = sign * decision_values(i, m);
       EXPECT_GE(alpha, 0);
       EXPECT_LE(alpha, kAll.c);
       if (alpha < kAll.c) {
-        EXPECT_GT(margin, 1 - 1e-2);
+        EXPECT_GT(decision_value, 1 - 1e-2);
       }
       if (alpha > 0) {
-        EXPECT_LT(margin, 1 + 1e-2);
+        EXPECT_LT(decision_value, 1 + 1e-2);
       }
     }
   }
@@ -111,13 +111,14 @@ Eigen::VectorXd libsvmDecisionValues(const Eigen::MatrixXd& gram, const std::vec
   return model->label[0] * values;
 }
 
-TEST(BinarySvms, MarginsAreThoseOfLibsvm) {
+TEST(BinarySvms, DecisionValuesAreThoseOfLibsvm) {
   const Clouds clouds(90, 3);
   const Eigen::MatrixXd gram = clouds.gram();
-  const Eigen::MatrixXd margins = trainMachines(gram, clouds.labels, 3, kAll).margins(gram);
+  const Eigen::MatrixXd decision_values =
+      trainMachines(gram, clouds.labels, 3, kAll).decisionValues(gram);
   for (int place = 0; place < 3; ++place) {
     const Eigen::VectorXd expected = libsvmDecisionValues(gram, clouds.labels, place, kAll.c);
-    EXPECT_LT((margins.col(place) - expected).norm(), 1e-9 * expected.norm());
+    EXPECT_LT((decision_values.col(place) - expected).norm(), 1e-9 * expected.norm());
   }
 }
 
@@ -125,15 +126,15 @@ TEST(BinarySvms, ArePositiveForTheFirstOfAPair) {
   const Clouds clouds(120, 3);
   const Eigen::MatrixXd gram = clouds.gram();
   const BinarySvms machines = trainMachines(gram, clouds.labels, 3, kPairs);
-  const Eigen::MatrixXd margins = machines.margins(gram);
+  const Eigen::MatrixXd decision_values = machines.decisionValues(gram);
   const int pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
-  ASSERT_EQ(margins.cols(), 3);
+  ASSERT_EQ(decision_values.cols(), 3);
   for (Eigen::Index m = 0; m < 3; ++m) {
     double right = 0;
     for (Eigen::Index i = 0; i < 120; ++i) {
       const int place = clouds.labels[static_cast<std::size_t>(i)];
-      if (place == pairs[m][0]) right += margins(i, m) > 0;
-      if (place == pairs[m][1]) right += margins(i, m) < 0;
+      if (place == pairs[m][0]) right += decision_values(i, m) > 0;
+      if (place == pairs[m][1]) right += decision_values(i, m) < 0;
       if (place != pairs[m][0] && place != pairs[m][1]) {
         EXPECT_EQ(machines.weights(i, m), 0);
       }
@@ -173,11 +174,11 @@ TEST(BinarySvms, VotesAndTies) {
   BinarySvms machines;
   machines.places = 3;
   machines.one_against_one = true;
-  Eigen::MatrixXd margins(3, 3);  // (0,1), (0,2), (1,2)
-  margins << 1, 2, 3,             // place 0 beats both
-      1, -2, 4,                   // a ring: sums -1, 3, -2
-      1e9, -1e-9, 1e-9;           // a ring of very unequal margins
-  const Eigen::MatrixXd votes = placeMargins(machines, margins);
+  Eigen::MatrixXd decision_values(3, 3);  // (0,1), (0,2), (1,2)
+  decision_values << 1, 2, 3,             // place 0 beats both
+      1, -2, 4,                           // a ring: sums -1, 3, -2
+      1e9, -1e-9, 1e-9;                   // a ring of very unequal decision values
+  const Eigen::MatrixXd votes = placeValues(machines, decision_values);
   const auto squash = [](double sum) { return sum / (3 * (std::abs(sum) + 1)); };
   EXPECT_NEAR(votes(0, 0), 2 + squash(3), 1e-15);
   EXPECT_NEAR(votes(0, 1), 1 + squash(2), 1e-15);
@@ -189,7 +190,7 @@ TEST(BinarySvms, VotesAndTies) {
   EXPECT_LT(votes.row(2).maxCoeff() - votes.row(2).minCoeff(), 1);
 
   machines.one_against_one = false;
-  EXPECT_TRUE(placeMargins(machines, margins) == margins);
+  EXPECT_TRUE(placeValues(machines, decision_values) == decision_values);
   EXPECT_EQ(machineCount(5, true), 10u);
   EXPECT_EQ(machineCount(5, false), 5u);
 }

@@ -12,51 +12,53 @@ TEST(Calibration, RecoversTheSlopeThatMadeTheData) {
   std::mt19937 generator(9);
   const auto uniform = [&] { return generator() / 4294967296.0; };
   const Calibration truth{2.5};
-  Eigen::MatrixXd margins(20000, 3);
+  Eigen::MatrixXd decision_values(20000, 3);
   std::vector<int> labels;
-  for (Eigen::Index i = 0; i < margins.rows(); ++i) {
-    for (Eigen::Index k = 0; k < 3; ++k) margins(i, k) = 4 * uniform() - 2;
-    const Eigen::RowVectorXd p = truth.probabilities(margins.row(i));
+  for (Eigen::Index i = 0; i < decision_values.rows(); ++i) {
+    for (Eigen::Index k = 0; k < 3; ++k) decision_values(i, k) = 4 * uniform() - 2;
+    const Eigen::RowVectorXd p = truth.probabilities(decision_values.row(i));
     const double draw = uniform();
     labels.push_back(draw < p[0] ? 0 : draw < p[0] + p[1] ? 1 : 2);
   }
-  EXPECT_NEAR(fitCalibration(margins, labels).slope, 2.5, 0.1);
-  // Margins in other units are the same evidence.
-  EXPECT_NEAR(fitCalibration(1000 * margins, labels).slope, 0.0025, 0.0001);
+  EXPECT_NEAR(fitCalibration(decision_values, labels).slope, 2.5, 0.1);
+  // Decision values in other units are the same evidence.
+  EXPECT_NEAR(fitCalibration(1000 * decision_values, labels).slope, 0.0025, 0.0001);
 }
 
 TEST(Calibration, IsTheSlopeOfGreatestLikelihood) {
-  // Two places: p_0 = 1 / (1 + exp(-slope d)), d the difference of margins. Three right frames with
-  // d = 1, one wrong, and one that tells nothing: the wanted probability of right is 3.5 / 5.
-  Eigen::MatrixXd margins(4, 2);
-  margins << 0.5, -0.5, 0.5, -0.5, -0.5, 0.5, -0.5, 0.5;
-  EXPECT_NEAR(fitCalibration(margins, {0, 0, 1, 0}).slope, std::log(7.0 / 3), 1e-9);
+  // Two places: p_0 = 1 / (1 + exp(-slope d)), d the difference of decision values. Three right
+  // frames with d = 1, one wrong, and one that tells nothing: the wanted probability of right
+  // is 3.5 / 5.
+  Eigen::MatrixXd decision_values(4, 2);
+  decision_values << 0.5, -0.5, 0.5, -0.5, -0.5, 0.5, -0.5, 0.5;
+  EXPECT_NEAR(fitCalibration(decision_values, {0, 0, 1, 0}).slope, std::log(7.0 / 3), 1e-9);
 }
 
 TEST(Calibration, FollowsTheFormulas) {
   const Calibration calibration{0.5};
-  const Eigen::RowVector3d margins(1, -2, 0.25);
+  const Eigen::RowVector3d decision_values(1, -2, 0.25);
   const Eigen::RowVector3d powers(std::exp(0.5), std::exp(-1.0), std::exp(0.125));
-  EXPECT_TRUE(calibration.probabilities(margins).isApprox(powers / powers.sum(), 1e-14));
-  EXPECT_NEAR(calibration.evidence(margins), powers.sum() / (1 + powers.sum()), 1e-14);
-  EXPECT_NEAR(calibration.logOdds(margins), std::log(powers.sum()), 1e-14);
+  EXPECT_TRUE(calibration.probabilities(decision_values).isApprox(powers / powers.sum(), 1e-14));
+  EXPECT_NEAR(calibration.evidence(decision_values), powers.sum() / (1 + powers.sum()), 1e-14);
+  EXPECT_NEAR(calibration.logOdds(decision_values), std::log(powers.sum()), 1e-14);
 }
 
-void expectProbabilities(const Calibration& calibration, const Eigen::RowVectorXd& margins) {
-  const Eigen::RowVectorXd p = calibration.probabilities(margins);
+void expectProbabilities(const Calibration& calibration,
+                         const Eigen::RowVectorXd& decision_values) {
+  const Eigen::RowVectorXd p = calibration.probabilities(decision_values);
   EXPECT_TRUE(p.allFinite()) << p;
   EXPECT_GE(p.minCoeff(), 0);
   EXPECT_NEAR(p.sum(), 1, 1e-12);
   Eigen::Index most_probable = 0;
   Eigen::Index largest = 0;
   p.maxCoeff(&most_probable);
-  margins.maxCoeff(&largest);
-  EXPECT_EQ(most_probable, largest) << margins;
-  EXPECT_GE(calibration.evidence(margins), 0);
-  EXPECT_LE(calibration.evidence(margins), 1);
+  decision_values.maxCoeff(&largest);
+  EXPECT_EQ(most_probable, largest) << decision_values;
+  EXPECT_GE(calibration.evidence(decision_values), 0);
+  EXPECT_LE(calibration.evidence(decision_values), 1);
 }
 
-TEST(Calibration, IsFiniteForExtremeMargins) {
+TEST(Calibration, IsFiniteForExtremeDecisionValues) {
   for (const double slope : {1e-6, 1.0, 1e3}) {
     for (const double a : {-1.7e308, -1e6, 0.0, 1e6, 1.7e308}) {
       for (const double b : {-1.7e308, -1e6, 0.0, 1e6, 1.7e308}) {
@@ -66,12 +68,12 @@ TEST(Calibration, IsFiniteForExtremeMargins) {
   }
 }
 
-void expectUsable(const Eigen::MatrixXd& margins, const std::vector<int>& labels) {
-  const Calibration calibration = fitCalibration(margins, labels);
+void expectUsable(const Eigen::MatrixXd& decision_values, const std::vector<int>& labels) {
+  const Calibration calibration = fitCalibration(decision_values, labels);
   EXPECT_TRUE(std::isfinite(calibration.slope));
   EXPECT_GT(calibration.slope, 0);
-  for (Eigen::Index i = 0; i < margins.rows(); ++i) {
-    expectProbabilities(calibration, margins.row(i));
+  for (Eigen::Index i = 0; i < decision_values.rows(); ++i) {
+    expectProbabilities(calibration, decision_values.row(i));
   }
 }
 
@@ -80,7 +82,7 @@ TEST(Calibration, SurvivesDegenerateInput) {
       (Eigen::MatrixXd(4, 2) << 1, -1, 2, -2, -1, 1, -2, 2).finished();
   expectUsable(separated, {0, 0, 1, 1});
   expectUsable(separated, {0, 0, 0, 0});  // one place only
-  expectUsable(separated, {1, 1, 0, 0});  // margins tell the opposite
+  expectUsable(separated, {1, 1, 0, 0});  // decision values tell the opposite
   expectUsable(Eigen::MatrixXd::Constant(4, 2, 0.5), {0, 1, 0, 1});
   expectUsable(Eigen::MatrixXd::Zero(4, 2), {0, 1, 0, 1});
   expectUsable(1e6 * separated, {0, 0, 1, 1});
@@ -111,25 +113,25 @@ TEST(Evidence, IsOneHalfWhereTheWantedShareLiesBelowAndNearlyOneAtTheMedian) {
   int below_half = 0;
   int below_median = 0;
   for (Eigen::Index i = 0; i < log_sums.size(); ++i) {
-    const Eigen::RowVectorXd margin = Eigen::RowVectorXd::Constant(1, log_sums[i]);
-    const double evidence = calibration.evidence(margin, familiarity[i]);
+    const Eigen::RowVectorXd decision_value = Eigen::RowVectorXd::Constant(1, log_sums[i]);
+    const double evidence = calibration.evidence(decision_value, familiarity[i]);
     below_half += evidence < 0.5 ? 1 : 0;
     below_median += evidence < 1 / (1 + std::exp(-3.0)) ? 1 : 0;
   }
   EXPECT_NEAR(below_half, 200, 1);
   EXPECT_NEAR(below_median, 1000, 1);
   // Each counts in units of its own spread.
-  EXPECT_NEAR(calibration.weights.margins * 3, calibration.weights.familiarity * 0.01, 0.2);
+  EXPECT_NEAR(calibration.weights.decision_values * 3, calibration.weights.familiarity * 0.01, 0.2);
 }
 
 TEST(Evidence, WhatIsAlwaysEqualDoesNotCount) {
   const Eigen::VectorXd log_sums = Eigen::VectorXd::LinSpaced(9, -1, 1);
   const Eigen::VectorXd familiarity = Eigen::VectorXd::Constant(9, 0.5);
   const EvidenceWeights weights = fitEvidence(log_sums, familiarity, 0.05);
-  EXPECT_GT(weights.margins, 0);
+  EXPECT_GT(weights.decision_values, 0);
   EXPECT_EQ(weights.familiarity, 0);
   const EvidenceWeights blank = fitEvidence(familiarity, familiarity, 0.05);
-  EXPECT_EQ(blank.margins, 0);
+  EXPECT_EQ(blank.decision_values, 0);
   EXPECT_TRUE(std::isfinite(blank.offset));
 }
 

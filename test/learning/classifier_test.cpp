@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-TEST(Classifier, MarginsAreTheDirectSum) {
+TEST(Classifier, DecisionValuesAreTheDirectSum) {
   RandomFeatures random(7);
   const Kernel kernel(kernelOptions("chi-squared", 2));
   std::vector<Feature> vectors;
@@ -30,9 +30,9 @@ TEST(Classifier, MarginsAreTheDirectSum) {
   Eigen::RowVectorXd expected = machines.biases;
   for (int i = 0; i < 30; ++i) expected += machines.weights.row(i) * kernel(x, vectors[i]);
   Eigen::VectorXd scratch;
-  Eigen::RowVectorXd margins;
-  classifier.margins(x, scratch, margins);
-  EXPECT_TRUE(margins.isApprox(expected, 1e-12));
+  Eigen::RowVectorXd decision_values;
+  classifier.decisionValues(x, scratch, decision_values);
+  EXPECT_TRUE(decision_values.isApprox(expected, 1e-12));
 }
 
 TEST(Classifier, WithoutAnyVectorAnswersItsBias) {
@@ -45,9 +45,9 @@ TEST(Classifier, WithoutAnyVectorAnswersItsBias) {
       ClassifierParts::assemble(kernelOptions("linear"), machines, {random.dense(3)}, {0});
   EXPECT_EQ(classifier.supportVectorCount(), 0u);
   Eigen::VectorXd scratch;
-  Eigen::RowVectorXd margins;
-  classifier.margins(random.dense(3), scratch, margins);
-  EXPECT_EQ(margins, machines.biases);
+  Eigen::RowVectorXd decision_values;
+  classifier.decisionValues(random.dense(3), scratch, decision_values);
+  EXPECT_EQ(decision_values, machines.biases);
 }
 
 }  // namespace

@@ -98,14 +98,14 @@ def pivots_of_all(gram, weights, tau, normalize):
 def greedy_basis(gram, weights, tau, _):
     """By trying every vector at every step."""
     vectors = list(np.flatnonzero(weights.any(axis=1)))
-    margins = gram @ weights
+    values = gram @ weights
     basis = []
 
     def gap(columns):
-        fit = np.linalg.lstsq(gram[:, columns], margins, rcond=None)[0]
-        return np.linalg.norm(margins - gram[:, columns] @ fit)
+        fit = np.linalg.lstsq(gram[:, columns], values, rcond=None)[0]
+        return np.linalg.norm(values - gram[:, columns] @ fit)
 
-    while not basis or gap(basis) > tau * np.linalg.norm(margins):
+    while not basis or gap(basis) > tau * np.linalg.norm(values):
         basis.append(min((v for v in vectors if v not in basis), key=lambda v: gap(basis + [v])))
     return np.array(basis)
 
@@ -127,13 +127,13 @@ def check_reduction(case):
 
 
 def check_calibration(case):
-    margins, labels = np.array(case["margins"]), np.array(case["labels"])
-    frames, places = margins.shape
-    wanted = np.full(margins.shape, 1 / (places * (frames + 1)))  # one frame tells nothing
+    values, labels = np.array(case["decision_values"]), np.array(case["labels"])
+    frames, places = values.shape
+    wanted = np.full(values.shape, 1 / (places * (frames + 1)))  # one frame tells nothing
     wanted[np.arange(frames), labels] += frames / (frames + 1)
 
     def loss(slope):
-        z = slope * margins
+        z = slope * values
         return -(wanted * (z - np.log(np.exp(z).sum(axis=1, keepdims=True)))).sum()
 
     expected = minimize_scalar(loss, bounds=(0, 100), method="bounded", options={"xatol": 1e-9}).x

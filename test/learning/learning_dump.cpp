@@ -132,19 +132,19 @@ void printReductions() {
 
 void printCalibration() {
   RandomFeatures random(22);
-  Eigen::MatrixXd margins(50, 4);
+  Eigen::MatrixXd decision_values(50, 4);
   std::vector<int> labels;
   for (Eigen::Index i = 0; i < 50; ++i) {
     labels.push_back(static_cast<int>(random.uniform(0, 4)));
     for (Eigen::Index k = 0; k < 4; ++k) {
-      margins(i, k) = random.uniform(-2, 1) + (labels.back() == k ? 1.2 : 0);
+      decision_values(i, k) = random.uniform(-2, 1) + (labels.back() == k ? 1.2 : 0);
     }
   }
   std::cout << "{\"check\":\"calibration\",\"labels\":";
   printList(labels);
-  std::cout << ",\"margins\":";
-  print(margins);
-  std::cout << ",\"slope\":" << fitCalibration(margins, labels).slope << "}\n";
+  std::cout << ",\"decision_values\":";
+  print(decision_values);
+  std::cout << ",\"slope\":" << fitCalibration(decision_values, labels).slope << "}\n";
 }
 
 }  // namespace

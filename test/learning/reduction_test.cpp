@@ -38,7 +38,7 @@ struct Plane {
   }
 
   double changeOf(const BinarySvms& reduced) const {
-    return (reduced.margins(gram) - machines.margins(gram)).cwiseAbs().maxCoeff();
+    return (reduced.decisionValues(gram) - machines.decisionValues(gram)).cwiseAbs().maxCoeff();
   }
 };
 
@@ -242,10 +242,10 @@ TEST(Reduction, SharedWeightsAreLeastSquares) {
 
 TEST(Reduction, GreedyStopsAtTheResidualOfTau) {
   const Plane plane("gaussian", 3, "one-against-all");
-  const Eigen::MatrixXd margins = plane.gram * plane.machines.weights;
+  const Eigen::MatrixXd decision_values = plane.gram * plane.machines.weights;
   const double tau = 0.02;
   const auto gap = [&](const BinarySvms& reduced) {
-    return (margins - plane.gram * reduced.weights).norm() / margins.norm();
+    return (decision_values - plane.gram * reduced.weights).norm() / decision_values.norm();
   };
   const BinarySvms reduced = reduce(plane.machines, plane.gram, reduction("shared-greedy", tau));
   const int kept = static_cast<int>(count(reduced));

@@ -25,7 +25,7 @@ struct Moments {
   Moments(int count, double shared, double offset) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
-    held_out.margins.resize(2 * count, 2);
+    held_out.decision_values.resize(2 * count, 2);
     held_out.valid.assign(static_cast<std::size_t>(2 * count), true);
     for (int i = 0; i < count; ++i) {
       const double a = normal(random);
@@ -34,8 +34,8 @@ struct Moments {
       for (const int camera : {0, 1}) {
         const double log_odds = 0.5 + 0.5 * (camera == 0 ? a : b);
         const auto row = static_cast<Eigen::Index>(samples.size());
-        held_out.margins(row, place) = log_odds / 2;
-        held_out.margins(row, 1 - place) = -log_odds / 2;
+        held_out.decision_values(row, place) = log_odds / 2;
+        held_out.decision_values(row, 1 - place) = -log_odds / 2;
         samples.push_back({place, 0, 100.0 + i + camera * offset, camera});
         said[camera].push_back(log_odds);
       }
@@ -62,7 +62,7 @@ struct Moments {
   }
 
   std::vector<SampleOrigin> samples;
-  HeldOut held_out;
+  HeldOutValues held_out;
   std::vector<double> said[2];
 };
 

@@ -58,18 +58,18 @@ TEST(GammaChoice, GridFollowsTheFeatures) {
   EXPECT_EQ(gammaGrid(Kernel(options), Eigen::MatrixXd::Zero(3, 3)).neutral, 0.5);
 }
 
-HeldOut heldOut(const Eigen::MatrixXd& margins, const std::vector<bool>& valid) {
-  return {margins, valid, Eigen::VectorXd::Zero(margins.rows())};
+HeldOutValues heldOut(const Eigen::MatrixXd& decision_values, const std::vector<bool>& valid) {
+  return {decision_values, valid, Eigen::VectorXd::Zero(decision_values.rows())};
 }
 
 TEST(Combination, IsTheWeightedMeanOfTheCuesThatAreThere) {
   const Eigen::MatrixXd a = (Eigen::MatrixXd(3, 2) << 1, 2, 3, 4, 0, 0).finished();
   const Eigen::MatrixXd b = (Eigen::MatrixXd(3, 2) << 5, 6, 0, 0, 0, 0).finished();
-  const HeldOut combined =
+  const HeldOutValues combined =
       combine({heldOut(a, {true, true, false}), heldOut(b, {true, false, false})}, {0.25, 0.75});
   const Eigen::MatrixXd expected =
       (Eigen::MatrixXd(3, 2) << 0.25 * 1 + 0.75 * 5, 0.25 * 2 + 0.75 * 6, 3, 4, 0, 0).finished();
-  EXPECT_TRUE(combined.margins.isApprox(expected));
+  EXPECT_TRUE(combined.decision_values.isApprox(expected));
   EXPECT_EQ(combined.valid, (std::vector<bool>{true, true, false}));
 }
 
@@ -88,26 +88,28 @@ TEST(Combination, PrefersTheCueThatTellsAndElseThePrior) {
   EXPECT_EQ(chooseCueWeights({heldOut(good, all)}, {1}, samples, 2), std::vector<double>{1});
   // A prior that lies between the steps, of five cues.
   const std::vector<double> prior{0.15, 0.15, 0.15, 0.15, 0.4};
-  EXPECT_EQ(chooseCueWeights(std::vector<HeldOut>(5, heldOut(good, all)), prior, samples, 2),
+  EXPECT_EQ(chooseCueWeights(std::vector<HeldOutValues>(5, heldOut(good, all)), prior, samples, 2),
             prior);
 }
 
 TEST(Validation, ThresholdLetsTheWantedShareFall) {
-  // Two places, twenty samples each, in four folds; margins that differ in size.
+  // Two places, twenty samples each, in four folds; decision values that differ in size.
   std::vector<SampleOrigin> samples;
-  Eigen::MatrixXd margins(40, 2);
+  Eigen::MatrixXd decision_values(40, 2);
   for (int i = 0; i < 40; ++i) {
     samples.push_back({i % 2, 0, static_cast<double>(i)});
     const double f = 0.1 * (1 + i / 2);
-    margins.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
+    decision_values.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
   }
   const std::vector<Fold> folds = timeBlockFolds(samples, 4, {TimeBlocks{5, 0}});
-  const HeldOut held_out = heldOut(margins, std::vector<bool>(40, true));
+  const HeldOutValues held_out = heldOut(decision_values, std::vector<bool>(40, true));
   const Calibrated calibrated = calibrate(held_out, samples, folds, 0.25);
   EXPECT_EQ(calibrated.validation.average_rate, 1);
   int below = 0;
   for (int i = 0; i < 40; ++i) {
-    below += calibrated.calibration.evidence(margins.row(i)) < calibrated.unknown_threshold ? 1 : 0;
+    below += calibrated.calibration.evidence(decision_values.row(i)) < calibrated.unknown_threshold
+                 ? 1
+                 : 0;
   }
   EXPECT_NEAR(below, 10, 2);  // each fold was judged by the slope of the others
 }

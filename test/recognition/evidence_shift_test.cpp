@@ -12,24 +12,26 @@
 namespace place_recognition {
 namespace {
 
-/// A model of one cue whose held-out frames have margins of `lead` before -1, familiarity `known`.
+/// A model of one cue whose held-out frames have decision values of `lead` before -1, familiarity
+/// `known`.
 Model modelOf(int places, double lead, double known) {
   Model model;
   model.cue_weights = {1};
   model.calibration.slope = 2;
   model.calibration.weights = {1, 10, -5};
-  Eigen::MatrixXf margins = Eigen::MatrixXf::Constant(2 * places, places, -1);
+  Eigen::MatrixXf decision_values = Eigen::MatrixXf::Constant(2 * places, places, -1);
   for (int i = 0; i < 2 * places; ++i) {
-    margins(i, i % places) += static_cast<float>(lead);
+    decision_values(i, i % places) += static_cast<float>(lead);
     model.held_out.places.push_back(i % places);
   }
   for (int k = 0; k < places; ++k) model.places.push_back("room" + std::to_string(k));
-  model.held_out.margins = {margins};
+  model.held_out.decision_values = {decision_values};
   model.held_out.familiarity = {Eigen::VectorXf::Constant(2 * places, static_cast<float>(known))};
   return model;
 }
 
-/// Frames of all rooms in turn, one a second: margins of `lead` before -1, familiarity `known`.
+/// Frames of all rooms in turn, one a second: decision values of `lead` before -1, familiarity
+/// `known`.
 class Stream {
  public:
   explicit Stream(const Model& model)
@@ -39,12 +41,12 @@ class Stream {
 
   void show(int frames, double lead, double known, int places) {
     for (int i = 0; i < frames; ++i, ++stamp_) {
-      Eigen::RowVectorXd margins = Eigen::RowVectorXd::Constant(places_, -1);
+      Eigen::RowVectorXd decision_values = Eigen::RowVectorXd::Constant(places_, -1);
       const int place = static_cast<int>(stamp_) % places;
-      margins[place] += lead;
+      decision_values[place] += lead;
       shift_.beginFrame(stamp_);
-      shift_.add(Eigen::RowVectorXd::Unit(margins.size(), place), margins,
-                 calibration_.logOdds(margins, known));
+      shift_.add(Eigen::RowVectorXd::Unit(decision_values.size(), place), decision_values,
+                 calibration_.logOdds(decision_values, known));
     }
   }
 
@@ -89,11 +91,11 @@ TEST(EvidenceShift, IsBoundedAndNeverLowersEvidence) {
 TEST(EvidenceShift, StaysWhereNoRoomStandsOut) {
   const Model model = modelOf(4, 2, 0.9);
   EvidenceShift shift(model);
-  const Eigen::RowVector4d margins(-0.5, -0.6, -0.9, -1);  // a strange building
+  const Eigen::RowVector4d decision_values(-0.5, -0.6, -0.9, -1);  // a strange building
   for (int i = 0; i < 300; ++i) {
     shift.beginFrame(i);
-    shift.add(model.calibration.probabilities(margins), margins,
-              model.calibration.logOdds(margins, 0.6));
+    shift.add(model.calibration.probabilities(decision_values), decision_values,
+              model.calibration.logOdds(decision_values, 0.6));
     EXPECT_EQ(shift.value(), 0);
   }
 }
@@ -105,14 +107,14 @@ TEST(EvidenceShift, DoesNotFollowARobotThatStandsForAnHour) {
   EXPECT_LT(stream.shift(), 3 * 5.0 / 6);
 }
 
-TEST(EvidenceShift, OutlivesMarginsThatAreNotFinite) {
+TEST(EvidenceShift, OutlivesDecisionValuesThatAreNotFinite) {
   const Model model = modelOf(4, 2, 0.9);
   EvidenceShift shift(model);
-  for (const double margin : {1e200, std::numeric_limits<double>::infinity()}) {
-    const Eigen::RowVector4d margins(margin, -margin, 0, 0);
+  for (const double decision_value : {1e200, std::numeric_limits<double>::infinity()}) {
+    const Eigen::RowVector4d decision_values(decision_value, -decision_value, 0, 0);
     shift.beginFrame(0);
-    shift.add(Eigen::RowVector4d(1, 0, 0, 0), margins, margin);
-    EXPECT_TRUE(std::isfinite(shift.value())) << margin;
+    shift.add(Eigen::RowVector4d(1, 0, 0, 0), decision_values, decision_value);
+    EXPECT_TRUE(std::isfinite(shift.value())) << decision_value;
   }
 }
 

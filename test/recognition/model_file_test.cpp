@@ -33,17 +33,17 @@ const std::string& smallModelBytes() {
   return bytes;
 }
 
-TEST(ModelFile, KeepsEveryMargin) {
+TEST(ModelFile, KeepsEveryDecisionValue) {
   const Model& model = smallModel();
   const Model read = parseModel(smallModelBytes(), "test");
   ASSERT_EQ(read.classifiers.size(), model.classifiers.size());
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     for (const Feature& feature : ClassifierParts::of(model.classifiers[c]).support_set.vectors()) {
       Eigen::VectorXd scratch;
-      Eigen::RowVectorXd margins, read_margins;
-      model.classifiers[c].margins(feature, scratch, margins);
-      read.classifiers[c].margins(feature, scratch, read_margins);
-      EXPECT_EQ(margins, read_margins);
+      Eigen::RowVectorXd decision_values, read_values;
+      model.classifiers[c].decisionValues(feature, scratch, decision_values);
+      read.classifiers[c].decisionValues(feature, scratch, read_values);
+      EXPECT_EQ(decision_values, read_values);
     }
   }
 }
@@ -103,7 +103,7 @@ TEST(ModelFile, KeepsTheFramesThatJudgedIt) {
   EXPECT_EQ(frames.places.size(), 36u);
   EXPECT_EQ(read.places, frames.places);
   EXPECT_EQ(read.folds, frames.folds);
-  EXPECT_EQ(read.margins, frames.margins);
+  EXPECT_EQ(read.decision_values, frames.decision_values);
   EXPECT_EQ(read.familiarity, frames.familiarity);
 }
 
@@ -121,7 +121,7 @@ TEST(ModelFile, ReadsFilesOfEarlierVersions) {
   const std::string earlier = tampered(smallModelBytes(), [](ModelContents& contents) {
     contents.message.clear_asked();
     contents.message.clear_held_out_frames();
-    contents.message.clear_held_out_margins();
+    contents.message.clear_held_out_values();
     contents.message.set_options("validation: {folds: 4, gap: 2}\n" + [&] {
       std::string options = contents.message.options();
       const std::size_t begin = options.find("validation:");
@@ -253,9 +253,9 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{"HeldOutFrameOfNoFold",
                   [](auto& c) { message(c).set_held_out_frames(1, 10000); }},
         Tampering{"HeldOutMarginMissing",
-                  [](auto& c) { message(c).mutable_held_out_margins()->RemoveLast(); }},
+                  [](auto& c) { message(c).mutable_held_out_values()->RemoveLast(); }},
         Tampering{"HeldOutMarginNan",
-                  [](auto& c) { message(c).set_held_out_margins(1, std::nanf("")); }},
+                  [](auto& c) { message(c).set_held_out_values(1, std::nanf("")); }},
         Tampering{"CameraWithoutEnd", [](auto& c) { message(c).set_cameras("/front"); }},
         Tampering{"CamerasWithoutCorrelation", [](auto& c) { message(c).set_cameras("a\0b", 4); }},
         Tampering{"MoreCamerasThanARobotHas",

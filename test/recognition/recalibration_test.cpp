@@ -50,10 +50,10 @@ TEST(Recalibrate, LeavesTheMachinesAsTheyAre) {
     for (const Feature& feature :
          ClassifierParts::of(before.classifiers[c]).support_set.vectors()) {
       Eigen::VectorXd scratch;
-      Eigen::RowVectorXd margins, margins_after;
-      before.classifiers[c].margins(feature, scratch, margins);
-      result.model.classifiers[c].margins(feature, scratch, margins_after);
-      EXPECT_EQ(margins, margins_after);
+      Eigen::RowVectorXd decision_values, values_after;
+      before.classifiers[c].decisionValues(feature, scratch, decision_values);
+      result.model.classifiers[c].decisionValues(feature, scratch, values_after);
+      EXPECT_EQ(decision_values, values_after);
     }
   }
 }

@@ -16,16 +16,16 @@ std::shared_ptr<const Model> modelOf(const TrainingOptions& options) {
   return std::make_shared<const Model>(train({opener(drawFrames(3, 12))}, options).model);
 }
 
-TEST(Recognizer, AnswersWithProbabilitiesOfTheLargestMargin) {
+TEST(Recognizer, AnswersWithProbabilitiesOfTheLargestDecisionValue) {
   Recognizer recognizer(modelOf(twoCueOptions()));
   for (const Frame& frame : drawFrames(3, 8, 300)) {
     const Recognition& answer = recognizer.recognize(frame.image);
     EXPECT_NEAR(answer.probabilities.sum(), 1, 1e-12);
-    Eigen::Index most_probable, largest_margin;
+    Eigen::Index most_probable, largest_value;
     EXPECT_EQ(answer.confidence, answer.probabilities.maxCoeff(&most_probable));
-    answer.margins.maxCoeff(&largest_margin);
+    answer.decision_values.maxCoeff(&largest_value);
     EXPECT_EQ(answer.place, most_probable);
-    EXPECT_EQ(answer.place, largest_margin);
+    EXPECT_EQ(answer.place, largest_value);
     EXPECT_EQ(answer.known, answer.evidence >= recognizer.model().unknown_threshold);
     EXPECT_EQ(answer.reason, "");
   }
@@ -36,7 +36,8 @@ TEST(Recognizer, AnswersTheSameFromTheModelFile) {
   Recognizer trained(model);
   Recognizer loaded(std::make_shared<const Model>(parseModel(serializeModel(*model), "test")));
   for (const Frame& frame : drawFrames(3, 4, 300)) {
-    EXPECT_EQ(trained.recognize(frame.image).margins, loaded.recognize(frame.image).margins);
+    EXPECT_EQ(trained.recognize(frame.image).decision_values,
+              loaded.recognize(frame.image).decision_values);
   }
 }
 
@@ -88,10 +89,10 @@ TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
 
   Eigen::RowVectorXd both, first;
   Recognizer recognizer(std::make_shared<const Model>(parseModel(serializeModel(model), "test")));
-  both = recognizer.recognize(strip).margins;
+  both = recognizer.recognize(strip).decision_values;
   model.cue_weights = {1, 0};
   Recognizer first_only(std::make_shared<const Model>(std::move(model)));
-  first = first_only.recognize(strip).margins;
+  first = first_only.recognize(strip).decision_values;
   EXPECT_EQ(both, first);
   EXPECT_NE(both, Eigen::RowVectorXd::Zero(3));
 }
@@ -109,17 +110,17 @@ std::shared_ptr<const Model> modelWithNetwork() {
   return std::make_shared<const Model>(std::move(model));
 }
 
-/// Margins of one cue for an image.
-Eigen::RowVectorXd marginsOf(const Model& model, std::size_t cue, const cv::Mat& image) {
+/// Decision values of one cue for an image.
+Eigen::RowVectorXd decisionValues(const Model& model, std::size_t cue, const cv::Mat& image) {
   std::vector<Feature> features;
   CueExtraction(model).extract(image, features);
   Eigen::VectorXd kernel_values;
-  Eigen::RowVectorXd margins;
-  model.classifiers[cue].margins(features[cue], kernel_values, margins);
-  return margins;
+  Eigen::RowVectorXd decision_values;
+  model.classifiers[cue].decisionValues(features[cue], kernel_values, decision_values);
+  return decision_values;
 }
 
-TEST(Recognizer, HoldsMarginsOfEmbeddingsAndLetsThemAge) {
+TEST(Recognizer, HoldsDecisionValuesOfEmbeddingsAndLetsThemAge) {
   const std::shared_ptr<const Model> model = modelWithNetwork();
   Recognizer recognizer(model);
   recognizer.setEmbeddingRate(1, 0.4);
@@ -131,14 +132,17 @@ TEST(Recognizer, HoldsMarginsOfEmbeddingsAndLetsThemAge) {
     recognizer.recognize(drawRoom(2, 500));  // a picture by itself changes nothing of the stream
     const double held = 0.75 * std::exp(-age / 0.4);
     const Eigen::RowVectorXd expected =
-        (0.25 * marginsOf(*model, 0, image) + held * marginsOf(*model, 1, first)) / (0.25 + held);
-    const Eigen::RowVectorXd margins = recognizer.recognize(image, start + age).margins;
-    EXPECT_TRUE(margins.isApprox(expected, 1e-12)) << margins << " at " << age;
+        (0.25 * decisionValues(*model, 0, image) + held * decisionValues(*model, 1, first)) /
+        (0.25 + held);
+    const Eigen::RowVectorXd decision_values =
+        recognizer.recognize(image, start + age).decision_values;
+    EXPECT_TRUE(decision_values.isApprox(expected, 1e-12)) << decision_values << " at " << age;
   }
   // Due again; and when time jumps back.
   for (const double stamp : {start + 1, start - 50}) {
     const cv::Mat image = drawRoom(1, 600);
-    EXPECT_EQ(recognizer.recognize(image, stamp).margins, recognizer.recognize(image).margins);
+    EXPECT_EQ(recognizer.recognize(image, stamp).decision_values,
+              recognizer.recognize(image).decision_values);
     recognizer.recognize(image, stamp + 0.1);
   }
 }
@@ -148,7 +152,8 @@ TEST(Recognizer, WithoutALimitEmbeddingsAreComputedForEveryFrame) {
   Recognizer recognizer(model);
   for (unsigned i = 0; i < 5; ++i) {
     const cv::Mat image = drawRoom(static_cast<int>(i % 3), 300 + i);
-    EXPECT_EQ(recognizer.recognize(image, 0.01 * i).margins, recognizer.recognize(image).margins);
+    EXPECT_EQ(recognizer.recognize(image, 0.01 * i).decision_values,
+              recognizer.recognize(image).decision_values);
   }
 }
 
@@ -198,8 +203,8 @@ TEST(Recognizer, ScalesWideImagesDown) {
   const cv::Mat image = drawRoom(2, 300);
   cv::Mat half;
   cv::resize(image, half, cv::Size(48, 36), 0, 0, cv::INTER_AREA);
-  const Eigen::RowVectorXd scaled = recognizer.recognize(image).margins;
-  EXPECT_EQ(scaled, recognizer.recognize(half).margins);
+  const Eigen::RowVectorXd scaled = recognizer.recognize(image).decision_values;
+  EXPECT_EQ(scaled, recognizer.recognize(half).decision_values);
 }
 
 TEST(Recognizer, TakesGreyImages) {

@@ -8,13 +8,14 @@ namespace {
 /// Answers to 40 samples of two places, of which the first `wrong` of each place are wrong.
 struct Answered {
   std::vector<SampleOrigin> samples;
-  HeldOut held_out{Eigen::MatrixXd(40, 2), std::vector<bool>(40, true)};
+  HeldOutValues held_out{Eigen::MatrixXd(40, 2), std::vector<bool>(40, true)};
 
   explicit Answered(int wrong) {
     for (int i = 0; i < 40; ++i) {
       samples.push_back({i % 2, 0, static_cast<double>(i)});
-      const double margin = i / 2 < wrong ? -1 : 1;
-      held_out.margins.row(i) << (i % 2 == 0 ? margin : -margin), (i % 2 == 0 ? -margin : margin);
+      const double decision_value = i / 2 < wrong ? -1 : 1;
+      held_out.decision_values.row(i) << (i % 2 == 0 ? decision_value : -decision_value),
+          (i % 2 == 0 ? -decision_value : decision_value);
     }
   }
 };
@@ -28,7 +29,7 @@ ReductionOptions reduction(const std::string& method, double share) {
 
 /// The choice among reductions with so many wrong answers a place.
 std::size_t choice(const std::vector<ReductionOptions>& reductions, const std::vector<int>& wrong) {
-  std::vector<HeldOut> held_out;
+  std::vector<HeldOutValues> held_out;
   for (const int count : wrong) held_out.push_back(Answered(count).held_out);
   return chooseReduction(reductions, held_out, Answered(0).samples, 2);
 }
@@ -79,8 +80,8 @@ TEST(ReductionChoice, LosesNoRateForProbabilitiesThatFitBetter) {
   Answered reduced(5);
   for (int i = 0; i < 40; ++i) {
     const int more = i / 2 < 5 ? 1 : 8;
-    reduced.held_out.margins.row(i) *= more;
-    full.held_out.margins.row(i) *= i / 2 < 4 ? 8 : 1;
+    reduced.held_out.decision_values.row(i) *= more;
+    full.held_out.decision_values.row(i) *= i / 2 < 4 ? 8 : 1;
   }
   EXPECT_EQ(chooseReduction({reduction("none", 0), reduction("qr", 0.3)},
                             {full.held_out, reduced.held_out}, full.samples, 2),
@@ -88,7 +89,7 @@ TEST(ReductionChoice, LosesNoRateForProbabilitiesThatFitBetter) {
 }
 
 TEST(ReductionChoice, KeepsAllWhereNothingIsHeldOut) {
-  const HeldOut none{Eigen::MatrixXd::Zero(2, 2), {false, false}};
+  const HeldOutValues none{Eigen::MatrixXd::Zero(2, 2), {false, false}};
   const std::vector<SampleOrigin> samples{{0, 0, 0}, {1, 0, 1}};
   EXPECT_EQ(chooseReduction({reduction("none", 0), reduction("qr", 0.1)}, {none, none}, samples, 2),
             0u);

@@ -73,7 +73,7 @@ std::vector<Kind> kinds() {
 
 class RoundTrip : public testing::TestWithParam<Kind> {};
 
-TEST_P(RoundTrip, GivesBitIdenticalMargins) {
+TEST_P(RoundTrip, GivesBitIdenticalDecisionValues) {
   Training training = train({opener(drawFrames(3, 6))}, GetParam().options);
   const std::string bytes = serializeModel(training.model);
   const auto trained = std::make_shared<const Model>(std::move(training.model));
@@ -86,7 +86,8 @@ TEST_P(RoundTrip, GivesBitIdenticalMargins) {
     const Recognition& wanted = before.recognize(frame.image);
     const Recognition& answer = after.recognize(frame.image);
     ASSERT_NE(wanted.place, -1) << wanted.reason;
-    EXPECT_TRUE(answer.margins == wanted.margins) << answer.margins << "\n" << wanted.margins;
+    EXPECT_TRUE(answer.decision_values == wanted.decision_values) << answer.decision_values << "\n"
+                                                                  << wanted.decision_values;
     EXPECT_TRUE(answer.probabilities == wanted.probabilities);
     EXPECT_EQ(answer.known, wanted.known);
   }

@@ -9,8 +9,8 @@
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
 #include "recognition/drawn_run.h"
+#include "recognition/training/calibration_set.h"
 #include "recognition/training/halving_sample.h"
-#include "recognition/training/held_out_frames.h"
 #include "recognition/training/samples.h"
 
 namespace place_recognition {
@@ -81,15 +81,16 @@ TEST(StratifiedSample, SeesEveryAngleOfATripod) {
 TEST(HeldOutFrames, AreNoMoreThanAModelKeeps) {
   // Shares of 1000 that all have a rest.
   const std::vector<int> rooms{231, 252, 249, 341, 458};
-  Judges judges;
+  CalibrationSet calibration_set;
   for (std::size_t k = 0; k < rooms.size(); ++k) {
-    for (int i = 0; i < rooms[k]; ++i) judges.samples.push_back({static_cast<int>(k), 0, 1.0 * i});
+    for (int i = 0; i < rooms[k]; ++i)
+      calibration_set.samples.push_back({static_cast<int>(k), 0, 1.0 * i});
   }
-  const auto count = static_cast<Eigen::Index>(judges.samples.size());
-  judges.reductions = {
-      {HeldOut{Eigen::MatrixXd::Zero(count, 5), std::vector<bool>(judges.samples.size(), true),
-               Eigen::VectorXd::Zero(count)}}};
-  const HeldOutFrames kept = keptFrames(judges, 0, 1);
+  const auto count = static_cast<Eigen::Index>(calibration_set.samples.size());
+  calibration_set.reductions = {{HeldOutValues{
+      Eigen::MatrixXd::Zero(count, 5), std::vector<bool>(calibration_set.samples.size(), true),
+      Eigen::VectorXd::Zero(count)}}};
+  const HeldOutFrames kept = keptFrames(calibration_set, 0, 1);
   EXPECT_LE(kept.places.size(), kMaxHeldOutFrames);
   EXPECT_GT(kept.places.size(), kMaxHeldOutFrames - 10);
   for (int k = 0; k < 5; ++k) {

@@ -173,7 +173,7 @@ void expectFinite(const Training& training, const cv::Mat& image) {
   Recognizer recognizer(std::make_shared<const Model>(parseModel(bytes, "test")));
   const Recognition& answer = recognizer.recognize(image);
   EXPECT_TRUE(answer.probabilities.allFinite());
-  EXPECT_TRUE(answer.margins.allFinite());
+  EXPECT_TRUE(answer.decision_values.allFinite());
   EXPECT_NEAR(answer.probabilities.sum(), 1, 1e-9);
 }
 

@@ -17,7 +17,7 @@ namespace {
 void expectFinite(const Recognition& answer) {
   EXPECT_NEAR(answer.probabilities.sum(), 1, 1e-9);
   EXPECT_TRUE(answer.probabilities.allFinite());
-  EXPECT_TRUE(answer.margins.allFinite());
+  EXPECT_TRUE(answer.decision_values.allFinite());
   EXPECT_TRUE(std::isfinite(answer.confidence));
   EXPECT_TRUE(std::isfinite(answer.evidence));
 }

@@ -41,7 +41,7 @@ TEST(RecognitionMessages, CarryHeaderModelAndScores) {
   recognition.confidence = 0.75;
   recognition.evidence = 0.625;
   recognition.probabilities = Eigen::RowVector2d(0.25, 0.75);
-  recognition.margins = Eigen::RowVector2d(-1.5, 0.5);
+  recognition.decision_values = Eigen::RowVector2d(-1.5, 0.5);
   std_msgs::Header header;
   header.seq = 9;
   header.stamp = ros::Time(5, 6);
@@ -66,7 +66,7 @@ TEST(RecognitionMessages, CarryHeaderModelAndScores) {
 TEST(RecognitionMessages, NoPlaceIsAnEmptyNameAndAReason) {
   Recognition recognition;
   recognition.probabilities = Eigen::RowVector2d(0.5, 0.5);
-  recognition.margins = Eigen::RowVector2d(0, 0);
+  recognition.decision_values = Eigen::RowVector2d(0, 0);
   recognition.reason = "too few interest points";
   const PlaceRecognition message =
       toPlaceRecognition(recognition, namedPlaces(), std_msgs::Header(), 0);

@@ -20,11 +20,11 @@ TuningSamples fourSamples() {
   return samples;
 }
 
-HeldOut margins(const std::vector<std::array<double, 2>>& rows) {
-  HeldOut held_out;
-  held_out.margins.resize(static_cast<Eigen::Index>(rows.size()), 2);
+HeldOutValues decision_values(const std::vector<std::array<double, 2>>& rows) {
+  HeldOutValues held_out;
+  held_out.decision_values.resize(static_cast<Eigen::Index>(rows.size()), 2);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    held_out.margins.row(static_cast<Eigen::Index>(i)) << rows[i][0], rows[i][1];
+    held_out.decision_values.row(static_cast<Eigen::Index>(i)) << rows[i][0], rows[i][1];
   }
   held_out.valid.assign(rows.size(), true);
   return held_out;
@@ -32,10 +32,11 @@ HeldOut margins(const std::vector<std::array<double, 2>>& rows) {
 
 TEST(Score, LogLossIsTheMeanOfTheRoomsMeansOverLights) {
   const TuningSamples samples = fourSamples();
-  const HeldOut held_out = margins({{1, 0}, {0.2, 0}, {0.3, 0.5}, {-0.1, 0}});
-  const Calibration calibration = fitCalibration(held_out.margins, std::vector<int>{0, 0, 1, 0});
+  const HeldOutValues held_out = decision_values({{1, 0}, {0.2, 0}, {0.3, 0.5}, {-0.1, 0}});
+  const Calibration calibration =
+      fitCalibration(held_out.decision_values, std::vector<int>{0, 0, 1, 0});
   const auto loss = [&](int i, int place) {
-    return -std::log(calibration.probabilities(held_out.margins.row(i))[place]);
+    return -std::log(calibration.probabilities(held_out.decision_values.row(i))[place]);
   };
   const Score result = score(held_out, samples);
   const double first = (loss(0, 0) + loss(3, 0)) / 2;
@@ -45,9 +46,9 @@ TEST(Score, LogLossIsTheMeanOfTheRoomsMeansOverLights) {
   EXPECT_DOUBLE_EQ(result.changed_rate, 0);
 }
 
-TEST(Score, MissingMarginsKnowNothing) {
+TEST(Score, MissingDecisionValuesKnowNothing) {
   const TuningSamples samples = fourSamples();
-  HeldOut held_out = margins({{1, 0}, {0, 0}, {0, 1}, {1, 0}});
+  HeldOutValues held_out = decision_values({{1, 0}, {0, 0}, {0, 1}, {1, 0}});
   held_out.valid[1] = false;
   const Score result = score(held_out, samples);
   EXPECT_NEAR(result.losses[1], std::log(2), 1e-12);

@@ -3,22 +3,23 @@
 namespace place_recognition {
 
 void CueMean::begin(Eigen::Index places) {
-  margins_.setZero(places);
+  decision_values_.setZero(places);
   familiarity_ = present_ = 0;
 }
 
-void CueMean::add(double weight,
-                  const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& margins,
-                  double familiarity) {
+void CueMean::add(
+    double weight,
+    const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& decision_values,
+    double familiarity) {
   if (weight == 0) return;
-  margins_ += weight * margins;
+  decision_values_ += weight * decision_values;
   familiarity_ += weight * familiarity;
   present_ += weight;
 }
 
 bool CueMean::finish() {
   if (present_ == 0) return false;
-  margins_ /= present_;
+  decision_values_ /= present_;
   familiarity_ /= present_;
   return true;
 }

@@ -11,17 +11,17 @@ class CueMean {
   void begin(Eigen::Index places);
 
   void add(double weight,
-           const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& margins,
+           const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& decision_values,
            double familiarity);
 
   /// To be called once all cues are added; false if none counts.
   bool finish();
 
-  const Eigen::RowVectorXd& margins() const { return margins_; }
+  const Eigen::RowVectorXd& decisionValues() const { return decision_values_; }
   double familiarity() const { return familiarity_; }
 
  private:
-  Eigen::RowVectorXd margins_;
+  Eigen::RowVectorXd decision_values_;
   double familiarity_ = 0;
   double present_ = 0;
 };

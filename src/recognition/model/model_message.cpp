@@ -140,10 +140,10 @@ void writeHeldOut(const HeldOutFrames& frames, proto::Model& message) {
     message.add_held_out_frames(static_cast<std::uint32_t>(frames.places[i]));
     message.add_held_out_frames(static_cast<std::uint32_t>(frames.folds[i]));
     const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t c = 0; c < frames.margins.size(); ++c) {
-      message.add_held_out_margins(frames.familiarity[c][row]);
-      for (Eigen::Index k = 0; k < frames.margins[c].cols(); ++k) {
-        message.add_held_out_margins(frames.margins[c](row, k));
+    for (std::size_t c = 0; c < frames.decision_values.size(); ++c) {
+      message.add_held_out_values(frames.familiarity[c][row]);
+      for (Eigen::Index k = 0; k < frames.decision_values[c].cols(); ++k) {
+        message.add_held_out_values(frames.decision_values[c](row, k));
       }
     }
   }
@@ -155,11 +155,11 @@ void readHeldOut(const proto::Model& message, Model& model) {
   const auto size = static_cast<std::size_t>(message.held_out_frames_size());
   const std::size_t count = size / 2;
   require(size % 2 == 0 && count <= kMaxHeldOutFrames, "its held-out frames are not countable");
-  require(static_cast<std::size_t>(message.held_out_margins_size()) ==
+  require(static_cast<std::size_t>(message.held_out_values_size()) ==
               count * cues * (model.places.size() + 1),
-          "it has not a margin a place for each held-out frame");
+          "it has not a decision value per place for each held-out frame");
   HeldOutFrames& frames = model.held_out;
-  frames.margins.assign(cues, Eigen::MatrixXf(static_cast<Eigen::Index>(count), places));
+  frames.decision_values.assign(cues, Eigen::MatrixXf(static_cast<Eigen::Index>(count), places));
   frames.familiarity.assign(cues, Eigen::VectorXf(static_cast<Eigen::Index>(count)));
   int next = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -171,11 +171,12 @@ void readHeldOut(const proto::Model& message, Model& model) {
     frames.folds.push_back(static_cast<int>(fold));
     const auto row = static_cast<Eigen::Index>(i);
     for (std::size_t c = 0; c < cues; ++c) {
-      frames.familiarity[c][row] = message.held_out_margins(next++);
+      frames.familiarity[c][row] = message.held_out_values(next++);
       require(!std::isinf(frames.familiarity[c][row]), "the familiarity of a frame is infinite");
       for (Eigen::Index k = 0; k < places; ++k) {
-        frames.margins[c](row, k) = message.held_out_margins(next++);
-        require(std::isfinite(frames.margins[c](row, k)), "a held-out margin is not finite");
+        frames.decision_values[c](row, k) = message.held_out_values(next++);
+        require(std::isfinite(frames.decision_values[c](row, k)),
+                "a held-out decision value is not finite");
       }
     }
   }
@@ -323,7 +324,7 @@ proto::Model toMessage(const Model& model) {
   for (const double weight : model.cue_weights) message.add_cue_weights(weight);
   message.set_calibration_slope(model.calibration.slope);
   const EvidenceWeights& weights = model.calibration.weights;
-  for (const double weight : {weights.margins, weights.familiarity, weights.offset}) {
+  for (const double weight : {weights.decision_values, weights.familiarity, weights.offset}) {
     message.add_evidence_weights(weight);
   }
   message.set_unknown_threshold(model.unknown_threshold);

@@ -16,17 +16,18 @@ constexpr double kViewsOfStrangers = 2;  // that the ratio starts from
 constexpr double kStrangeRatio = 0.5;
 constexpr double kKnownRatio = 0.6;
 
-/// The lead of the largest margin over the second, in standard deviations of all; 0 if they are
-/// equal.
-double leadOf(const Eigen::RowVectorXd& margins) {
+/// The lead of the largest decision value over the second, in standard deviations of all; 0 if they
+/// are equal.
+double leadOf(const Eigen::RowVectorXd& decision_values) {
   double first = -std::numeric_limits<double>::infinity();
   double second = first;
-  for (Eigen::Index k = 0; k < margins.size(); ++k) {
-    const double margin = margins[k];
-    second = std::max(second, std::min(first, margin));
-    first = std::max(first, margin);
+  for (Eigen::Index k = 0; k < decision_values.size(); ++k) {
+    const double decision_value = decision_values[k];
+    second = std::max(second, std::min(first, decision_value));
+    first = std::max(first, decision_value);
   }
-  const double deviation = std::sqrt((margins.array() - margins.mean()).square().mean());
+  const double deviation =
+      std::sqrt((decision_values.array() - decision_values.mean()).square().mean());
   return deviation > 0 ? (first - second) / deviation : 0;
 }
 
@@ -42,14 +43,16 @@ EvidenceShift::EvidenceShift(const Model& model)
   for (std::size_t i = 0; i < frames.places.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     mean.begin(places);
-    for (std::size_t c = 0; c < frames.margins.size(); ++c) {
+    for (std::size_t c = 0; c < frames.decision_values.size(); ++c) {
       const double familiarity = frames.familiarity[c][row];
       if (std::isnan(familiarity)) continue;
-      mean.add(model.cue_weights[c], frames.margins[c].row(row).cast<double>(), familiarity);
+      mean.add(model.cue_weights[c], frames.decision_values[c].row(row).cast<double>(),
+               familiarity);
     }
     if (!mean.finish()) continue;
-    sums.row(largest(mean.margins())) += Eigen::RowVector3d(
-        model.calibration.logOdds(mean.margins(), mean.familiarity()), leadOf(mean.margins()), 1);
+    sums.row(largest(mean.decisionValues())) +=
+        Eigen::RowVector3d(model.calibration.logOdds(mean.decisionValues(), mean.familiarity()),
+                           leadOf(mean.decisionValues()), 1);
   }
   const Eigen::RowVector3d all = sums.colwise().sum();
   if (!(all[1] > 0) || !all.allFinite()) return;
@@ -64,9 +67,9 @@ void EvidenceShift::reset() { views_.reset(); }
 
 void EvidenceShift::beginFrame(double stamp) { views_.beginFrame(stamp); }
 
-void EvidenceShift::add(const Eigen::RowVectorXd& probabilities, const Eigen::RowVectorXd& margins,
-                        double log_odds) {
-  const double lead = leadOf(margins);
+void EvidenceShift::add(const Eigen::RowVectorXd& probabilities,
+                        const Eigen::RowVectorXd& decision_values, double log_odds) {
+  const double lead = leadOf(decision_values);
   if (log_odds_.size() == 0 || !std::isfinite(log_odds) || !std::isfinite(lead)) return;
   Eigen::MatrixXd values(log_odds_.size(), 2);
   values.col(0) = log_odds_.array() - log_odds;

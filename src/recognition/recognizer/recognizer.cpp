@@ -38,7 +38,7 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
   const Eigen::Index places = static_cast<Eigen::Index>(model_->places.size());
   stream_answers_.resize(model_->classifiers.size());
   image_answers_.resize(model_->classifiers.size());
-  recognition_.margins.setZero(places);
+  recognition_.decision_values.setZero(places);
   recognition_.probabilities.setZero(places);
 }
 
@@ -62,7 +62,7 @@ const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
   if (isBlank(image)) return recognition_;
   light_->add(extraction_->color(), recognition_.probabilities);
   if (recognition_.place >= 0) {
-    evidence_shift_->add(recognition_.probabilities, recognition_.margins, log_odds_);
+    evidence_shift_->add(recognition_.probabilities, recognition_.decision_values, log_odds_);
   }
   return recognition_;
 }
@@ -96,7 +96,7 @@ void Recognizer::askCues(const Light& light, const cv::Mat& image, bool with_emb
     CueAnswer& answer = answers[c];
     answer.missing = isMissing(features_[c]) || model_->cue_weights[c] == 0;
     if (answer.missing) continue;
-    model_->classifiers[c].margins(features_[c], kernel_values_, answer.margins);
+    model_->classifiers[c].decisionValues(features_[c], kernel_values_, answer.decision_values);
     answer.familiarity = kernel_values_.size() > 0 ? kernel_values_.maxCoeff() : 0;
   }
 }
@@ -106,7 +106,7 @@ const Recognition& Recognizer::combine(const CueAnswers& answers, double certain
   mean_->begin(static_cast<Eigen::Index>(model_->places.size()));
   for (std::size_t c = 0; c < answers.size(); ++c) {
     if (answers[c].missing) continue;
-    mean_->add(weightOf(c, certainty, embeddings_are_held), answers[c].margins,
+    mean_->add(weightOf(c, certainty, embeddings_are_held), answers[c].decision_values,
                answers[c].familiarity);
   }
   if (!extraction_->showsTooLittle() && mean_->finish()) {
@@ -117,8 +117,8 @@ const Recognition& Recognizer::combine(const CueAnswers& answers, double certain
   return recognition_;
 }
 
-/// What a cue counts: if it follows the light of the run, by the certainty of it; if its margins
-/// are held, by their age.
+/// What a cue counts: if it follows the light of the run, by the certainty of it; if its decision
+/// values are held, by their age.
 double Recognizer::weightOf(std::size_t cue, double certainty, bool embeddings_are_held) const {
   double weight = model_->cue_weights[cue];
   if (follows_run_[cue]) weight *= certainty;
@@ -130,11 +130,11 @@ double Recognizer::weightOf(std::size_t cue, double certainty, bool embeddings_a
 }
 
 void Recognizer::decide(double evidence_shift) {
-  recognition_.margins = mean_->margins();
-  recognition_.probabilities = model_->calibration.probabilities(recognition_.margins);
+  recognition_.decision_values = mean_->decisionValues();
+  recognition_.probabilities = model_->calibration.probabilities(recognition_.decision_values);
   recognition_.place = largest(recognition_.probabilities);
   recognition_.confidence = recognition_.probabilities[recognition_.place];
-  log_odds_ = model_->calibration.logOdds(recognition_.margins, mean_->familiarity());
+  log_odds_ = model_->calibration.logOdds(recognition_.decision_values, mean_->familiarity());
   recognition_.evidence = 1 / (1 + std::exp(-(log_odds_ + evidence_shift)));
   recognition_.known = recognition_.evidence >= unknown_threshold_;
   recognition_.reason.clear();
@@ -142,7 +142,7 @@ void Recognizer::decide(double evidence_shift) {
 
 void Recognizer::answerNothing(const std::string& reason) {
   const double places = static_cast<double>(model_->places.size());
-  recognition_.margins.setZero();
+  recognition_.decision_values.setZero();
   recognition_.probabilities.setConstant(1 / places);
   recognition_.place = -1;
   recognition_.confidence = 0;

@@ -27,13 +27,14 @@ struct Said {
 using Sayings = std::vector<Said>;
 
 std::vector<Sayings> sayingsOf(std::size_t cameras, const std::vector<SampleOrigin>& samples,
-                               const HeldOut& held_out, const Calibration& calibration) {
+                               const HeldOutValues& held_out, const Calibration& calibration) {
   std::vector<Sayings> sayings(cameras);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!held_out.valid[i]) continue;
     const SampleOrigin& sample = samples[i];
-    const Eigen::RowVectorXd margins = held_out.margins.row(static_cast<Eigen::Index>(i));
-    const double p = calibration.probabilities(margins)[sample.place];
+    const Eigen::RowVectorXd decision_values =
+        held_out.decision_values.row(static_cast<Eigen::Index>(i));
+    const double p = calibration.probabilities(decision_values)[sample.place];
     const double log_odds =
         std::clamp(std::log(p) - std::log1p(-p), -kLargestLogOdds, kLargestLogOdds);
     sayings[static_cast<std::size_t>(sample.camera)].push_back(
@@ -77,7 +78,8 @@ std::optional<double> correlationOver(const Eigen::MatrixX2d& moments) {
 
 CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras,
                                          const std::vector<SampleOrigin>& samples,
-                                         const HeldOut& held_out, const Calibration& calibration) {
+                                         const HeldOutValues& held_out,
+                                         const Calibration& calibration) {
   if (cameras.size() < 2 || cameras.size() > kMaxCameras) return {};
   const std::vector<Sayings> sayings = sayingsOf(cameras.size(), samples, held_out, calibration);
   std::vector<std::size_t> order(cameras.size());  // ascending by topic

@@ -6,7 +6,7 @@
 #include "learning/folds.h"
 #include "place_recognition/calibration.h"
 #include "place_recognition/camera_correlation.h"
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 
@@ -17,6 +17,7 @@ namespace place_recognition {
 /// rows of `held_out` count, one per sample.
 CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras,
                                          const std::vector<SampleOrigin>& samples,
-                                         const HeldOut& held_out, const Calibration& calibration);
+                                         const HeldOutValues& held_out,
+                                         const Calibration& calibration);
 
 }  // namespace place_recognition

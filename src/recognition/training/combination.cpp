@@ -41,12 +41,12 @@ std::vector<double> scaled(const std::vector<double>& prior, const std::vector<d
 
 }  // namespace
 
-HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& weights) {
-  const Eigen::Index places = cues[0].margins.cols();
-  HeldOut combined;
-  combined.margins.setZero(cues[0].margins.rows(), places);
+HeldOutValues combine(const std::vector<HeldOutValues>& cues, const std::vector<double>& weights) {
+  const Eigen::Index places = cues[0].decision_values.cols();
+  HeldOutValues combined;
+  combined.decision_values.setZero(cues[0].decision_values.rows(), places);
   combined.valid.assign(cues[0].valid.size(), false);
-  combined.familiarity.setZero(cues[0].margins.rows());
+  combined.familiarity.setZero(cues[0].decision_values.rows());
   CueMean mean;
   for (std::size_t i = 0; i < combined.valid.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -54,11 +54,11 @@ HeldOut combine(const std::vector<HeldOut>& cues, const std::vector<double>& wei
     for (std::size_t c = 0; c < cues.size(); ++c) {
       if (!cues[c].valid[i]) continue;
       const bool has_familiarity = cues[c].familiarity.size() > 0;
-      mean.add(weights[c], cues[c].margins.row(row),
+      mean.add(weights[c], cues[c].decision_values.row(row),
                has_familiarity ? cues[c].familiarity[row] : 0);
     }
     combined.valid[i] = mean.finish();
-    combined.margins.row(row) = mean.margins();
+    combined.decision_values.row(row) = mean.decisionValues();
     combined.familiarity[row] = mean.familiarity();
   }
   return combined;
@@ -72,7 +72,7 @@ std::vector<double> priorWeights(const std::vector<CueOptions>& cues) {
   return weights;
 }
 
-std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
+std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
                                      const std::vector<double>& prior,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
   struct Trial {
@@ -81,7 +81,7 @@ std::vector<double> chooseCueWeights(const std::vector<HeldOut>& cues,
   };
   std::vector<Trial> trials;
   const auto judge = [&](const std::vector<double>& parts) {
-    const HeldOut combined = combine(cues, scaled(prior, parts));
+    const HeldOutValues combined = combine(cues, scaled(prior, parts));
     trials.push_back({parts, averageRate(combined, samples, places),
                       averageRateError(combined, samples, places)});
   };

@@ -56,7 +56,7 @@ class CueTrainer {
       setGamma(gamma);
       compare();
       const PackedGram gram(Kernel(cue_.kernel), measures_, task_.threads);
-      const HeldOut held_out = heldOutMargins(gram, rows_, task_, {unreduced}).front();
+      const HeldOutValues held_out = crossValidate(gram, rows_, task_, {unreduced}).front();
       trials.push_back({gamma, averageRate(held_out, task_.samples, task_.places),
                         averageRateError(held_out, task_.samples, task_.places)});
     }
@@ -68,7 +68,7 @@ class CueTrainer {
     const PackedGram gram(Kernel(cue_.kernel), measures_, task_.threads);
     requireBounded(gram);
     report(task_.progress, "Validating", 0);
-    std::vector<HeldOut> held_out = heldOutMargins(gram, rows_, task_, reductions);
+    std::vector<HeldOutValues> held_out = crossValidate(gram, rows_, task_, reductions);
     report(task_.progress, "Training", 0);
     ReducedMachines reduced = trainReduced(gram, labels_, task_, reductions);
     std::vector<Feature> vectors;

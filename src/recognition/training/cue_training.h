@@ -5,7 +5,7 @@
 #include "learning/binary_svms.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/training_options.h"
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 
@@ -15,7 +15,7 @@ struct TrainedCue {
   std::vector<Feature> vectors;      ///< the support vectors before reduction
   std::vector<int> vector_places;    ///< where each of them was recorded
   std::vector<BinarySvms> machines;  ///< over `vectors`, trained on all samples
-  std::vector<HeldOut> held_out;     ///< margins of each sample by cross-validation
+  std::vector<HeldOutValues> held_out;  ///< decision values of each sample by cross-validation
 };
 
 /// Learns one cue from the features of all samples of `task`, some of which may be missing (at

@@ -7,22 +7,22 @@
 namespace place_recognition {
 namespace {
 
-Calibration fit(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+Calibration fit(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                 const std::vector<int>& chosen, double false_alarm_rate) {
   const auto count = static_cast<Eigen::Index>(chosen.size());
-  Eigen::MatrixXd margins(count, held_out.margins.cols());
+  Eigen::MatrixXd decision_values(count, held_out.decision_values.cols());
   std::vector<int> labels;
   for (Eigen::Index i = 0; i < count; ++i) {
     const int sample = chosen[static_cast<std::size_t>(i)];
-    margins.row(i) = held_out.margins.row(sample);
+    decision_values.row(i) = held_out.decision_values.row(sample);
     labels.push_back(samples[sample].place);
   }
-  Calibration calibration = fitCalibration(margins, labels);
+  Calibration calibration = fitCalibration(decision_values, labels);
 
   Eigen::VectorXd log_sums(count);
   Eigen::VectorXd familiarity(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    log_sums[i] = calibration.logSum(margins.row(i));
+    log_sums[i] = calibration.logSum(decision_values.row(i));
     familiarity[i] = held_out.familiarity[chosen[static_cast<std::size_t>(i)]];
   }
   calibration.weights = fitEvidence(log_sums, familiarity, false_alarm_rate);
@@ -35,20 +35,20 @@ struct Answers {
   std::vector<double> confidences, evidence;
   std::vector<bool> correct;
 
-  void add(int place, const Calibration& calibration, const Eigen::RowVectorXd& margins,
+  void add(int place, const Calibration& calibration, const Eigen::RowVectorXd& decision_values,
            double familiarity) {
-    const Eigen::RowVectorXd probabilities = calibration.probabilities(margins);
+    const Eigen::RowVectorXd probabilities = calibration.probabilities(decision_values);
     truth.push_back(place);
     places.push_back(largest(probabilities));
     confidences.push_back(probabilities[places.back()]);
-    evidence.push_back(calibration.evidence(margins, familiarity));
+    evidence.push_back(calibration.evidence(decision_values, familiarity));
     correct.push_back(places.back() == place);
   }
 };
 
 /// The valid samples that are tested in `fold` (inside) or in another one; all if there is no such.
-std::vector<int> validSamples(const HeldOut& held_out, const std::vector<int>& fold_of, int fold,
-                              bool inside) {
+std::vector<int> validSamples(const HeldOutValues& held_out, const std::vector<int>& fold_of,
+                              int fold, bool inside) {
   std::vector<int> chosen;
   for (std::size_t i = 0; i < fold_of.size(); ++i) {
     if (held_out.valid[i] && (fold_of[i] == fold) == inside) chosen.push_back(static_cast<int>(i));
@@ -65,7 +65,7 @@ double quantile(std::vector<double> values, double share) {
   return values[std::min(below, values.size() - 1)];
 }
 
-Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+Calibrated calibrate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                      const std::vector<Fold>& folds, double false_alarm_rate) {
   const int fold_count = static_cast<int>(folds.size());
   std::vector<int> fold_of(samples.size(), -1);
@@ -78,10 +78,11 @@ Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& s
     const Calibration others =
         fit(held_out, samples, validSamples(held_out, fold_of, f, false), false_alarm_rate);
     for (const int i : validSamples(held_out, fold_of, f, true)) {
-      answers.add(samples[i].place, others, held_out.margins.row(i), held_out.familiarity[i]);
+      answers.add(samples[i].place, others, held_out.decision_values.row(i),
+                  held_out.familiarity[i]);
     }
   }
-  const std::size_t places = static_cast<std::size_t>(held_out.margins.cols());
+  const std::size_t places = static_cast<std::size_t>(held_out.decision_values.cols());
   Calibrated calibrated;
   calibrated.calibration =
       fit(held_out, samples, validSamples(held_out, fold_of, fold_count, false), false_alarm_rate);

@@ -2,11 +2,11 @@
 
 #include "learning/folds.h"
 #include "place_recognition/model.h"
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 
-/// What held-out margins tell about a model.
+/// What held-out decision values tell about a model.
 struct Calibrated {
   Calibration calibration;       ///< fitted on all of them
   double unknown_threshold = 0;  ///< evidence that the wanted share of them stays below
@@ -15,7 +15,7 @@ struct Calibrated {
 };
 
 /// Fits and judges the calibration. `false_alarm_rate`: see UnknownOptions.
-Calibrated calibrate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+Calibrated calibrate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                      const std::vector<Fold>& folds, double false_alarm_rate);
 
 /// The largest limit that at most `share` of the values lie below; 0 if there are none.

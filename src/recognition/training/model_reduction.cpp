@@ -99,15 +99,15 @@ std::vector<std::unique_ptr<const Reduction>> ModelReduction::factorize(
   return reductions;
 }
 
-MarginChange ModelReduction::change(const std::vector<BinarySvms>& machines) const {
-  MarginChange result;
+DecisionValueChange ModelReduction::change(const std::vector<BinarySvms>& machines) const {
+  DecisionValueChange result;
   double sum = 0;
   double count = 0;
   for (std::size_t c = 0; c < machines.size(); ++c) {
     const Eigen::MatrixXd& values = kernel_values_[c];
     const Eigen::MatrixXd before =
-        ClassifierParts::of(model_.classifiers[c]).machines.margins(values);
-    const Eigen::ArrayXXd change = (machines[c].margins(values) - before).array().abs();
+        ClassifierParts::of(model_.classifiers[c]).machines.decisionValues(values);
+    const Eigen::ArrayXXd change = (machines[c].decisionValues(values) - before).array().abs();
     if (change.size() > 0) result.largest = std::max(result.largest, change.maxCoeff());
     sum += change.sum();
     count += static_cast<double>(change.size());
@@ -139,23 +139,24 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
 double RateOnSamples::operator()(const std::vector<BinarySvms>& machines) const {
   const Eigen::Index frames = static_cast<Eigen::Index>(truth_.size());
   const Eigen::Index places = static_cast<Eigen::Index>(model_.places.size());
-  std::vector<HeldOut> cues;
+  std::vector<HeldOutValues> cues;
   for (std::size_t c = 0; c < machines.size(); ++c) {
-    const Eigen::MatrixXd margins =
-        placeMargins(machines[c], machines[c].margins(kernel_values_[c]));
-    HeldOut cue{Eigen::MatrixXd::Zero(frames, places), std::vector<bool>(truth_.size(), false)};
+    const Eigen::MatrixXd decision_values =
+        placeValues(machines[c], machines[c].decisionValues(kernel_values_[c]));
+    HeldOutValues cue{Eigen::MatrixXd::Zero(frames, places),
+                      std::vector<bool>(truth_.size(), false)};
     for (std::size_t i = 0; i < rows_[c].size(); ++i) {
-      cue.margins.row(rows_[c][i]) = margins.row(static_cast<Eigen::Index>(i));
+      cue.decision_values.row(rows_[c][i]) = decision_values.row(static_cast<Eigen::Index>(i));
       cue.valid[static_cast<std::size_t>(rows_[c][i])] = true;
     }
     cues.push_back(std::move(cue));
   }
-  const HeldOut combined = combine(cues, model_.cue_weights);
+  const HeldOutValues combined = combine(cues, model_.cue_weights);
   std::vector<int> answers(truth_.size(), -1);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     if (!combined.valid[i]) continue;
-    answers[i] = largest(model_.calibration.probabilities(combined.margins.row(row)));
+    answers[i] = largest(model_.calibration.probabilities(combined.decision_values.row(row)));
   }
   return averageRate(truth_, answers, model_.places.size());
 }
@@ -187,13 +188,13 @@ double comparisonMilliseconds(const Model& model,
   constexpr std::size_t kPictures = 200;
   using Clock = std::chrono::steady_clock;
   Eigen::VectorXd kernel_values;
-  Eigen::RowVectorXd margins;
+  Eigen::RowVectorXd decision_values;
   std::vector<double> milliseconds;
   for (std::size_t i = 0; i < std::min(kPictures, features[0].size()); ++i) {
     const Clock::time_point start = Clock::now();
     for (std::size_t c = 0; c < features.size(); ++c) {
       if (i >= features[c].size() || isMissing(features[c][i])) continue;
-      model.classifiers[c].margins(features[c][i], kernel_values, margins);
+      model.classifiers[c].decisionValues(features[c][i], kernel_values, decision_values);
     }
     milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   }

@@ -12,8 +12,9 @@
 
 namespace place_recognition {
 
-/// How far margins are from those before, over all machines and all rows of the kernel matrices.
-struct MarginChange {
+/// How far decision values are from those before, over all machines and all rows of the kernel
+/// matrices.
+struct DecisionValueChange {
   double largest = 0;
   double mean = 0;
 };
@@ -32,7 +33,7 @@ class ModelReduction {
   std::vector<std::unique_ptr<const Reduction>> factorize(const ReductionOptions& options,
                                                           const Progress& progress) const;
 
-  MarginChange change(const std::vector<BinarySvms>& machines) const;
+  DecisionValueChange change(const std::vector<BinarySvms>& machines) const;
 
  private:
   const Model& model_;

@@ -10,8 +10,8 @@
 #include "place_recognition/error.h"
 #include "recognition/model/scores.h"
 #include "recognition/recognizer/evidence_shift.h"
+#include "recognition/training/calibration_set.h"
 #include "recognition/training/combination.h"
-#include "recognition/training/held_out_frames.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/samples.h"
 
@@ -49,18 +49,19 @@ KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::st
   return known;
 }
 
-/// The margins of one cue of the model.
-HeldOut marginsOf(const Classifier& classifier, const std::vector<Feature>& features) {
+/// The decision values of one cue of the model.
+HeldOutValues decisionValues(const Classifier& classifier, const std::vector<Feature>& features) {
   const auto count = static_cast<Eigen::Index>(features.size());
-  HeldOut answers{Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(classifier.places())),
-                  std::vector<bool>(features.size(), false), Eigen::VectorXd::Zero(count)};
+  HeldOutValues answers{
+      Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(classifier.places())),
+      std::vector<bool>(features.size(), false), Eigen::VectorXd::Zero(count)};
   Eigen::VectorXd kernel_values;
-  Eigen::RowVectorXd margins;
+  Eigen::RowVectorXd decision_values;
   for (Eigen::Index i = 0; i < count; ++i) {
     const Feature& feature = features[static_cast<std::size_t>(i)];
     if (isMissing(feature)) continue;
-    classifier.margins(feature, kernel_values, margins);
-    answers.margins.row(i) = margins;
+    classifier.decisionValues(feature, kernel_values, decision_values);
+    answers.decision_values.row(i) = decision_values;
     if (kernel_values.size() > 0) answers.familiarity[i] = kernel_values.maxCoeff();
     answers.valid[static_cast<std::size_t>(i)] = true;
   }
@@ -68,7 +69,7 @@ HeldOut marginsOf(const Classifier& classifier, const std::vector<Feature>& feat
 }
 
 /// The evidence of the valid frames as a recognizer finds it, which follows each run.
-std::vector<double> evidenceOfStreams(const Model& model, const HeldOut& combined,
+std::vector<double> evidenceOfStreams(const Model& model, const HeldOutValues& combined,
                                       const std::vector<SampleOrigin>& origins) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < origins.size(); ++i) {
@@ -87,11 +88,12 @@ std::vector<double> evidenceOfStreams(const Model& model, const HeldOut& combine
     if (its != stream) shift.reset();
     stream = its;
     shift.beginFrame(origins[i].stamp);
-    const Eigen::RowVectorXd margins = combined.margins.row(static_cast<Eigen::Index>(i));
-    const double log_odds =
-        model.calibration.logOdds(margins, combined.familiarity[static_cast<Eigen::Index>(i)]);
+    const Eigen::RowVectorXd decision_values =
+        combined.decision_values.row(static_cast<Eigen::Index>(i));
+    const double log_odds = model.calibration.logOdds(
+        decision_values, combined.familiarity[static_cast<Eigen::Index>(i)]);
     evidence.push_back(1 / (1 + std::exp(-(log_odds + shift.value()))));
-    shift.add(model.calibration.probabilities(margins), margins, log_odds);
+    shift.add(model.calibration.probabilities(decision_values), decision_values, log_odds);
   }
   return evidence;
 }
@@ -102,15 +104,16 @@ double fractionBelow(const std::vector<double>& values, double limit) {
   return static_cast<double>(below) / static_cast<double>(values.size());
 }
 
-AnswerFigures figuresOf(const Model& model, const HeldOut& combined,
+AnswerFigures figuresOf(const Model& model, const HeldOutValues& combined,
                         const std::vector<SampleOrigin>& origins) {
   std::vector<int> truth, places;
   std::vector<double> confidences;
   std::vector<bool> correct;
   for (std::size_t i = 0; i < origins.size(); ++i) {
     if (!combined.valid[i]) continue;
-    const Eigen::RowVectorXd margins = combined.margins.row(static_cast<Eigen::Index>(i));
-    const Eigen::RowVectorXd probabilities = model.calibration.probabilities(margins);
+    const Eigen::RowVectorXd decision_values =
+        combined.decision_values.row(static_cast<Eigen::Index>(i));
+    const Eigen::RowVectorXd probabilities = model.calibration.probabilities(decision_values);
     truth.push_back(origins[i].place);
     places.push_back(largest(probabilities));
     confidences.push_back(probabilities[places.back()]);
@@ -135,27 +138,28 @@ Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsig
   }
   report(progress, "Calibrating", 0);
   result.images = frames.origins.size();
-  Judges judges{frames.origins, {}, std::vector<std::vector<HeldOut>>(1)};
-  std::vector<HeldOut>& cues = judges.reductions.front();
+  CalibrationSet calibration_set{frames.origins, {}, std::vector<std::vector<HeldOutValues>>(1)};
+  std::vector<HeldOutValues>& cues = calibration_set.reductions.front();
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
-    cues.push_back(marginsOf(model.classifiers[c], frames.features[c]));
+    cues.push_back(decisionValues(model.classifiers[c], frames.features[c]));
   }
   result.before = figuresOf(model, combine(cues, model.cue_weights), frames.origins);
 
   int last_run = 0;
   for (const SampleOrigin& origin : frames.origins) last_run = std::max(last_run, origin.run);
   constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 0};
-  judges.folds =
+  calibration_set.folds =
       timeBlockFolds(frames.origins, options.validation.folds,
                      std::vector<TimeBlocks>(static_cast<std::size_t>(last_run) + 1, kAFifth));
   model.cue_weights =
       chooseCueWeights(cues, priorWeights(options.cues), frames.origins, model.places.size());
-  const HeldOut combined = combine(cues, model.cue_weights);
+  const HeldOutValues combined = combine(cues, model.cue_weights);
   const double false_alarm_rate = options.unknown.false_alarm_rate;
-  const Calibrated calibrated = calibrate(combined, frames.origins, judges.folds, false_alarm_rate);
+  const Calibrated calibrated =
+      calibrate(combined, frames.origins, calibration_set.folds, false_alarm_rate);
   model.calibration = calibrated.calibration;
   model.validation = calibrated.validation;
-  model.held_out = keptFrames(judges, 0, model.options.seed);
+  model.held_out = keptFrames(calibration_set, 0, model.options.seed);
   model.unknown_threshold =
       quantile(evidenceOfStreams(model, combined, frames.origins), false_alarm_rate);
   result.after = {calibrated.validation.average_rate, calibrated.validation.calibration_error,

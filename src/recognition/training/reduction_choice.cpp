@@ -1,7 +1,7 @@
 #include "recognition/training/reduction_choice.h"
 
 #include "recognition/model/scores.h"
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 namespace {
@@ -13,7 +13,7 @@ constexpr double kShares[] = {0.70, 0.50, 0.35, 0.25, 0.15};
 /// Log losses of the held-out samples with one reduction, against those with another.
 class LossComparison {
  public:
-  LossComparison(const HeldOut& reference, const std::vector<SampleOrigin>& samples,
+  LossComparison(const HeldOutValues& reference, const std::vector<SampleOrigin>& samples,
                  std::size_t places)
       : samples_(samples), places_(places) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -27,7 +27,7 @@ class LossComparison {
   bool empty() const { return valid_.empty(); }
 
   /// Mean of the rooms' mean differences: what `reduced` loses.
-  RoomMean loss(const HeldOut& reduced) const {
+  RoomMean loss(const HeldOutValues& reduced) const {
     std::vector<double> differences = logLosses(reduced, samples_, valid_);
     for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= reference_[i];
     return roomMean(truth_, differences, places_);
@@ -60,7 +60,7 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
 }
 
 std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
-                            const std::vector<HeldOut>& held_out,
+                            const std::vector<HeldOutValues>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places) {
   const LossComparison comparison(held_out[0], samples, places);
   if (comparison.empty()) return 0;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 
@@ -21,7 +21,7 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
 /// equal shares, the smaller loss decides. `held_out`: one for each of `reductions`, of which the
 /// first keeps most; it is the answer where no sample is valid.
 std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
-                            const std::vector<HeldOut>& held_out,
+                            const std::vector<HeldOutValues>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places);
 
 }  // namespace place_recognition

@@ -11,10 +11,10 @@
 #include "recognition/frames/mirror_search.h"
 #include "recognition/model/embeddings.h"
 #include "recognition/training/block_choice.h"
+#include "recognition/training/calibration_set.h"
 #include "recognition/training/camera_correlation_training.h"
 #include "recognition/training/combination.h"
 #include "recognition/training/cue_training.h"
-#include "recognition/training/held_out_frames.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/reduction_choice.h"
 #include "recognition/training/remembered_samples.h"
@@ -34,21 +34,21 @@ bool followsLight(const TrainingOptions& options) {
   });
 }
 
-/// Held-out margins of the samples, and of the frames that judged the model that they join.
-Judges judgesOf(const Samples& samples, const std::vector<Fold>& folds,
-                std::vector<TrainedCue>& cues, std::size_t reductions) {
-  Judges judges{samples.origins, {}, {}};
-  for (const Fold& fold : folds) judges.folds.push_back({{}, fold.test});
+/// Held-out decision values of the samples, and of the frames that judged the model that they join.
+CalibrationSet judgesOf(const Samples& samples, const std::vector<Fold>& folds,
+                        std::vector<TrainedCue>& cues, std::size_t reductions) {
+  CalibrationSet calibration_set{samples.origins, {}, {}};
+  for (const Fold& fold : folds) calibration_set.folds.push_back({{}, fold.test});
   for (std::size_t r = 0; r < reductions; ++r) {
-    std::vector<HeldOut>& held_out = judges.reductions.emplace_back();
+    std::vector<HeldOutValues>& held_out = calibration_set.reductions.emplace_back();
     for (TrainedCue& cue : cues) held_out.push_back(std::move(cue.held_out[r]));
   }
-  judges.add(samples.judged_before, samples.place_before, samples.remembered);
+  calibration_set.add(samples.judged_before, samples.place_before, samples.remembered);
   // Support vectors are the hard cases of a run: they do not judge.
-  for (std::vector<HeldOut>& held_out : judges.reductions) {
-    for (HeldOut& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
+  for (std::vector<HeldOutValues>& held_out : calibration_set.reductions) {
+    for (HeldOutValues& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
   }
-  return judges;
+  return calibration_set;
 }
 
 /// Warnings about places that cross-validation cannot judge.
@@ -115,18 +115,18 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
     cues.push_back(trainCue(std::move(samples.features[c]), options.cues[c], reductions, task));
   }
 
-  const Judges judges = judgesOf(samples, folds, cues, reductions.size());
+  const CalibrationSet calibration_set = judgesOf(samples, folds, cues, reductions.size());
 
   Training training;
   Model& model = training.model;
   model.options = options;
-  model.cue_weights =
-      chooseCueWeights(judges.reductions[0], priorWeights(options.cues), judges.samples, places);
-  std::vector<HeldOut> held_out;
-  for (const std::vector<HeldOut>& reduced : judges.reductions) {
+  model.cue_weights = chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
+                                       calibration_set.samples, places);
+  std::vector<HeldOutValues> held_out;
+  for (const std::vector<HeldOutValues>& reduced : calibration_set.reductions) {
     held_out.push_back(combine(reduced, model.cue_weights));
   }
-  const std::size_t chosen = chooseReduction(reductions, held_out, judges.samples, places);
+  const std::size_t chosen = chooseReduction(reductions, held_out, calibration_set.samples, places);
   model.options.reduction = reductions[chosen];
   for (std::size_t c = 0; c < cues.size(); ++c) {
     KernelOptions& kernel = model.options.cues[c].kernel;
@@ -138,9 +138,9 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   }
 
   report(progress, "Calibrating", 0);
-  const Calibrated calibrated =
-      calibrate(held_out[chosen], judges.samples, judges.folds, options.unknown.false_alarm_rate);
-  model.held_out = keptFrames(judges, chosen, options.seed);
+  const Calibrated calibrated = calibrate(held_out[chosen], calibration_set.samples,
+                                          calibration_set.folds, options.unknown.false_alarm_rate);
+  model.held_out = keptFrames(calibration_set, chosen, options.seed);
   model.calibration = calibrated.calibration;
   model.unknown_threshold = calibrated.unknown_threshold;
   model.validation = calibrated.validation;
@@ -156,8 +156,8 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   training.passed_over = samples.passed_over;
   training.warnings = samples.warnings;
   warnOfFewImages(samples, options.validation.folds, training.warnings);
-  warnOfConfusedPairs(confusedPairs(held_out[chosen], judges.samples, places), model.places,
-                      training.warnings);
+  warnOfConfusedPairs(confusedPairs(held_out[chosen], calibration_set.samples, places),
+                      model.places, training.warnings);
   for (std::string& warning : warnOfLikeNames(model.places)) {
     training.warnings.push_back(std::move(warning));
   }

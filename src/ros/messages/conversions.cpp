@@ -175,7 +175,7 @@ PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model&
   for (std::size_t i = 0; i < model.places.size(); ++i) {
     message.places[i].name = model.places[i];
     message.places[i].probability = recognition.probabilities[static_cast<Eigen::Index>(i)];
-    message.places[i].margin = recognition.margins[static_cast<Eigen::Index>(i)];
+    message.places[i].margin = recognition.decision_values[static_cast<Eigen::Index>(i)];
   }
   message.seconds = seconds;
   return message;

@@ -24,10 +24,11 @@ struct TrainingTask {
   std::uint64_t seed = 1;  ///< of what is drawn at random
 };
 
-/// Margins of samples by machines that were trained without them and their neighbours in time.
-struct HeldOut {
-  Eigen::MatrixXd margins;           ///< samples x places; zero where there is none
-  std::vector<bool> valid;           ///< of each sample: whether it has margins
+/// Decision values of samples by machines that were trained without them and their neighbours in
+/// time.
+struct HeldOutValues {
+  Eigen::MatrixXd decision_values;   ///< samples x places; zero where there is none
+  std::vector<bool> valid;           ///< of each sample: whether it has decision values
   Eigen::VectorXd familiarity = {};  ///< of each sample: the largest kernel value
 };
 
@@ -44,33 +45,35 @@ ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& lab
                              const TrainingTask& task,
                              const std::vector<ReductionOptions>& reductions);
 
-/// Held-out margins of every sample of a cue by cross-validation, for each of `reductions`. `gram`
-/// is the Gram matrix of the cue's features; `rows`: the row of each sample in it, -1 if the sample
-/// lacks the cue. A sample is not valid if it lacks the cue, is tested in no fold, or if its own
-/// place could not be trained on in that fold.
-std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<int>& rows,
-                                    const TrainingTask& task,
-                                    const std::vector<ReductionOptions>& reductions);
+/// Held-out decision values of every sample of a cue by cross-validation, for each of `reductions`.
+/// `gram` is the Gram matrix of the cue's features; `rows`: the row of each sample in it, -1 if the
+/// sample lacks the cue. A sample is not valid if it lacks the cue, is tested in no fold, or if its
+/// own place could not be trained on in that fold.
+std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vector<int>& rows,
+                                         const TrainingTask& task,
+                                         const std::vector<ReductionOptions>& reductions);
 
-/// Mean of the rooms' rates over the valid samples, by the largest margin.
-double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+/// Mean of the rooms' rates over the valid samples, by the largest decision value.
+double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                    std::size_t places);
 
 /// Standard error of that mean, as if frames were independent.
-double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+double averageRateError(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                         std::size_t places);
 
-/// The pairs of places that the largest margin takes for one another, over the valid samples.
-std::vector<ConfusedPair> confusedPairs(const HeldOut& held_out,
+/// The pairs of places that the largest decision value takes for one another, over the valid
+/// samples.
+std::vector<ConfusedPair> confusedPairs(const HeldOutValues& held_out,
                                         const std::vector<SampleOrigin>& samples,
                                         std::size_t places);
 
 /// -log of the probability given to the true place, in nats, for each of `chosen` samples, after
-/// calibration on the margins of these very samples (one number, which a few hundred frames
+/// calibration on the decision values of these very samples (one number, which a few hundred frames
 /// determine well). Uses how sure the answers are, where a rate of a few hundred frames only knows
-/// right and wrong. A sample without margins counts as an answer that knows nothing; no probability
-/// counts as less than a thousandth, so that no single frame decides.
-std::vector<double> logLosses(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+/// right and wrong. A sample without decision values counts as an answer that knows nothing; no
+/// probability counts as less than a thousandth, so that no single frame decides.
+std::vector<double> logLosses(const HeldOutValues& held_out,
+                              const std::vector<SampleOrigin>& samples,
                               const std::vector<int>& chosen);
 
 }  // namespace place_recognition

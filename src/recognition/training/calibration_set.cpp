@@ -1,4 +1,4 @@
-#include "recognition/training/held_out_frames.h"
+#include "recognition/training/calibration_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +9,16 @@
 namespace place_recognition {
 namespace {
 
-/// Mean held-out margins of the first samples: a row a place that they show, a column a place that
-/// is answered; -1 if no sample shows it.
-Eigen::MatrixXd meanMargins(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
-                            std::size_t count) {
-  const Eigen::Index places = held_out.margins.cols();
+/// Mean held-out decision values of the first samples: a row a place that they show, a column a
+/// place that is answered; -1 if no sample shows it.
+Eigen::MatrixXd meanValues(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
+                           std::size_t count) {
+  const Eigen::Index places = held_out.decision_values.cols();
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(places, places);
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(places);
   for (std::size_t i = 0; i < count; ++i) {
     if (!held_out.valid[i]) continue;
-    sums.row(samples[i].place) += held_out.margins.row(static_cast<Eigen::Index>(i));
+    sums.row(samples[i].place) += held_out.decision_values.row(static_cast<Eigen::Index>(i));
     counts[samples[i].place] += 1;
   }
   for (Eigen::Index place = 0; place < places; ++place) {
@@ -31,19 +31,19 @@ Eigen::MatrixXd meanMargins(const HeldOut& held_out, const std::vector<SampleOri
   return sums;
 }
 
-/// Appends the frames' margins of one cue.
+/// Appends the frames' decision values of one cue.
 void append(const HeldOutFrames& frames, std::size_t cue, const std::vector<int>& place_of,
-            const Eigen::MatrixXd& mean_margins, HeldOut& held_out) {
-  const Eigen::Index before = held_out.margins.rows();
+            const Eigen::MatrixXd& mean_values, HeldOutValues& held_out) {
+  const Eigen::Index before = held_out.decision_values.rows();
   const auto count = static_cast<Eigen::Index>(frames.places.size());
-  held_out.margins.conservativeResize(before + count, Eigen::NoChange);
+  held_out.decision_values.conservativeResize(before + count, Eigen::NoChange);
   held_out.familiarity.conservativeResize(before + count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto frame = static_cast<std::size_t>(i);
-    held_out.margins.row(before + i) = mean_margins.row(place_of[frames.places[frame]]);
+    held_out.decision_values.row(before + i) = mean_values.row(place_of[frames.places[frame]]);
     for (std::size_t k = 0; k < place_of.size(); ++k) {
-      held_out.margins(before + i, place_of[k]) =
-          frames.margins[cue](i, static_cast<Eigen::Index>(k));
+      held_out.decision_values(before + i, place_of[k]) =
+          frames.decision_values[cue](i, static_cast<Eigen::Index>(k));
     }
     const float familiarity = frames.familiarity[cue][i];
     held_out.valid.push_back(!std::isnan(familiarity));
@@ -52,27 +52,27 @@ void append(const HeldOutFrames& frames, std::size_t cue, const std::vector<int>
 }
 
 /// The valid samples of some cues.
-std::vector<int> validSamples(const std::vector<HeldOut>& cues) {
+std::vector<int> validSamples(const std::vector<HeldOutValues>& cues) {
   std::vector<int> valid;
   for (std::size_t i = 0; i < cues[0].valid.size(); ++i) {
-    const auto has = [i](const HeldOut& cue) { return cue.valid[i]; };
+    const auto has = [i](const HeldOutValues& cue) { return cue.valid[i]; };
     if (std::any_of(cues.begin(), cues.end(), has)) valid.push_back(static_cast<int>(i));
   }
   return valid;
 }
 
 /// Some samples of one cue, in the form that a model keeps.
-void keep(const HeldOut& held_out, const std::vector<int>& samples, HeldOutFrames& frames) {
+void keep(const HeldOutValues& held_out, const std::vector<int>& samples, HeldOutFrames& frames) {
   const auto count = static_cast<Eigen::Index>(samples.size());
-  Eigen::MatrixXf margins(count, held_out.margins.cols());
+  Eigen::MatrixXf decision_values(count, held_out.decision_values.cols());
   Eigen::VectorXf familiarity(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const int sample = samples[static_cast<std::size_t>(i)];
-    margins.row(i) = held_out.margins.row(sample).cast<float>();
+    decision_values.row(i) = held_out.decision_values.row(sample).cast<float>();
     familiarity[i] = held_out.valid[sample] ? static_cast<float>(held_out.familiarity[sample])
                                             : std::numeric_limits<float>::quiet_NaN();
   }
-  frames.margins.push_back(std::move(margins));
+  frames.decision_values.push_back(std::move(decision_values));
   frames.familiarity.push_back(std::move(familiarity));
 }
 
@@ -94,11 +94,11 @@ std::vector<bool> keptOf(const std::vector<int>& places, std::uint64_t seed) {
 
 }  // namespace
 
-void Judges::add(const HeldOutFrames& frames, const std::vector<int>& place_of,
-                 std::size_t remembered) {
-  for (std::vector<HeldOut>& cues : reductions) {
+void CalibrationSet::add(const HeldOutFrames& frames, const std::vector<int>& place_of,
+                         std::size_t remembered) {
+  for (std::vector<HeldOutValues>& cues : reductions) {
     for (std::size_t c = 0; c < cues.size() && !frames.places.empty(); ++c) {
-      append(frames, c, place_of, meanMargins(cues[c], samples, remembered), cues[c]);
+      append(frames, c, place_of, meanValues(cues[c], samples, remembered), cues[c]);
     }
   }
   for (std::size_t i = 0; i < frames.places.size(); ++i) {
@@ -108,27 +108,28 @@ void Judges::add(const HeldOutFrames& frames, const std::vector<int>& place_of,
   }
 }
 
-HeldOutFrames keptFrames(const Judges& judges, std::size_t reduction, std::uint64_t seed) {
-  const std::vector<HeldOut>& cues = judges.reductions[reduction];
+HeldOutFrames keptFrames(const CalibrationSet& calibration_set, std::size_t reduction,
+                         std::uint64_t seed) {
+  const std::vector<HeldOutValues>& cues = calibration_set.reductions[reduction];
   std::vector<int> valid = validSamples(cues);
   std::vector<int> places;
-  for (const int sample : valid) places.push_back(judges.samples[sample].place);
+  for (const int sample : valid) places.push_back(calibration_set.samples[sample].place);
   const std::vector<bool> kept = keptOf(places, seed);
   std::vector<int> samples;
   for (std::size_t i = 0; i < valid.size() && samples.size() < kMaxHeldOutFrames; ++i) {
     if (kept[i]) samples.push_back(valid[i]);
   }
 
-  std::vector<int> fold_of(judges.samples.size(), 0);
-  for (std::size_t f = 0; f < judges.folds.size(); ++f) {
-    for (const int sample : judges.folds[f].test) fold_of[sample] = static_cast<int>(f);
+  std::vector<int> fold_of(calibration_set.samples.size(), 0);
+  for (std::size_t f = 0; f < calibration_set.folds.size(); ++f) {
+    for (const int sample : calibration_set.folds[f].test) fold_of[sample] = static_cast<int>(f);
   }
   HeldOutFrames frames;
   for (const int sample : samples) {
-    frames.places.push_back(judges.samples[sample].place);
+    frames.places.push_back(calibration_set.samples[sample].place);
     frames.folds.push_back(fold_of[sample]);
   }
-  for (const HeldOut& cue : cues) keep(cue, samples, frames);
+  for (const HeldOutValues& cue : cues) keep(cue, samples, frames);
   return frames;
 }
 

@@ -1,4 +1,4 @@
-#include "recognition/training/held_out.h"
+#include "recognition/training/cross_validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,17 +38,17 @@ std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>
   return kept;
 }
 
-/// True places of the valid samples, and those of their largest margins.
+/// True places of the valid samples, and those of their largest decision values.
 struct Answers {
   std::vector<int> truth, places;
 };
 
-Answers answersOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samples) {
+Answers answersOf(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples) {
   Answers answers;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!held_out.valid[i]) continue;
     answers.truth.push_back(samples[i].place);
-    answers.places.push_back(largest(held_out.margins.row(static_cast<Eigen::Index>(i))));
+    answers.places.push_back(largest(held_out.decision_values.row(static_cast<Eigen::Index>(i))));
   }
   return answers;
 }
@@ -60,8 +60,8 @@ Eigen::VectorXd largestValues(const Eigen::MatrixXd& kernel_values,
   return columns(kernel_values, vectors).rowwise().maxCoeff();
 }
 
-/// Room for the margins of every sample.
-HeldOut noneHeldOut(const TrainingTask& task) {
+/// Room for the decision values of every sample.
+HeldOutValues noneHeldOut(const TrainingTask& task) {
   return {Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(task.samples.size()),
                                 static_cast<Eigen::Index>(task.places)),
           std::vector<bool>(task.samples.size(), false),
@@ -83,16 +83,17 @@ ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const PackedG
 
 constexpr double kSmallestProbability = 1e-3;
 
-Calibration calibrationOf(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+Calibration calibrationOf(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                           const std::vector<int>& chosen) {
   std::vector<int> labels;
-  Eigen::MatrixXd margins(static_cast<Eigen::Index>(chosen.size()), held_out.margins.cols());
+  Eigen::MatrixXd decision_values(static_cast<Eigen::Index>(chosen.size()),
+                                  held_out.decision_values.cols());
   for (const int i : chosen) {
     if (!held_out.valid[static_cast<std::size_t>(i)]) continue;
-    margins.row(static_cast<Eigen::Index>(labels.size())) = held_out.margins.row(i);
+    decision_values.row(static_cast<Eigen::Index>(labels.size())) = held_out.decision_values.row(i);
     labels.push_back(samples[static_cast<std::size_t>(i)].place);
   }
-  return fitCalibration(margins.topRows(static_cast<Eigen::Index>(labels.size())), labels);
+  return fitCalibration(decision_values.topRows(static_cast<Eigen::Index>(labels.size())), labels);
 }
 
 }  // namespace
@@ -105,10 +106,10 @@ ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& lab
   return trainReducedOn(all, gram, labels, task, reductions);
 }
 
-std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<int>& cue_rows,
-                                    const TrainingTask& task,
-                                    const std::vector<ReductionOptions>& reductions) {
-  std::vector<HeldOut> held_out(reductions.size(), noneHeldOut(task));
+std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vector<int>& cue_rows,
+                                         const TrainingTask& task,
+                                         const std::vector<ReductionOptions>& reductions) {
+  std::vector<HeldOutValues> held_out(reductions.size(), noneHeldOut(task));
   for (const Fold& fold : task.folds) {
     const std::vector<int> train = withCue(fold.train, cue_rows);
     const std::vector<int> test = withCue(fold.test, cue_rows);
@@ -126,12 +127,13 @@ std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<in
         gram.values(pick(cue_rows, test), pick(train_rows, reduced.vectors));
     for (std::size_t r = 0; r < reductions.size(); ++r) {
       const BinarySvms& machines = reduced.machines[r];
-      const Eigen::MatrixXd margins = placeMargins(machines, machines.margins(kernel_values));
+      const Eigen::MatrixXd decision_values =
+          placeValues(machines, machines.decisionValues(kernel_values));
       const Eigen::VectorXd familiarity = largestValues(kernel_values, supportVectors(machines));
       for (std::size_t i = 0; i < test.size(); ++i) {
         if (!trained[task.samples[test[i]].place]) continue;
         const auto row = static_cast<Eigen::Index>(i);
-        held_out[r].margins.row(test[i]) = margins.row(row);
+        held_out[r].decision_values.row(test[i]) = decision_values.row(row);
         held_out[r].familiarity[test[i]] = familiarity[row];
         held_out[r].valid[test[i]] = true;
       }
@@ -140,32 +142,33 @@ std::vector<HeldOut> heldOutMargins(const PackedGram& gram, const std::vector<in
   return held_out;
 }
 
-double averageRate(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                    std::size_t places) {
   const Answers answers = answersOf(held_out, samples);
   return averageRate(answers.truth, answers.places, places);
 }
 
-double averageRateError(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+double averageRateError(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                         std::size_t places) {
   const Answers answers = answersOf(held_out, samples);
   return averageRateError(answers.truth, answers.places, places);
 }
 
-std::vector<ConfusedPair> confusedPairs(const HeldOut& held_out,
+std::vector<ConfusedPair> confusedPairs(const HeldOutValues& held_out,
                                         const std::vector<SampleOrigin>& samples,
                                         std::size_t places) {
   const Answers answers = answersOf(held_out, samples);
   return confusedPairs(answers.truth, answers.places, places);
 }
 
-std::vector<double> logLosses(const HeldOut& held_out, const std::vector<SampleOrigin>& samples,
+std::vector<double> logLosses(const HeldOutValues& held_out,
+                              const std::vector<SampleOrigin>& samples,
                               const std::vector<int>& chosen) {
   const Calibration calibration = calibrationOf(held_out, samples, chosen);
   std::vector<double> losses;
   for (const int i : chosen) {
     const double probability = calibration.probabilities(
-        held_out.margins.row(i))[samples[static_cast<std::size_t>(i)].place];
+        held_out.decision_values.row(i))[samples[static_cast<std::size_t>(i)].place];
     losses.push_back(-std::log(std::max(kSmallestProbability, probability)));
   }
   return losses;
