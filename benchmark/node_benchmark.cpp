@@ -94,8 +94,8 @@ class Answers {
   std::vector<double> seconds_;
 };
 
-double quantile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+double quantile(const std::vector<double>& sorted, double fraction) {
+  return sorted[static_cast<std::size_t>(fraction * static_cast<double>(sorted.size() - 1))];
 }
 
 class Offer {
@@ -137,7 +137,7 @@ class Offer {
     const ros::WallTime start = ros::WallTime::now();
     run(count, rate);
     const double seconds = (ros::WallTime::now() - start).toSec();
-    const double share = (process_.processorSeconds() - processor) / seconds;
+    const double fraction = (process_.processorSeconds() - processor) / seconds;
     std::vector<double> latencies = answers_.seconds();
     latencies.erase(latencies.begin(), latencies.begin() + static_cast<std::ptrdiff_t>(before));
     std::sort(latencies.begin(), latencies.end());
@@ -145,7 +145,7 @@ class Offer {
     std::cout << "{\"offered\": " << count << ", \"answered\": " << answers_.count() - before
               << ", \"seconds\": " << seconds << ", \"p50_ms\": " << 1e3 * quantile(latencies, 0.5)
               << ", \"p99_ms\": " << 1e3 * quantile(latencies, 0.99)
-              << ", \"share_of_core\": " << share << ", \"megabytes\": " << process_.megabytes()
+              << ", \"share_of_core\": " << fraction << ", \"megabytes\": " << process_.megabytes()
               << ", \"growth_megabytes\": " << process_.megabytes() - megabytes << "}\n";
   }
 

@@ -45,8 +45,9 @@ Calibration fitCalibration(const Eigen::MatrixXd& decision_values, const std::ve
 
 /// Weights such that decision values and familiarity count alike, each in units of its own spread
 /// over frames of known places held out from training, and that evidence is 1/2 where all but a
-/// `share` of these frames lie above, 0.95 at their median. No frames of unknown places are needed.
+/// `fraction` of these frames lie above, 0.95 at their median. No frames of unknown places are
+/// needed.
 EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::VectorXd& familiarity,
-                            double share);
+                            double fraction);
 
 }  // namespace place_recognition

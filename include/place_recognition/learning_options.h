@@ -57,13 +57,13 @@ struct ReductionOptions {
         "none; qr: each machine by itself (section 6.3); shared-qr: one basis for all "
         "machines; shared-greedy: the basis that reproduces all decision values best; auto: the "
         "method "
-        "and the share (of 15, 25, 35, 50, 70 or all 100 %) of the fewest vectors that lose "
+        "and the fraction (of 15, 25, 35, 50, 70 or all 100 %) of the fewest vectors that lose "
         "neither log loss nor rate on held-out blocks of the training runs; all where more than "
         "4000 pictures are learned");
     visitor("tau", self.tau, "rank threshold, relative to the largest pivot, 0..1");
     visitor("normalise", self.normalize, "scale the columns of the matrix to norm one first");
     visitor("share", self.share,
-            "share of each cue's support vectors to keep, 0..1, instead of tau; 0: as tau says");
+            "fraction of each cue's support vectors to keep, 0..1, instead of tau; 0: as tau says");
     visitor("support_vectors", self.support_vectors,
             "number of vectors to keep, of each cue, instead of tau; 0: as tau says");
   }

@@ -14,7 +14,7 @@ namespace place_recognition {
 struct AnswerFigures {
   double average_rate = 0;       ///< 0..1, mean of the places' rates
   double calibration_error = 0;  ///< expected calibration error, 0..1
-  double unknown = 0;            ///< share of frames that are answered 'unknown'
+  double unknown = 0;            ///< fraction of frames that are answered 'unknown'
 };
 
 /// A model with another calibration, and how it answers the runs of that.

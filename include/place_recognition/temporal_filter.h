@@ -32,15 +32,15 @@ struct FilteredAnswer {
 /// b moves as a chain in continuous time, see TransitionModel; a frame multiplies it by
 /// likelihoods,
 ///   b_s <- b_s L_s^w / sum.
-/// With the frame's evidence e, its probabilities p, the rooms' shares q of the training images,
-/// the unknown threshold T and a share o of frames that tell nothing, l = (1 - o) p_k / q_k + o,
+/// With the frame's evidence e, its probabilities p, the rooms' fractions q of the training images,
+/// the unknown threshold T and a fraction o of frames that tell nothing, l = (1 - o) p_k / q_k + o,
 ///   L_k = ((1 - o) e / T + o) l_k / max l,    L_unknown = (1 - o) (1 - e) / (1 - T) + o.
 /// Up to a factor that is the same for all, a posterior divided by its prior is the likelihood that
 /// the chain needs (Bourlard and Morgan 1994); T is where the frame is as much for the rooms
 /// together as against them. A room that is not known looks like the one it resembles most, so
 /// which one that is tells nothing for or against 'unknown': hence the division by the largest.
 ///
-/// Neighbouring frames show nearly the same, so w is the share of a frame that is new: time over
+/// Neighbouring frames show nearly the same, so w is the fraction of a frame that is new: time over
 /// decorrelation time, at most 1. All is by stamps: the answers do not depend on the frame rate as
 /// long as it is faster than that. Where odometry is given, the way driven takes the place of time:
 /// a robot that stands is still in the same room and sees nothing new; one that turns sees
@@ -97,16 +97,16 @@ class TemporalFilter {
   };
 
   struct Camera {
-    Eigen::RowVectorXd room_shares;  // q
+    Eigen::RowVectorXd room_fractions;  // q
     double unknown_threshold = 0;
     std::optional<double> stamp = {};  // s, of its last frame
     std::optional<double> told = {};   // s, of its last frame that told something
-    double new_share = 1;              // w of its next frame, as if it were alone
+    double new_fraction = 1;           // w of its next frame, as if it were alone
   };
 
   void start();
   void move(double elapsed, const std::optional<Motion>& motion);
-  double independentShare(std::size_t camera) const;
+  double independentFraction(std::size_t camera) const;
   void weigh(const Recognition& recognition, std::size_t camera);
   void decide();
 

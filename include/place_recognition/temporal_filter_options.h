@@ -23,15 +23,15 @@ struct TemporalFilterOptions {
     visitor("dwell_time", self.dwell_time, "s, mean stay in a room, > 0");
     visitor("dwell_distance", self.dwell_distance, "m, mean way within a room, > 0");
     visitor("unknown_share", self.unknown_share,
-            "share of the time spent in rooms that the model does not know, 0..0.5");
+            "fraction of the time spent in rooms that the model does not know, 0..0.5");
     visitor("jump_share", self.jump_share,
-            "share of the changes that go to any room, adjoining or not (carried robots), 0..1");
+            "fraction of the changes that go to any room, adjoining or not (carried robots), 0..1");
     visitor("decorrelation_time", self.decorrelation_time,
             "s, frames closer than this share their evidence, > 0");
     visitor("decorrelation_distance", self.decorrelation_distance, "m, likewise, > 0");
     visitor("decorrelation_angle", self.decorrelation_angle, "rad, likewise, > 0");
     visitor("outlier_share", self.outlier_share,
-            "share of frames that tell nothing, whatever their probabilities say, 0.0001..1");
+            "fraction of frames that tell nothing, whatever their probabilities say, 0.0001..1");
     visitor("minimum_confidence", self.minimum_confidence,
             "the answer is 'unknown' if no room is as probable as this, 0..1");
     visitor("minimum_dwell", self.minimum_dwell, "s, an answer stays for at least as long");

@@ -23,10 +23,10 @@ struct PanoramaOptions {
     visitor("mirror", self.mirror,
             "of an omnidirectional camera. none: it is an ordinary one; given: where its ring is, "
             "the next four tell; found: likewise, looked for in the first images of the runs");
-    visitor("center_x", self.center_x, "of the ring, in shares of the image's width");
-    visitor("center_y", self.center_y, "of the ring, in shares of the image's height");
+    visitor("center_x", self.center_x, "of the ring, in fractions of the image's width");
+    visitor("center_y", self.center_y, "of the ring, in fractions of the image's height");
     visitor("inner", self.inner,
-            "radius within which the mirror shows the camera itself, in shares of the image's "
+            "radius within which the mirror shows the camera itself, in fractions of the image's "
             "shorter side");
     visitor("outer", self.outer, "radius of the mirror's rim, likewise");
   }
@@ -61,14 +61,14 @@ struct SamplingOptions {
     visitor(
         "most", self.most,
         "pictures that are learned at most, those in other light included, 10 or more; of more, "
-        "the same share of each room, at random; memory is 16 bytes times the square");
+        "the same fraction of each room, at random; memory is 16 bytes times the square");
   }
   void check() const;
 };
 
 /// Pictures that say little, such as those of a wall that fills the view (thesis section 3.5).
-/// Their measure is the edge density: the share of the pixels whose gradient at sigma = 1 exceeds
-/// 4 grey levels per pixel.
+/// Their measure is the edge density: the fraction of the pixels whose gradient at sigma = 1
+/// exceeds 4 grey levels per pixel.
 struct InformationOptions {
   double left_out_below = 0;
   double unknown_below = 0;
@@ -77,7 +77,8 @@ struct InformationOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor(
         "left_out_below", self.left_out_below,
-        "edge density, 0..1, below which a picture is not learned; 0: all are. It is the share of "
+        "edge density, 0..1, below which a picture is not learned; 0: all are. It is the fraction "
+        "of "
         "the pixels that differ from their neighbours by more than 4 grey levels: less than 0.02 "
         "of a bare wall, less than 0.05 of one with part of a picture on it");
     visitor(
@@ -141,9 +142,10 @@ struct ValidationOptions {
         "folds", self.folds,
         "trainings, each without some blocks of time of the runs, 2..10000; as many as there are "
         "pictures, which suits small sets: leave-one-out");
-    visitor("block", self.block,
-            "s, length of the blocks that are held out in turn; at most a share of 1 / folds of a "
-            "room; pictures of a folder count as a second apart; 0: as long as the gap");
+    visitor(
+        "block", self.block,
+        "s, length of the blocks that are held out in turn; at most a fraction of 1 / folds of a "
+        "room; pictures of a folder count as a second apart; 0: as long as the gap");
     visitor("gap", self.gap,
             "s, to each side of a held-out block, that is not trained on either; 0: found from how "
             "fast the frames of the run cease to be alike");
@@ -158,7 +160,7 @@ struct UnknownOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("false_alarm_rate", self.false_alarm_rate,
-            "share of held-out frames of known rooms that may be answered 'unknown', 0..1");
+            "fraction of held-out frames of known rooms that may be answered 'unknown', 0..1");
   }
   void check() const;
 };

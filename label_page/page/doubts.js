@@ -11,14 +11,14 @@ const kGap = 3;
 
 function verdict(answer, label) {
   const [, place, probabilities, none] = answer;
-  if (!label) return place ? {kind: "unlabelled", share: probabilities[place] ?? 0} : null;
+  if (!label) return place ? {kind: "unlabelled", fraction: probabilities[place] ?? 0} : null;
   const wrong = 1 - (probabilities[label] ?? 0);
   if (wrong <= kSure) return null;
-  return {kind: place && place !== label ? "contradicts" : "doubts", share: wrong, none};
+  return {kind: place && place !== label ? "contradicts" : "doubts", fraction: wrong, none};
 }
 
-/// Stretches of {kind, from, to, place, label, share, seconds}: `kind` contradicts, doubts or
-/// unlabelled; `place`: the model's answer; `share`: how probable it is that the label is wrong, or
+/// Stretches of {kind, from, to, place, label, fraction, seconds}: `kind` contradicts, doubts or
+/// unlabelled; `place`: the model's answer; `fraction`: how probable it is that the label is wrong, or
 /// that the answer is right where there is no label; `seconds`: as much of the stretch. The worst
 /// first; those without a label last. `kept`: [from, to, label] that a person has found right.
 export function findDoubts(answers, spans, kept, frames) {
@@ -34,12 +34,12 @@ export function findDoubts(answers, spans, kept, frames) {
     const goes_on = current && !fine && current.kind === found.kind && current.label === label &&
         current.place === place && time - last < kGap;
     if (!goes_on) {
-      current = fine ? null : {kind: found.kind, place, label, first: time, share: 0, count: 0};
+      current = fine ? null : {kind: found.kind, place, label, first: time, fraction: 0, count: 0};
       if (current) stretches.push(current);
     }
     if (current) {
       current.last = time;
-      current.share += found.share;
+      current.fraction += found.fraction;
       ++current.count;
     }
     last = time;
@@ -47,8 +47,8 @@ export function findDoubts(answers, spans, kept, frames) {
   for (const stretch of stretches) {
     stretch.from = frames.before(frames.at(stretch.first), spans);
     stretch.to = frames.before(frames.at(stretch.last) + 1, spans);
-    stretch.share /= stretch.count;
-    stretch.seconds = stretch.share * (stretch.to - stretch.from);
+    stretch.fraction /= stretch.count;
+    stretch.seconds = stretch.fraction * (stretch.to - stretch.from);
   }
   const rank = stretch => stretch.kind === "unlabelled" ? 1 : 0;
   return stretches.filter(stretch => stretch.to > stretch.from)

@@ -6,8 +6,8 @@ export class Overview {
     Object.assign(this, {canvas, state, view, onView});
     const go = event => {
       if (!(event.buttons & 1)) return;
-      const share = (event.offsetX - kMargin) / (canvas.clientWidth - 2 * kMargin);
-      view.start = share * view.duration - view.width / view.scale / 2;
+      const fraction = (event.offsetX - kMargin) / (canvas.clientWidth - 2 * kMargin);
+      view.start = fraction * view.duration - view.width / view.scale / 2;
       view.keepWithin();
       onView();
     };

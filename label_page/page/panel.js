@@ -50,7 +50,7 @@ function whatOf(doubt, rooms) {
 }
 
 function whyOf(doubt) {
-  const sure = doubt.kind === "doubts" ? `, ${Math.round(100 * (1 - doubt.share))} % sure` : "";
+  const sure = doubt.kind === "doubts" ? `, ${Math.round(100 * (1 - doubt.fraction))} % sure` : "";
   return make("div", {className: "why", textContent:
       `${clock(doubt.from, 0)} · ${length(doubt.to - doubt.from)} · ${kKinds[doubt.kind]}${sure}`});
 }

@@ -164,8 +164,8 @@ export class Timeline {
       const at = firstFrom(times, this.view.time(x + 1)) > from ? from : from - 1;
       if (at < 0 || this.view.time(x) - times[at] > 2) continue;
       const [, place, probabilities] = answers[at];
-      const share = place ? probabilities[place] ?? 0 : 0.25;
-      const h = Math.max(3, height * share);
+      const fraction = place ? probabilities[place] ?? 0 : 0.25;
+      const h = Math.max(3, height * fraction);
       context.fillStyle = place ? rooms.colour(place) : "#5a606b";
       context.fillRect(x, top + height - h, 1, h);
       const label = spanAt(spans, times[at]);

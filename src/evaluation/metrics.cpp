@@ -90,9 +90,9 @@ double meanRisk(const std::vector<RiskPoint>& points) {
   return area;
 }
 
-double percentile(std::vector<double> values, double share) {
+double percentile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  const double rank = std::ceil(fraction * static_cast<double>(values.size()));
   const auto index = static_cast<std::ptrdiff_t>(
       std::clamp(rank - 1, 0.0, static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + index, values.end());

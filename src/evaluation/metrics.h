@@ -12,7 +12,7 @@ namespace place_recognition {
 struct ReliabilityBin {
   std::uint64_t count = 0;
   double confidence = 0;  ///< mean
-  double rate = 0;        ///< share of correct answers
+  double rate = 0;        ///< fraction of correct answers
 };
 
 /// Ten bins of confidence (0..1) and how often the answers in each were correct.
@@ -23,7 +23,7 @@ std::vector<ReliabilityBin> reliability(const std::vector<double>& confidences,
 /// drawn from `negative`, ties counting half. 0.5 if either is empty.
 double rocArea(const std::vector<double>& positive, const std::vector<double>& negative);
 
-/// A threshold between the values of two kinds: what share of each kind lies below it.
+/// A threshold between the values of two kinds: what fraction of each kind lies below it.
 struct RocPoint {
   double positive_below = 0;
   double negative_below = 0;
@@ -32,8 +32,8 @@ struct RocPoint {
 /// From no value below to all: one point for each distinct value.
 std::vector<RocPoint> rocCurve(std::vector<double> positive, std::vector<double> negative);
 
-/// If only the frames of highest confidence were answered: what share that is, and what share of
-/// those answers is wrong.
+/// If only the frames of highest confidence were answered: what fraction that is, and what fraction
+/// of those answers is wrong.
 struct RiskPoint {
   double coverage = 0;
   double risk = 0;
@@ -49,7 +49,7 @@ double riskAt(const std::vector<RiskPoint>& points, double coverage);
 /// Mean risk over all coverages: the area under that curve, as steps.
 double meanRisk(const std::vector<RiskPoint>& points);
 
-/// The smallest value that at least `share` (0..1) of the values do not exceed (nearest rank).
-double percentile(std::vector<double> values, double share);
+/// The smallest value that at least `fraction` (0..1) of the values do not exceed (nearest rank).
+double percentile(std::vector<double> values, double fraction);
 
 }  // namespace place_recognition

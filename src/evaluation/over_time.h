@@ -35,7 +35,7 @@ struct OverTime {
   std::vector<double> delays;  ///< s, until the filter names the room after a change, ascending
   std::uint64_t missed = 0;    ///< changes that were not followed before the next one
 
-  /// Share of all changes that are followed within `seconds`.
+  /// Fraction of all changes that are followed within `seconds`.
   double followedWithin(double seconds) const;
 };
 

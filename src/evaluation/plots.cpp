@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/text.h"
-#include "report/share_plot.h"
+#include "report/fraction_plot.h"
 #include "report/svg.h"
 
 namespace place_recognition {
@@ -35,7 +35,7 @@ std::string ratesPlot(const Summary& summary) {
 }
 
 std::string reliabilityPlot(const Summary& summary) {
-  SharePlot plot("confidence", "right");
+  FractionPlot plot("confidence", "right");
   plot.svg().line(plot.x(0), plot.y(0), plot.x(1), plot.y(1), kDark);
   std::vector<std::pair<double, double>> curve;
   std::uint64_t most = 1;
@@ -64,7 +64,7 @@ std::string confidencePlot(const Evaluation& evaluation) {
   double most = 1;
   for (std::size_t i = 0; i < kBins; ++i) most = std::max(most, right[i] + wrong[i]);
 
-  SharePlot plot("confidence", "pictures of the fullest bin");
+  FractionPlot plot("confidence", "pictures of the fullest bin");
   const double width = plot.x(1.0 / kBins) - plot.x(0) - 2;
   for (std::size_t i = 0; i < kBins; ++i) {
     const double x = plot.x(static_cast<double>(i) / kBins) + 1;
@@ -77,7 +77,7 @@ std::string confidencePlot(const Evaluation& evaluation) {
 }
 
 std::string riskPlot(const Summary& summary) {
-  SharePlot plot("pictures answered, most confident first", "wrong");
+  FractionPlot plot("pictures answered, most confident first", "wrong");
   std::vector<std::pair<double, double>> curve;
   for (const RiskPoint& point : summary.risk_coverage) {
     curve.emplace_back(plot.x(point.coverage), plot.y(point.risk));
@@ -87,7 +87,7 @@ std::string riskPlot(const Summary& summary) {
 }
 
 std::string rocPlot(const UnknownSummary& unknown) {
-  SharePlot plot("known places called unknown", "unknown places found");
+  FractionPlot plot("known places called unknown", "unknown places found");
   plot.svg().line(plot.x(0), plot.y(0), plot.x(1), plot.y(1), kDark);
   std::vector<std::pair<double, double>> curve;
   for (const RocPoint& point : unknown.roc) {

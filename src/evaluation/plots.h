@@ -9,7 +9,7 @@ namespace place_recognition {
 
 // The figures of the report, each an <svg> element.
 
-/// A bar a room: the share answered right; a line marks the mean.
+/// A bar a room: the fraction answered right; a line marks the mean.
 std::string ratesPlot(const Summary& summary);
 
 /// How often answers of a certain confidence are right, against that confidence.
@@ -18,10 +18,11 @@ std::string reliabilityPlot(const Summary& summary);
 /// How many pictures were answered with which confidence, right and wrong ones.
 std::string confidencePlot(const Evaluation& evaluation);
 
-/// Share of wrong answers if only the most confident ones were given.
+/// Fraction of wrong answers if only the most confident ones were given.
 std::string riskPlot(const Summary& summary);
 
-/// Share of places never learned that a threshold finds, against the known ones it calls unknown.
+/// Fraction of places never learned that a threshold finds, against the known ones it calls
+/// unknown.
 std::string rocPlot(const UnknownSummary& unknown);
 
 }  // namespace place_recognition

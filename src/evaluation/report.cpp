@@ -92,11 +92,12 @@ std::string runTable(const Summary& summary) {
          "</p>\n";
 }
 
-/// A cell of the confusion matrix, the darker the larger its share of the row.
+/// A cell of the confusion matrix, the darker the larger its fraction of the row.
 std::string confusionCell(std::uint64_t count, std::uint64_t row_sum, bool diagonal) {
-  const double share = row_sum == 0 ? 0 : static_cast<double>(count) / static_cast<double>(row_sum);
+  const double fraction =
+      row_sum == 0 ? 0 : static_cast<double>(count) / static_cast<double>(row_sum);
   const std::string colour = diagonal ? "59,110,165," : "192,80,77,";
-  return "<td style=\"background:rgba(" + colour + fixed(0.75 * share, 3) + ")\">" +
+  return "<td style=\"background:rgba(" + colour + fixed(0.75 * fraction, 3) + ")\">" +
          (count == 0 ? "" : std::to_string(count)) + "</td>";
 }
 

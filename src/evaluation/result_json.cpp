@@ -11,7 +11,7 @@ Json roomsJson(const std::vector<RoomSummary>& rooms, const std::vector<std::str
   Json json = Json::object();
   for (const RoomSummary& room : rooms) {
     json[places[static_cast<std::size_t>(room.place)]] = {
-        {"rate", room.rate()}, {"count", room.count}, {"unknown", room.unknownShare()}};
+        {"rate", room.rate()}, {"count", room.count}, {"unknown", room.unknownFraction()}};
   }
   return json;
 }

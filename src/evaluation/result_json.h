@@ -8,7 +8,7 @@
 namespace place_recognition {
 
 /// The figures of an evaluation for other programs: average_rate, rooms, confusion,
-/// calibration_error, support_vectors, model_bytes, latency_ms, and more. Rates and shares are
+/// calibration_error, support_vectors, model_bytes, latency_ms, and more. Rates and fractions are
 /// 0..1.
 nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary);
 

@@ -26,7 +26,7 @@ std::string ratesTable(const Summary& summary) {
   for (const RoomSummary& room : summary.rooms) {
     rows.push_back({summary.places[static_cast<std::size_t>(room.place)],
                     std::to_string(room.count), percent(room.rate()),
-                    percent(room.unknownShare())});
+                    percent(room.unknownFraction())});
     if (!several) continue;
     for (const RunSummary& run : summary.runs) rows.back().push_back(rateIn(run, room.place));
   }
@@ -136,9 +136,9 @@ TextRows reliabilityRows(const Summary& summary) {
 
 TextRows riskRows(const Summary& summary) {
   TextRows rows{{"most confident answers given"}, {"wrong among them"}};
-  for (const int share : {20, 40, 60, 80, 90, 100}) {
-    rows[0].push_back(std::to_string(share) + " %");
-    rows[1].push_back(percent(riskAt(summary.risk_coverage, share / 100.0)));
+  for (const int fraction : {20, 40, 60, 80, 90, 100}) {
+    rows[0].push_back(std::to_string(fraction) + " %");
+    rows[1].push_back(percent(riskAt(summary.risk_coverage, fraction / 100.0)));
   }
   return rows;
 }

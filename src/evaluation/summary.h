@@ -13,7 +13,8 @@
 namespace place_recognition {
 
 /// How the pictures of one room, in one run or in all, were answered. Rates count the most probable
-/// place, whether or not the answer was 'unknown'; the share answered 'unknown' stands beside them.
+/// place, whether or not the answer was 'unknown'; the fraction answered 'unknown' stands beside
+/// them.
 struct RoomSummary {
   int place = 0;  ///< index into Summary::places
   std::uint64_t count = 0;
@@ -21,7 +22,9 @@ struct RoomSummary {
   std::uint64_t unknown = 0;
 
   double rate() const { return static_cast<double>(correct) / static_cast<double>(count); }
-  double unknownShare() const { return static_cast<double>(unknown) / static_cast<double>(count); }
+  double unknownFraction() const {
+    return static_cast<double>(unknown) / static_cast<double>(count);
+  }
 };
 
 /// The rooms that a run shows (one condition of illumination, say).
@@ -48,8 +51,8 @@ struct Confusion {
 /// How 'unknown' fared on places that were never learned.
 struct UnknownSummary {
   double roc_area = 0;          ///< of the evidence, learned against other places
-  double false_alarm_rate = 0;  ///< share of pictures of learned places answered 'unknown'
-  double detection_rate = 0;    ///< share of pictures of other places answered 'unknown'
+  double false_alarm_rate = 0;  ///< fraction of pictures of learned places answered 'unknown'
+  double detection_rate = 0;    ///< fraction of pictures of other places answered 'unknown'
   std::vector<RocPoint> roc;    ///< learned places (positive) and others below each threshold
 };
 

@@ -131,7 +131,7 @@ void HistogramExperiment::compute(const std::vector<Json>& cells, const CellSink
                                   const Progress& progress) {
   std::size_t done = 0;
   // Progress of a part of the work that itself reports from 0 to 1.
-  const auto share = [&](double parts) -> Progress {
+  const auto fraction = [&](double parts) -> Progress {
     return [&, parts](const std::string& stage, double fraction) {
       const double all = (static_cast<double>(done) + parts * fraction) / cells.size();
       return !progress || progress("Histograms, " + stage, all);
@@ -151,9 +151,9 @@ void HistogramExperiment::compute(const std::vector<Json>& cells, const CellSink
       if (!batch.empty() && bytes > kBatchBytes) break;
       batch.push_back(&candidate);
     }
-    std::vector<std::vector<Feature>> features = extract(batch, share(0));
+    std::vector<std::vector<Feature>> features = extract(batch, fraction(0));
     for (std::vector<Feature>& histograms : features) {
-      finished(cells[done], rates(histograms, share(1)));
+      finished(cells[done], rates(histograms, fraction(1)));
       ++done;
       std::vector<Feature>().swap(histograms);
     }

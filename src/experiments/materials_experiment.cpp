@@ -102,8 +102,8 @@ Json evaluate(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold
   Json result = {{"validation", validate(gram, samples, fold.train, svm)},
                  {"rate", curves[0].front().rate},
                  {"vectors", vectors.size()}};
-  for (const int share : kMaterialShares) {
-    result["fewest"].push_back(fewestVectors(curves, share / 100.0));
+  for (const int fraction : kMaterialFractions) {
+    result["fewest"].push_back(fewestVectors(curves, fraction / 100.0));
   }
   if (with_curve) result["curve"] = toJson(curves[0]);
   if (with_taus) result["taus"] = tauCurve(machines, kernel_values);

@@ -9,7 +9,7 @@
 #include "experiments/material_grid.h"
 #include "experiments/test_sets.h"
 #include "experiments/thesis_materials.h"
-#include "report/share_plot.h"
+#include "report/fraction_plot.h"
 
 namespace place_recognition {
 namespace {
@@ -35,10 +35,10 @@ std::vector<double> rates(const MaterialResult& result) {
   return each(result, [](const MaterialOutcome& outcome) { return 100 * outcome.rate; });
 }
 
-/// Per cent of the vectors that are dropped at a share.
-std::vector<double> dropped(const MaterialResult& result, std::size_t share) {
-  return each(result, [share](const MaterialOutcome& outcome) {
-    return 100 - 100.0 * outcome.fewest[share] / std::max(1, outcome.vectors);
+/// Per cent of the vectors that are dropped at a fraction.
+std::vector<double> dropped(const MaterialResult& result, std::size_t fraction) {
+  return each(result, [fraction](const MaterialOutcome& outcome) {
+    return 100 - 100.0 * outcome.fewest[fraction] / std::max(1, outcome.vectors);
   });
 }
 
@@ -50,13 +50,13 @@ bool isRejected(const MaterialResult& result) {
   return spreadOf(rates(result)).mean < 100 * kLeastRate;
 }
 
-/// Rate and vectors before reduction, and what is dropped at each share of the rate.
+/// Rate and vectors before reduction, and what is dropped at each fraction of the rate.
 std::vector<std::string> measured(const MaterialResult& result) {
   std::vector<std::string> cells = {
       plusMinus(rates(result), 2),
       plusMinus(each(result, [](const auto& outcome) { return outcome.vectors; }), 0)};
-  for (std::size_t share = 0; share < std::size(kMaterialShares); ++share) {
-    cells.push_back(plusMinus(dropped(result, share), 2));
+  for (std::size_t fraction = 0; fraction < std::size(kMaterialFractions); ++fraction) {
+    cells.push_back(plusMinus(dropped(result, fraction), 2));
   }
   return cells;
 }
@@ -126,7 +126,8 @@ std::vector<const MaterialResult*> chosen(const std::vector<MaterialResult>& res
 }
 
 std::vector<std::string> head(std::vector<std::string> columns) {
-  for (const int share : kMaterialShares) columns.push_back("at " + std::to_string(share) + " %");
+  for (const int fraction : kMaterialFractions)
+    columns.push_back("at " + std::to_string(fraction) + " %");
   return columns;
 }
 
@@ -135,9 +136,10 @@ Table materialTable(const std::vector<const MaterialResult*>& chosen,
   Table table;
   const std::string number = thesis.number;
   table.name = "table_7_" + number.substr(2);
-  table.title = "Table " + number + ": " + thesis.feature + ", " + thesis.multiclass +
-                ". Rate, vectors, and per cent of them dropped while keeping a share of the rate; "
-                "mean +- standard deviation over the splits; right, the thesis on KTH-TIPS2";
+  table.title =
+      "Table " + number + ": " + thesis.feature + ", " + thesis.multiclass +
+      ". Rate, vectors, and per cent of them dropped while keeping a fraction of the rate; "
+      "mean +- standard deviation over the splits; right, the thesis on KTH-TIPS2";
   const std::vector<std::string> right = head({"| classifier", "rate, %", "vectors"});
   table.rows.push_back(head({"classifier", "rate, %", "vectors"}));
   table.rows[0].insert(table.rows[0].end(), right.begin(), right.end());
@@ -160,14 +162,14 @@ Curve rateCurve(const std::string& name, const MaterialResult& result) {
   return {name, meanCurve(curves)};
 }
 
-/// Share of vectors dropped against tau, mean over the splits.
+/// Fraction of vectors dropped against tau, mean over the splits.
 Curve tauCurve(const std::string& name, const MaterialResult& result) {
   Curve curve{name, {}};
   const auto n = static_cast<double>(result.outcomes.size());
   for (std::size_t i = 0; i < result.outcomes.front().taus.size(); ++i) {
-    auto& [tau, share] = curve.points.emplace_back(result.outcomes.front().taus[i].tau, 0);
+    auto& [tau, fraction] = curve.points.emplace_back(result.outcomes.front().taus[i].tau, 0);
     for (const MaterialOutcome& outcome : result.outcomes) {
-      share += (1 - outcome.taus[i].vectors / std::max(1.0, 1.0 * outcome.vectors)) / n;
+      fraction += (1 - outcome.taus[i].vectors / std::max(1.0, 1.0 * outcome.vectors)) / n;
     }
   }
   return curve;
@@ -235,13 +237,13 @@ Table gridTable(const std::vector<MaterialResult>& results) {
   Table table{"table_7_grid",
               "All classifiers: how many, how many of them are rejected (rate below 30 %), best "
               "rate of the others, and per cent of their vectors dropped on average while keeping "
-              "a share of the rate",
+              "a fraction of the rate",
               {head({"feature", "samples", "classifiers", "rejected", "best rate, %"})}};
   for (const char* feature : kMaterialFeatures) {
     for (const int samples : sampleCounts(results)) {
       int count = 0, rejected = 0;
       double best_rate = 0;
-      std::vector<std::vector<double>> shares(std::size(kMaterialShares));
+      std::vector<std::vector<double>> fractions(std::size(kMaterialFractions));
       for (const MaterialResult& result : results) {
         if (result.classifier.feature != feature || result.classifier.samples != samples) continue;
         ++count;
@@ -250,13 +252,13 @@ Table gridTable(const std::vector<MaterialResult>& results) {
           continue;
         }
         best_rate = std::max(best_rate, spreadOf(rates(result)).mean);
-        for (std::size_t i = 0; i < shares.size(); ++i) {
-          shares[i].push_back(spreadOf(dropped(result, i)).mean);
+        for (std::size_t i = 0; i < fractions.size(); ++i) {
+          fractions[i].push_back(spreadOf(dropped(result, i)).mean);
         }
       }
       std::vector<std::string> row = {feature, std::to_string(samples), std::to_string(count),
                                       std::to_string(rejected), fixed(best_rate, 2)};
-      for (const std::vector<double>& share : shares) row.push_back(plusMinus(share, 2));
+      for (const std::vector<double>& fraction : fractions) row.push_back(plusMinus(fraction, 2));
       table.rows.push_back(row);
     }
   }
@@ -285,14 +287,14 @@ Findings materialFindings(const std::vector<MaterialResult>& results) {
     }
     if (number == "7.1" || number == "7.2") {
       findings.figures.push_back({number == "7.1" ? "figure_7_3" : "figure_7_4",
-                                  sharesPlot("vectors left", "rate", curves)});
+                                  fractionsPlot("vectors left", "rate", curves)});
     }
   }
   findings.tables.push_back(tauTable(right));
   findings.tables.push_back(samplesTable(results));
   findings.tables.push_back(gridTable(results));
-  findings.figures.push_back({"figure_7_2_left", sharesPlot("vectors left", "rate", left)});
-  findings.figures.push_back({"figure_7_2_right", sharesPlot("tau", "vectors dropped", right)});
+  findings.figures.push_back({"figure_7_2_left", fractionsPlot("vectors left", "rate", left)});
+  findings.figures.push_back({"figure_7_2_right", fractionsPlot("tau", "vectors dropped", right)});
   return findings;
 }
 

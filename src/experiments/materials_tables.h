@@ -28,7 +28,7 @@ struct MaterialOutcome {
   double validation = 0;       ///< mean rate on parts of the training pictures that were left out
   double rate = 0;             ///< on the test pictures, before reduction
   int vectors = 0;             ///< before reduction
-  std::vector<int> fewest;     ///< vectors at each of kMaterialShares
+  std::vector<int> fewest;     ///< vectors at each of kMaterialFractions
   ReductionCurve curve;        ///< normalized; empty if not measured
   std::vector<TauPoint> taus;  ///< not normalized; empty if not measured
 };

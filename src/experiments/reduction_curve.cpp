@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr double kLowestShare = 0.7;
+constexpr double kLowestFraction = 0.7;
 
 /// As many values, whatever the number of `thresholds` (see Reduction), in ascending order.
 std::vector<double> tausOf(const std::vector<double>& thresholds) {
@@ -41,7 +41,7 @@ ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd&
   for (const double tau : tausOf(reduction->thresholds())) {
     const BinarySvms reduced = reduction->withTau(tau);
     curve.push_back({static_cast<int>(supportVectors(reduced).size()), rate(reduced), tau});
-    if (curve.back().rate < kLowestShare * curve.front().rate) break;
+    if (curve.back().rate < kLowestFraction * curve.front().rate) break;
   }
   return curve;
 }
@@ -54,19 +54,20 @@ const CurvePoint* pointAt(const ReductionCurve& curve, double tau) {
   return last == &curve.back() && tau > last->tau ? nullptr : last;
 }
 
-int fewestVectors(const ReductionCurve& curve, double share) {
+int fewestVectors(const ReductionCurve& curve, double fraction) {
   constexpr double kRounding = 1e-9;
   int fewest = curve.front().vectors;
   for (const CurvePoint& point : curve) {
-    const bool kept = point.rate >= share * curve.front().rate - kRounding;
+    const bool kept = point.rate >= fraction * curve.front().rate - kRounding;
     if (kept) fewest = std::min(fewest, point.vectors);
   }
   return fewest;
 }
 
-int fewestVectors(const std::vector<ReductionCurve>& curves, double share) {
-  int fewest = fewestVectors(curves.front(), share);
-  for (const ReductionCurve& curve : curves) fewest = std::min(fewest, fewestVectors(curve, share));
+int fewestVectors(const std::vector<ReductionCurve>& curves, double fraction) {
+  int fewest = fewestVectors(curves.front(), fraction);
+  for (const ReductionCurve& curve : curves)
+    fewest = std::min(fewest, fewestVectors(curve, fraction));
   return fewest;
 }
 

@@ -38,13 +38,13 @@ ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd&
 /// ends before.
 const CurvePoint* pointAt(const ReductionCurve& curve, double tau);
 
-/// The fewest vectors of any point that keeps `share` (0..1) of the rate of the first one.
-int fewestVectors(const ReductionCurve& curve, double share);
+/// The fewest vectors of any point that keeps `fraction` (0..1) of the rate of the first one.
+int fewestVectors(const ReductionCurve& curve, double fraction);
 
 /// The same for several reductions of the same machines.
-int fewestVectors(const std::vector<ReductionCurve>& curves, double share);
+int fewestVectors(const std::vector<ReductionCurve>& curves, double fraction);
 
-/// (share of the vectors left, rate) of the mean of several curves, as far as all of them go.
+/// (fraction of the vectors left, rate) of the mean of several curves, as far as all of them go.
 std::vector<std::pair<double, double>> meanCurve(const std::vector<ReductionCurve>& curves);
 
 nlohmann::json toJson(const ReductionCurve& curve);

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "experiments/reduction_curve.h"
 #include "experiments/thesis_places.h"
-#include "report/share_plot.h"
+#include "report/fraction_plot.h"
 
 namespace place_recognition {
 namespace {
@@ -33,18 +33,18 @@ std::string plusMinus(const Spread& spread, int decimals) {
   return fixed(spread.mean, decimals) + " +- " + fixed(spread.deviation, decimals);
 }
 
-/// Over the training sets: the rate, how many vectors hold a share of it, and what part of all
+/// Over the training sets: the rate, how many vectors hold a fraction of it, and what part of all
 /// vectors that drops.
 struct Kept {
   std::vector<double> rates, vectors, dropped;
 };
 
-Kept keptAt(const std::vector<std::vector<ReductionCurve>>& by_set, double share) {
+Kept keptAt(const std::vector<std::vector<ReductionCurve>>& by_set, double fraction) {
   Kept kept;
   for (const std::vector<ReductionCurve>& curves : by_set) {
     const CurvePoint& all = curves.front().front();
-    const int fewest = fewestVectors(curves, share);
-    kept.rates.push_back(100 * share * all.rate);
+    const int fewest = fewestVectors(curves, fraction);
+    kept.rates.push_back(100 * fraction * all.rate);
     kept.vectors.push_back(fewest);
     kept.dropped.push_back(all.vectors > 0 ? 100.0 * (all.vectors - fewest) / all.vectors : 0);
   }
@@ -122,7 +122,7 @@ Figure reductionFigure(PlaceFeatures features, const Curves& curves) {
     for (const auto& by_set : curves[m]) firsts.push_back(by_set.front());
     lines.push_back({kMethods[m], meanCurve(firsts)});
   }
-  return {std::string("reduction_") + name(features), sharesPlot("vectors left", "rate", lines)};
+  return {std::string("reduction_") + name(features), fractionsPlot("vectors left", "rate", lines)};
 }
 
 }  // namespace

@@ -5,15 +5,15 @@
 
 namespace place_recognition {
 
-/// The shares of the initial rate, per cent, that the tables of chapter 7 keep.
-constexpr int kMaterialShares[] = {100, 98, 95, 90, 80};
+/// The fractions of the initial rate, per cent, that the tables of chapter 7 keep.
+constexpr int kMaterialFractions[] = {100, 98, 95, 90, 80};
 
 /// One classifier of Tables 7.1 to 7.6, on KTH-TIPS2.
 struct ThesisMaterial {
   std::string kernel;
   double rate, rate_deviation;  ///< before reduction, per cent
   int vectors;                  ///< before reduction
-  double reduction[5];          ///< at kMaterialShares, per cent
+  double reduction[5];          ///< at kMaterialFractions, per cent
 };
 
 /// A table of chapter 7: what it holds fixed, and its rows.

@@ -25,7 +25,7 @@ const ThesisFinal& table86();
 struct ThesisReduction {
   int percent;                            ///< 0: the classifier before reduction
   double rate, rate_deviation;            ///< per cent
-  double reduction, reduction_deviation;  ///< share of the vectors dropped, per cent
+  double reduction, reduction_deviation;  ///< fraction of the vectors dropped, per cent
   int vectors, vectors_deviation;
 };
 

@@ -21,7 +21,7 @@ const std::map<std::string_view, Operator> kFunctions = {
     {"grad", Operator::kGradient}, {"lap", Operator::kLaplacian}, {"det", Operator::kDeterminant}};
 
 /// On the whole range, 85 to 93 % of the pixels of rooms fall into the middle one of 15 bins.
-constexpr double kDeterminantShare = 4;
+constexpr double kDeterminantFraction = 4;
 
 /// Splits "Lxx" and "det(L)" into the names of channel and operator.
 struct Parts {
@@ -49,7 +49,7 @@ struct ResponseRange {
 ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range) {
   if (descriptor.op == Operator::kGradient) return {0, derivative_range};
   if (descriptor.op == Operator::kDeterminant) {
-    return {-derivative_range / kDeterminantShare, derivative_range / kDeterminantShare};
+    return {-derivative_range / kDeterminantFraction, derivative_range / kDeterminantFraction};
   }
   if (descriptor.op != Operator::kValue) return {-derivative_range, derivative_range};
   if (descriptor.channel == Channel::kC1) return {-127.5, 127.5};

@@ -46,8 +46,8 @@ void Mr8Extractor::countRow(const Mr8FilterBank::Responses& responses, int y) {
   for (std::size_t x = 0; x < bins_.size(); ++x) {
     std::uint64_t bin = 0;
     for (int k = Mr8FilterBank::kResponses - 1; k >= 0; --k) {
-      const float share = rows[k][x] / range;
-      const float level = levels * (k < kSigned ? share : 0.5f * (share + 1));
+      const float fraction = rows[k][x] / range;
+      const float level = levels * (k < kSigned ? fraction : 0.5f * (fraction + 1));
       bin = bin * options_.bins + static_cast<std::uint64_t>(std::clamp(level, 0.0f, levels - 1));
     }
     bins_[x] = bin;

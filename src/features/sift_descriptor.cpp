@@ -63,10 +63,11 @@ struct GridLine {
   float row, row_step;
 };
 
-/// Where each sample falls. `angle` becomes the share of the next direction.
+/// Where each sample falls. `angle` becomes the fraction of the next direction.
 PLACE_RECOGNITION_TARGET_CLONES
 void toBins(const GridLine& line, float turned, int count, float* __restrict angle,
-            float* __restrict row_share, float* __restrict column_share, int* __restrict bin) {
+            float* __restrict row_fraction, float* __restrict column_fraction,
+            int* __restrict bin) {
   constexpr float kEnd = kGrid + 0.9999f;  // against rounding at the rim's edge
   constexpr float kPerRadian = kDirections / (2 * kPi);
   for (int i = 0; i < count; ++i) {
@@ -77,8 +78,8 @@ void toBins(const GridLine& line, float turned, int count, float* __restrict ang
     const int r = static_cast<int>(row);
     const int c = static_cast<int>(column);
     const int d = static_cast<int>(direction);
-    row_share[i] = row - r;
-    column_share[i] = column - c;
+    row_fraction[i] = row - r;
+    column_fraction[i] = column - c;
     angle[i] = direction - d;
     bin[i] = r * kCellRow + c * kCell + d;
   }
@@ -135,7 +136,7 @@ void normalize(const float* cells, std::uint8_t* descriptor) {
 void SiftDescriptor::prepareWindow(float x, float y, int radius, float sigma) {
   const std::size_t size = 2 * radius + 1;
   for (std::vector<float>* buffer : {&window_x_, &window_y_, &samples_.magnitude, &samples_.angle,
-                                     &samples_.row_share, &samples_.column_share}) {
+                                     &samples_.row_fraction, &samples_.column_fraction}) {
     buffer->resize(size);
   }
   samples_.bin.resize(size);
@@ -216,14 +217,14 @@ void SiftDescriptor::describe(const cv::Mat1f& level, float x, float y, float si
     const float dx = begin - x;
     const GridLine line{dx * cosine + dy * sine + kReach, cosine, -dx * sine + dy * cosine + kReach,
                         -sine};
-    toBins(line, angle, count, samples_.angle.data(), samples_.row_share.data(),
-           samples_.column_share.data(), samples_.bin.data());
+    toBins(line, angle, count, samples_.angle.data(), samples_.row_fraction.data(),
+           samples_.column_fraction.data(), samples_.bin.data());
     for (int i = 0; i < count; ++i) {
-      const float lower = samples_.magnitude[i] * samples_.row_share[i];
+      const float lower = samples_.magnitude[i] * samples_.row_fraction[i];
       const float upper = samples_.magnitude[i] - lower;
-      const float lower_right = lower * samples_.column_share[i];
+      const float lower_right = lower * samples_.column_fraction[i];
       const float lower_left = lower - lower_right;
-      const float upper_right = upper * samples_.column_share[i];
+      const float upper_right = upper * samples_.column_fraction[i];
       const float upper_left = upper - upper_right;
       const float next = samples_.angle[i];
       float* bin = cells.data() + samples_.bin[i];

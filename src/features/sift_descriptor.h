@@ -34,8 +34,8 @@ class SiftDescriptor {
     // For the descriptor: the first of the eight bins that a sample is shared among, and how far
     // it is towards the next one along the rows and columns (along the directions: `angle`), 0..1.
     std::vector<int> bin;
-    std::vector<float> row_share;
-    std::vector<float> column_share;
+    std::vector<float> row_fraction;
+    std::vector<float> column_fraction;
   };
 
   void prepareWindow(float x, float y, int radius, float sigma);

@@ -40,10 +40,10 @@ double wantedSum(const Eigen::MatrixXd& decision_values, const std::vector<int>&
   return (frames * true_values + mean_values) / (frames + 1);
 }
 
-/// The element that a `share` of the values lie below.
-double quantile(Eigen::VectorXd values, double share) {
+/// The element that a `fraction` of the values lie below.
+double quantile(Eigen::VectorXd values, double fraction) {
   std::sort(values.data(), values.data() + values.size());
-  const auto below = static_cast<Eigen::Index>(share * static_cast<double>(values.size()));
+  const auto below = static_cast<Eigen::Index>(fraction * static_cast<double>(values.size()));
   return values[std::min(below, values.size() - 1)];
 }
 
@@ -102,7 +102,7 @@ Calibration fitCalibration(const Eigen::MatrixXd& decision_values, const std::ve
 }
 
 EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::VectorXd& familiarity,
-                            double share) {
+                            double fraction) {
   assert(log_sums.size() == familiarity.size());
   if (log_sums.size() == 0) return {};
   EvidenceWeights weights;
@@ -110,7 +110,7 @@ EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::Vector
   weights.familiarity = unitsOf(familiarity);
   const Eigen::VectorXd sums =
       weights.decision_values * log_sums + weights.familiarity * familiarity;
-  const double limit = quantile(sums, share);
+  const double limit = quantile(sums, fraction);
   const double spread = quantile(sums, 0.5) - limit;
   constexpr double kMedian = 3;  // 1 / (1 + exp(-3)) = 0.95
   const double gain = spread > 0 ? kMedian / spread : 1;

@@ -7,7 +7,7 @@
 namespace place_recognition {
 namespace {
 
-/// What is left of a column is rounding error at this share of the largest norm.
+/// What is left of a column is rounding error at this fraction of the largest norm.
 double roundingError(Eigen::Index rows) {
   return static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
 }

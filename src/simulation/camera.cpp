@@ -11,7 +11,7 @@ namespace {
 constexpr float kVignetting = 0.22f;   ///< light lost in the corners
 constexpr float kTarget = 0.2f;        ///< mean exposure that the meter aims at; 1 is white
 constexpr float kMeterCeiling = 1.0f;  ///< the meter does not see brighter than this
-constexpr float kCorrection = 0.55f;   ///< share of a colour cast that is taken out
+constexpr float kCorrection = 0.55f;   ///< fraction of a colour cast that is taken out
 constexpr float kFullWell = 9000.0f;   ///< electrons at white, at the lowest sensitivity
 constexpr float kReadNoise = 14.0f;    ///< electrons
 constexpr float kBrightEnough = 1.2f;  ///< mean radiance below which the sensitivity rises

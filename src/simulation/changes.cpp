@@ -9,8 +9,8 @@ namespace {
 
 /// What is likely under a condition.
 struct Habits {
-  float tube, shade;  ///< share of the lamps that are on
-  float blind_drawn;  ///< share of the windows with a lowered blind
+  float tube, shade;  ///< fraction of the lamps that are on
+  float blind_drawn;  ///< fraction of the windows with a lowered blind
   float screen, seated;
   int walkers;
 };

@@ -175,16 +175,16 @@ Vec3 Lighting::fromLamp(const Lamp& lamp, const Vec3& point, const Vec3& normal,
       const float here = normal.dot(way) / distance;
       const float there = everywhere ? 1.0f : -lamp.normal.dot(way) / distance;
       if (here <= 0.0f || there <= 0.0f) continue;
-      float share = here * there * area / std::max(squared, 0.5f * area);
-      if (share * radiance[1] < 0.004f) continue;
+      float fraction = here * there * area / std::max(squared, 0.5f * area);
+      if (fraction * radiance[1] < 0.004f) continue;
       // A shade of cloth would shadow its own middle.
       if (tracer_.blocked(point, way,
                           everywhere ? 1.0f - 0.21f / std::max(distance, 0.3f) : 1.0f)) {
         continue;
       }
       // Looking up through a window one sees the sky, looking down the darker ground.
-      if (window) share *= 0.9f + 0.8f * std::clamp(way[2] / distance, -0.7f, 0.7f);
-      sum += share * radiance;
+      if (window) fraction *= 0.9f + 0.8f * std::clamp(way[2] / distance, -0.7f, 0.7f);
+      sum += fraction * radiance;
     }
   }
   return sum;

@@ -14,8 +14,8 @@ const int kHorizon = kSize.height / 2;
 /// The colours of a day or of a night.
 struct Light {
   cv::Scalar zenith, horizon, cloud, wall, window, tree, ground;
-  double clouds;     ///< share of the cloud's colour where it is thickest
-  float lit_window;  ///< share of the windows with a lamp behind
+  double clouds;     ///< fraction of the cloud's colour where it is thickest
+  float lit_window;  ///< fraction of the windows with a lamp behind
 };
 
 Light lightOf(Condition condition) {
@@ -60,10 +60,11 @@ void drawSky(cv::Mat& picture, Random& random, const Light& light) {
     const double height = std::max(0.0, 1.0 - static_cast<double>(y) / kHorizon);
     const cv::Scalar clear = light.horizon + (light.zenith - light.horizon) * height;
     for (int x = 0; x < kSize.width; ++x) {
-      const double share = light.clouds * std::clamp(2.5 * (field.at<float>(y, x) - 0.4), 0.0, 1.0);
+      const double fraction =
+          light.clouds * std::clamp(2.5 * (field.at<float>(y, x) - 0.4), 0.0, 1.0);
       for (int c = 0; c < 3; ++c) {
         picture.at<cv::Vec3b>(y, x)[c] =
-            cv::saturate_cast<uchar>(clear[c] + share * (light.cloud[c] - clear[c]));
+            cv::saturate_cast<uchar>(clear[c] + fraction * (light.cloud[c] - clear[c]));
       }
     }
   }

@@ -141,14 +141,14 @@ std::vector<Pose> driveRun(double rate, float stray, Random random) {
     const float turn = wrapped(heading(i + 1) - heading(i));
     const double duration = std::max(kStep / kSpeed, std::abs(turn) / kTurnRate);
     for (double stamp; (stamp = static_cast<double>(run.size()) / rate) < time + duration;) {
-      const auto share = static_cast<float>((stamp - time) / duration);
-      const cv::Point2f at = way[i] + share * (way[i + 1] - way[i]);
+      const auto fraction = static_cast<float>((stamp - time) / duration);
+      const cv::Point2f at = way[i] + fraction * (way[i + 1] - way[i]);
       Pose pose;
       pose.room = roomAt(at.x, at.y).name;
       pose.name = numbered("drive_%06d", static_cast<int>(run.size()));
       pose.stamp = stamp;
       pose.view.eye = {at.x, at.y, kCameraHeight};
-      pose.view.yaw = wrapped(heading(i) + share * turn);
+      pose.view.yaw = wrapped(heading(i) + fraction * turn);
       pose.view.pitch = 0.003f * random.normal();  // the floor is not quite even
       run.push_back(pose);
     }

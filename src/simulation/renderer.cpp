@@ -191,10 +191,10 @@ Vec3 Renderer::shade(const Frame& frame, int index, float x, float y, float exte
     const Vec3 direction = cv::normalize(frame.ray(x, y, samples_, focal_));
     const float cosine = std::abs(direction.dot(facet.normal));
     // Schlick's approximation of Fresnel's law, less at grazing angles, for nothing is that flat.
-    const float share =
+    const float fraction =
         material.mirror + 0.5f * (1.0f - material.mirror) * std::pow(1.0f - cosine, 5.0f);
-    colour = (1.0f - share) * colour +
-             share * mirrored(facet.at(a, b), direction, facet.normal, extent / focal_);
+    colour = (1.0f - fraction) * colour +
+             fraction * mirrored(facet.at(a, b), direction, facet.normal, extent / focal_);
   }
   return colour;
 }

@@ -15,7 +15,7 @@ struct Material {
   cv::Size2f size{1.0f, 1.0f};      ///< m a repeat of the texture; empty: once over the facet
   Vec3 tint{1.0f, 1.0f, 1.0f};      ///< multiplies the texture; times it, the albedo
   Vec3 emission{0.0f, 0.0f, 0.0f};  ///< radiance; multiplies the texture
-  float mirror = 0.0f;              ///< share of the mirrored scene, at normal incidence
+  float mirror = 0.0f;              ///< fraction of the mirrored scene, at normal incidence
   bool glass = false;               ///< seen through, and shines through
 };
 

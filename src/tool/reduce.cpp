@@ -173,7 +173,7 @@ void addReduce(CommandLine& tool) {
       .positive()
       .excludes("--tau");
   verb.option("--share", "S", options->reduction.share,
-              "Share of the vectors to keep, of each cue, 0..1")
+              "Fraction of the vectors to keep, of each cue, 0..1")
       .range(1e-6, 1)
       .excludes("--tau")
       .excludes("--support-vectors");

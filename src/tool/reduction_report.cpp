@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "base/text.h"
+#include "report/fraction_plot.h"
 #include "report/html_page.h"
-#include "report/share_plot.h"
 #include "report/svg.h"
 #include "report/text_table.h"
 
@@ -92,7 +92,7 @@ std::string reductionPage(const ReductionReport& report) {
   }
   if (!curves.empty()) {
     body += "<h2>Rate on the validation runs against the vectors kept</h2>\n" +
-            sharesPlot("support vectors", "rate, mean of the rooms", curves);
+            fractionsPlot("support vectors", "rate, mean of the rooms", curves);
   }
   return htmlPage("Place recognition: reduction", body);
 }

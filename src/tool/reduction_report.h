@@ -19,7 +19,7 @@ struct ReductionFigures {
   std::optional<double> rate;  ///< 0..1 on the validation runs, if there are any
   std::uint64_t model_bytes = 0;
   double comparison_ms = 0;  ///< see comparisonMilliseconds()
-  /// Rate on the validation runs against the share of the vectors kept; may be empty.
+  /// Rate on the validation runs against the fraction of the vectors kept; may be empty.
   std::vector<std::pair<double, double>> curve;
 };
 

@@ -49,8 +49,8 @@ class Jpegs : public testing::TestWithParam<JpegKind> {
  protected:
   const Bytes whole_ = encoded(".jpg", GetParam().parameters);
 
-  Bytes cut(double share) const {
-    const auto kept = static_cast<std::ptrdiff_t>(share * static_cast<double>(whole_.size()));
+  Bytes cut(double fraction) const {
+    const auto kept = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(whole_.size()));
     return {whole_.begin(), whole_.begin() + kept};
   }
 };
@@ -58,8 +58,8 @@ class Jpegs : public testing::TestWithParam<JpegKind> {
 TEST_P(Jpegs, WholeOnesAreTaken) { EXPECT_EQ(problemOf(whole_), ""); }
 
 TEST_P(Jpegs, CutOnesAreUnusable) {
-  for (const double share : {0.1, 0.3333, 0.5, 0.8, 0.95, 0.99}) {
-    EXPECT_NE(problemOf(cut(share)), "") << share;
+  for (const double fraction : {0.1, 0.3333, 0.5, 0.8, 0.95, 0.99}) {
+    EXPECT_NE(problemOf(cut(fraction)), "") << fraction;
   }
   for (std::ptrdiff_t lost = 5; lost < 100; lost += 3) {
     EXPECT_NE(problemOf({whole_.begin(), whole_.end() - lost}), "") << lost;
@@ -67,19 +67,19 @@ TEST_P(Jpegs, CutOnesAreUnusable) {
 }
 
 TEST_P(Jpegs, CutOnesWithAnEndMarkerAreUnusable) {
-  for (const double share : {0.3333, 0.5, 0.9}) {
-    Bytes bytes = cut(share);
+  for (const double fraction : {0.3333, 0.5, 0.9}) {
+    Bytes bytes = cut(fraction);
     if (bytes.back() == 0xff) bytes.pop_back();
     bytes.insert(bytes.end(), {0xff, 0xd9});
-    EXPECT_NE(problemOf(bytes), "") << share;
+    EXPECT_NE(problemOf(bytes), "") << fraction;
   }
 }
 
 TEST_P(Jpegs, CutOnesInABufferOfZerosAreUnusable) {
-  for (const double share : {0.3333, 0.5, 0.9}) {
-    Bytes bytes = cut(share);
+  for (const double fraction : {0.3333, 0.5, 0.9}) {
+    Bytes bytes = cut(fraction);
     bytes.resize(whole_.size() + 4096);
-    EXPECT_NE(problemOf(bytes), "") << share;
+    EXPECT_NE(problemOf(bytes), "") << fraction;
   }
 }
 

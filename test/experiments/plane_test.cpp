@@ -24,8 +24,8 @@ PlaneMachine machineOfOne(const KernelOptions& kernel, double weight, double bia
   return {{0}, svms, kernel};
 }
 
-/// Share of the square.
-double shareOf(const std::vector<cv::Point>& contour) {
+/// Fraction of the square.
+double fractionOf(const std::vector<cv::Point>& contour) {
   return cv::contourArea(contour) / (DecisionRegions::kSize * DecisionRegions::kSize);
 }
 
@@ -55,9 +55,9 @@ TEST(Plane, RegionsLieOnTheirSidesOfALine) {
   const PlanePoints points{{DenseVector{{1, 0}}}, {0}};
   const DecisionRegions regions = decisionRegions(points, machineOfOne(ofType("linear"), 2, -0.5));
   ASSERT_EQ(regions.above[0].size(), 1u);
-  EXPECT_NEAR(shareOf(regions.above[0][0]), 0.75, 0.01);
+  EXPECT_NEAR(fractionOf(regions.above[0][0]), 0.75, 0.01);
   ASSERT_EQ(regions.above[2].size(), 1u);
-  EXPECT_NEAR(shareOf(regions.above[2][0]), 0.25, 0.01);
+  EXPECT_NEAR(fractionOf(regions.above[2][0]), 0.25, 0.01);
   EXPECT_TRUE(regions.above[3].empty());
   EXPECT_TRUE(regions.below[2].empty());
 }
@@ -69,8 +69,8 @@ TEST(Plane, ARegionMayHaveAHole) {
   kernel.gamma = 10;
   const DecisionRegions regions = decisionRegions(points, machineOfOne(kernel, -1, 0.5));
   ASSERT_EQ(regions.above[0].size(), 2u);
-  EXPECT_NEAR(shareOf(regions.above[0][0]), 1, 0.01);
-  EXPECT_NEAR(shareOf(regions.above[0][1]), M_PI * std::log(2) / 10, 0.01);
+  EXPECT_NEAR(fractionOf(regions.above[0][0]), 1, 0.01);
+  EXPECT_NEAR(fractionOf(regions.above[0][1]), M_PI * std::log(2) / 10, 0.01);
 }
 
 }  // namespace

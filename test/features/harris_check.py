@@ -67,7 +67,7 @@ def detect(image):
 
 
 def share(points, others):
-    """Share of points that are among the others too."""
+    """Fraction of points that are among the others too."""
     return np.mean([np.any((np.hypot(others[:, 0] - x, others[:, 1] - y) < 0.01) &
                            (np.abs(others[:, 2] / s - 1) < 0.05) &
                            (np.abs(others[:, 3] / c - 1) < 0.001)) for x, y, s, c in points])

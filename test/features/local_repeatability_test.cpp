@@ -135,7 +135,7 @@ Points moved(const Points& points, const cv::Matx33d& map, cv::Size from, cv::Si
   return result;
 }
 
-/// Share of points with a partner (one to one, best overlap first), of the fewer points.
+/// Fraction of points with a partner (one to one, best overlap first), of the fewer points.
 double repeatability(const Points& before, const Points& after, const Change& change,
                      cv::Size size) {
   const Points a = moved(before, change.map, size, change.picture.size());

@@ -179,7 +179,7 @@ TEST(TemporalFilterOfCameras, CountsEachByItsOwnTimeAndWhatTheOthersDoNotSay) {
 
 TEST(TemporalFilterOfCameras, CamerasThatAlwaysErrTogetherCountAsOne) {
   TemporalFilter one = filterOf(1, 1), three = filterOf(3, 1);
-  // Once each has its share, three frames a moment say what one does.
+  // Once each has its fraction, three frames a moment say what one does.
   const auto show = [&](double stamp) {
     one.update(stamp, seen(0));
     for (const std::size_t camera : {0, 1, 2}) three.update(stamp, seen(0), std::nullopt, camera);

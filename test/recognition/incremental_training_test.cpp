@@ -11,7 +11,7 @@
 namespace place_recognition {
 namespace {
 
-/// Share of right answers to new frames of all drawn rooms.
+/// Fraction of right answers to new frames of all drawn rooms.
 double rateOn(Model model, int rooms) {
   const auto shared = std::make_shared<const Model>(std::move(model));
   Recognizer recognizer(shared);
@@ -77,21 +77,22 @@ TEST(TrainIncrementally, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
   EXPECT_EQ(serializeModel(trainIncrementally(parseModel(file, "once"), runs, 15, 3).model), once);
 }
 
-/// Share of new frames of some rooms that are answered right, and of those answered 'unknown'.
-struct Shares {
+/// Fraction of new frames of some rooms that are answered right, and of those answered 'unknown'.
+struct Fractions {
   double right = 0;
   double unknown = 0;
 };
-Shares sharesOf(const std::shared_ptr<const Model>& model, const std::vector<Frame>& frames) {
+Fractions fractionsOf(const std::shared_ptr<const Model>& model, const std::vector<Frame>& frames) {
   Recognizer recognizer(model);
-  Shares shares;
+  Fractions fractions;
   const double part = 1 / static_cast<double>(frames.size());
   for (const Frame& frame : frames) {
     const Recognition& answer = recognizer.recognize(frame.image);
-    if (model->places[static_cast<std::size_t>(answer.place)] == frame.place) shares.right += part;
-    if (!answer.known) shares.unknown += part;
+    if (model->places[static_cast<std::size_t>(answer.place)] == frame.place)
+      fractions.right += part;
+    if (!answer.known) fractions.unknown += part;
   }
-  return shares;
+  return fractions;
 }
 
 /// Trains on three drawn rooms, adds `frames`, and compares the answers to the first two rooms.
@@ -101,8 +102,8 @@ void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOpti
   const auto after =
       std::make_shared<const Model>(trainIncrementally(*before, {opener(frames)}, 0).model);
   const std::vector<Frame> others = drawFrames(2, 50, 5000);
-  EXPECT_NEAR(sharesOf(after, others).right, sharesOf(before, others).right, 0.02);
-  EXPECT_NEAR(sharesOf(after, others).unknown, sharesOf(before, others).unknown, 0.02);
+  EXPECT_NEAR(fractionsOf(after, others).right, fractionsOf(before, others).right, 0.02);
+  EXPECT_NEAR(fractionsOf(after, others).unknown, fractionsOf(before, others).unknown, 0.02);
   for (const std::string& place : before->places) {
     const std::vector<std::string> judged = after->validatedPlaces();
     EXPECT_EQ(std::count(judged.begin(), judged.end(), place), 1) << place;

@@ -48,11 +48,11 @@ cv::Mat rolled(const cv::Mat& panorama, cv::Size size, const MirrorRing& ring) {
       const cv::Point2d offset = cv::Point2d(x + 0.5, y + 0.5) - ring.center;
       double angle = std::atan2(offset.x, offset.y);
       if (angle < 0) angle += 2 * CV_PI;
-      const double share =
+      const double fraction =
           (ring.outer - std::hypot(offset.x, offset.y)) / (ring.outer - ring.inner);
       map.at<cv::Vec2f>(y, x) =
           cv::Vec2f(static_cast<float>(angle / (2 * CV_PI) * panorama.cols - 0.5),
-                    static_cast<float>(share * panorama.rows - 0.5));
+                    static_cast<float>(fraction * panorama.rows - 0.5));
     }
   }
   cv::Mat image;
@@ -70,8 +70,8 @@ TEST(Panorama, IsTheImageItselfWithoutAMirror) {
 }
 
 TEST(Panorama, HasACircleInEachRowTheRimAtTheTop) {
-  const auto value = [](double angle, double share) {
-    return 60 + 40 * std::sin(3 * angle + 1) + 80 * share;
+  const auto value = [](double angle, double fraction) {
+    return 60 + 40 * std::sin(3 * angle + 1) + 80 * fraction;
   };
   Panorama panorama(optionsOf(kRing, kSize));
   const cv::Mat unrolled = panorama.unrolled(drawRing(kSize, kRing, value));
@@ -132,14 +132,14 @@ TEST(MirrorSearch, FindsRingsOfAnySizeAndPlace) {
     const cv::Size size(120 + static_cast<int>(random() % 400),
                         120 + static_cast<int>(random() % 300));
     const double side = std::min(size.width, size.height);
-    const auto share = [&](double low, double high) {
+    const auto fraction = [&](double low, double high) {
       return low + (high - low) * static_cast<double>(random() % 1000) / 1000;
     };
     MirrorRing ring;
-    ring.center = {size.width / 2.0 + side * share(-0.07, 0.07),
-                   size.height / 2.0 + side * share(-0.07, 0.07)};
-    ring.outer = side * share(0.35, 0.55);
-    ring.inner = ring.outer * share(0.15, 0.4);
+    ring.center = {size.width / 2.0 + side * fraction(-0.07, 0.07),
+                   size.height / 2.0 + side * fraction(-0.07, 0.07)};
+    ring.outer = side * fraction(0.35, 0.55);
+    ring.inner = ring.outer * fraction(0.15, 0.4);
     const cv::Mat image =
         rolled(drawRoom(static_cast<int>(random() % 3), random() % 100), size, ring);
     const auto found = findMirror(image);

@@ -167,7 +167,7 @@ TEST(Recognizer, DoesNotExtractCuesThatDoNotCount) {
   EXPECT_FALSE(isMissing(features[1]));
 }
 
-/// Share of right answers to new frames of three drawn rooms, each `factor` times as large.
+/// Fraction of right answers to new frames of three drawn rooms, each `factor` times as large.
 double rateAt(const std::shared_ptr<const Model>& model, double factor) {
   Recognizer recognizer(model);
   double right = 0;

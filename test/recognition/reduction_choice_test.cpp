@@ -20,10 +20,10 @@ struct Answered {
   }
 };
 
-ReductionOptions reduction(const std::string& method, double share) {
+ReductionOptions reduction(const std::string& method, double fraction) {
   ReductionOptions options;
   options.method = method;
-  options.share = share;
+  options.share = fraction;
   return options;
 }
 

@@ -79,7 +79,7 @@ TEST(StratifiedSample, SeesEveryAngleOfATripod) {
 }
 
 TEST(HeldOutFrames, AreNoMoreThanAModelKeeps) {
-  // Shares of 1000 that all have a rest.
+  // Fractions of 1000 that all have a rest.
   const std::vector<int> rooms{231, 252, 249, 341, 458};
   CalibrationSet calibration_set;
   for (std::size_t k = 0; k < rooms.size(); ++k) {

@@ -74,12 +74,12 @@ TEST(TemporalFilter, IsTheForwardAlgorithm) {
   const std::vector<Recognition> frames{seen({0.7, 0.2, 0.1}), seen({0.3, 0.6, 0.1}, 0.4),
                                         seen({0.1, 0.1, 0.8}), seen({0.2, 0.2, 0.6}, 0.1)};
   constexpr double kStep = 0.4;
-  const double shares[] = {0.5, 0.25, 0.25};
+  const double fractions[] = {0.5, 0.25, 0.25};
   const auto likelihood = [&](std::size_t frame, int state) {
     const Recognition& f = frames[frame];
     const auto tempered = [](double ratio) { return 0.8 * ratio + 0.2; };
     double by_room[3];
-    for (int k = 0; k < 3; ++k) by_room[k] = tempered(f.probabilities[k] / shares[k]);
+    for (int k = 0; k < 3; ++k) by_room[k] = tempered(f.probabilities[k] / fractions[k]);
     const double best = std::max({by_room[0], by_room[1], by_room[2]});
     const double whole = state == 3 ? tempered((1 - f.evidence) / (1 - kThreshold))
                                     : tempered(f.evidence / kThreshold) * by_room[state] / best;

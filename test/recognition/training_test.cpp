@@ -24,7 +24,7 @@ std::string refusal(const std::vector<Frame>& frames) {
   return "";
 }
 
-/// Share of right answers on new pictures of the drawn rooms.
+/// Fraction of right answers on new pictures of the drawn rooms.
 double rateOn(Training training, int rooms) {
   Recognizer recognizer(std::make_shared<const Model>(std::move(training.model)));
   int right = 0;

@@ -77,7 +77,7 @@ TEST_F(RecognizerNode, BeliefGrowsWithEachFrameOfARoom) {
     const std::size_t come = static_cast<std::size_t>(i) + 1;
     ASSERT_TRUE(eventually([&] { return beliefs.messages().size() == come; }));
   }
-  const auto share = [](const PlaceRecognition& belief) {
+  const auto fraction = [](const PlaceRecognition& belief) {
     return belief.places[1].probability * belief.evidence;
   };
   const std::vector<PlaceRecognition> come = beliefs.messages();
@@ -85,7 +85,7 @@ TEST_F(RecognizerNode, BeliefGrowsWithEachFrameOfARoom) {
     EXPECT_EQ(come[i].header.stamp, start + ros::Duration(0.1 * static_cast<double>(i)));
     EXPECT_EQ(come[i].place, "room1");
   }
-  EXPECT_GT(share(come.back()), share(come.front()));
+  EXPECT_GT(fraction(come.back()), fraction(come.front()));
 }
 
 TEST_F(RecognizerNode, NamesThePlaceLatchedAndOnceAChange) {

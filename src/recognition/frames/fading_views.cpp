@@ -26,7 +26,7 @@ void FadingViews::reset() {
 void FadingViews::beginFrame(double stamp) {
   const double elapsed = stamp - stamp_;
   if (started_ && !(elapsed >= -kTimeJump)) reset();
-  share_ = started_ ? std::clamp(elapsed / kNewFrame, 0.0, 1.0) : 1;
+  fraction_ = started_ ? std::clamp(elapsed / kNewFrame, 0.0, 1.0) : 1;
   if (started_ && elapsed > 0) {
     const double kept = std::exp(-elapsed / kFadingTime);
     counts_ *= kept;
@@ -40,13 +40,13 @@ void FadingViews::add(const Eigen::RowVectorXd& probabilities, const Eigen::Matr
   assert(probabilities.size() == counts_.size());
   assert(values.rows() == sums_.rows() && values.cols() == sums_.cols());
   for (Eigen::Index k = 0; k < counts_.size(); ++k) {
-    const double part = share_ * probabilities[k];
+    const double part = fraction_ * probabilities[k];
     counts_[k] += part;
     sums_.row(k) += part * values.row(k);
   }
 }
 
-Eigen::VectorXd FadingViews::shares() const {
+Eigen::VectorXd FadingViews::fractions() const {
   return (1 + counts_.array() / kViewsOfAPlace).inverse();
 }
 

@@ -22,17 +22,17 @@ class FadingViews {
   void add(const Eigen::RowVectorXd& probabilities, const Eigen::MatrixXd& values);
 
   /// Sum_k v_k: how many views the frames are worth; those of a place v_k = 1 / (1/n_k + 1/5).
-  double views() const { return counts_.cwiseProduct(shares()).sum(); }
+  double views() const { return counts_.cwiseProduct(fractions()).sum(); }
 
   /// Sum_k v_k m_k, with the mean m_k of each value over the frames of a place.
-  Eigen::RowVectorXd sums() const { return shares().transpose() * sums_; }
+  Eigen::RowVectorXd sums() const { return fractions().transpose() * sums_; }
 
  private:
-  Eigen::VectorXd shares() const;  // v_k / n_k
+  Eigen::VectorXd fractions() const;  // v_k / n_k
 
   double stamp_ = 0;
   bool started_ = false;
-  double share_ = 1;        // of the frame that is new
+  double fraction_ = 1;     // of the frame that is new
   Eigen::VectorXd counts_;  // n_k
   Eigen::MatrixXd sums_;    // n_k m_k
 };

@@ -50,7 +50,7 @@ bool isSoundCovariance(const Eigen::Matrix3d& covariance) {
          solver.eigenvalues().maxCoeff() <= kLargest;
 }
 
-bool isShare(double number) { return number >= 0 && number <= 1; }
+bool isFraction(double number) { return number >= 0 && number <= 1; }
 
 std::string joined(const std::vector<std::string>& texts) {
   std::string bytes;
@@ -85,7 +85,7 @@ void readCueWeights(const proto::Model& message, Model& model) {
           "it has not one weight a cue");
   double sum = 0;
   for (const double weight : message.cue_weights()) {
-    require(isShare(weight), "the weight of a cue is not in 0..1");
+    require(isFraction(weight), "the weight of a cue is not in 0..1");
     sum += weight;
   }
   require(std::abs(sum - 1) < 1e-9, "the weights of the cues do not sum to one");
@@ -130,9 +130,10 @@ void readCalibration(const proto::Model& message, Model& model) {
   model.unknown_threshold = message.unknown_threshold();
   model.validation.average_rate = message.validation_average_rate();
   model.validation.calibration_error = message.validation_calibration_error();
-  require(isShare(model.unknown_threshold), "the threshold of 'unknown' is not in 0..1");
-  require(isShare(model.validation.average_rate) && isShare(model.validation.calibration_error),
-          "the validation is not in 0..1");
+  require(isFraction(model.unknown_threshold), "the threshold of 'unknown' is not in 0..1");
+  require(
+      isFraction(model.validation.average_rate) && isFraction(model.validation.calibration_error),
+      "the validation is not in 0..1");
 }
 
 void writeHeldOut(const HeldOutFrames& frames, proto::Model& message) {
@@ -265,7 +266,7 @@ void readCameras(const proto::Model& message, Model& model) {
             "the topic of a camera is not UTF-8 text");
     for (Eigen::Index b = a + 1; b < count; ++b) {
       const double correlation = message.camera_correlations(next++);
-      require(isShare(correlation), "the correlation of two cameras is not in 0..1");
+      require(isFraction(correlation), "the correlation of two cameras is not in 0..1");
       cameras.coefficients(a, b) = cameras.coefficients(b, a) = correlation;
     }
   }

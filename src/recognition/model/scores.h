@@ -46,8 +46,8 @@ struct ConfusedPair {
 std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
                                         const std::vector<int>& answers, std::size_t places);
 
-/// Expected calibration error: frames in ten equal bins of confidence, the bins' |share of correct
-/// answers - mean confidence| weighted by their frames. 0 without frames.
+/// Expected calibration error: frames in ten equal bins of confidence, the bins' |fraction of
+/// correct answers - mean confidence| weighted by their frames. 0 without frames.
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct);
 
 }  // namespace place_recognition

@@ -10,17 +10,17 @@
 namespace place_recognition {
 namespace {
 
-/// The share of each place among the training images, equal ones if the model does not tell.
+/// The fraction of each place among the training images, equal ones if the model does not tell.
 /// Counting one image more for each keeps a place without any from counting infinitely.
-Eigen::RowVectorXd trainingShares(const Model& model) {
+Eigen::RowVectorXd trainingFractions(const Model& model) {
   const std::vector<std::uint64_t>& images = model.provenance.place_images;
-  Eigen::RowVectorXd shares = Eigen::RowVectorXd::Ones(static_cast<int>(model.places.size()));
+  Eigen::RowVectorXd fractions = Eigen::RowVectorXd::Ones(static_cast<int>(model.places.size()));
   if (images.size() == model.places.size()) {
     for (std::size_t k = 0; k < images.size(); ++k) {
-      shares[static_cast<int>(k)] += static_cast<double>(images[k]);
+      fractions[static_cast<int>(k)] += static_cast<double>(images[k]);
     }
   }
-  return shares / shares.sum();
+  return fractions / fractions.sum();
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ TemporalFilter::TemporalFilter(const std::vector<const Model*>& models,
   options_.check();
   for (const Model* model : models) {
     assert(adjacency.places() == model->places.size());
-    cameras_.push_back({trainingShares(*model)});
+    cameras_.push_back({trainingFractions(*model)});
     setUnknownThreshold(model->unknown_threshold, cameras_.size() - 1);
   }
   chain_ =
@@ -78,7 +78,7 @@ const FilteredAnswer& TemporalFilter::update(double stamp, const Recognition& re
 void TemporalFilter::start() {
   started_ = true;
   for (Camera& camera : cameras_) {
-    camera.new_share = 1;
+    camera.new_fraction = 1;
     camera.stamp.reset();
     camera.told.reset();
   }
@@ -88,19 +88,20 @@ void TemporalFilter::start() {
 
 void TemporalFilter::move(double elapsed, const std::optional<Motion>& motion) {
   step_.changes = elapsed / options_.dwell_time;
-  double new_share = elapsed / options_.decorrelation_time;
+  double new_fraction = elapsed / options_.decorrelation_time;
   if (motion) {
     assert(motion->distance >= 0 && motion->angle >= 0);
     step_.changes = motion->distance / options_.dwell_distance;
-    new_share = motion->distance / options_.decorrelation_distance +
-                motion->angle / options_.decorrelation_angle;
+    new_fraction = motion->distance / options_.decorrelation_distance +
+                   motion->angle / options_.decorrelation_angle;
   }
   chain_->advance(step_.changes, answer_.probabilities);
-  for (Camera& camera : cameras_) camera.new_share = std::min(1.0, camera.new_share + new_share);
+  for (Camera& camera : cameras_)
+    camera.new_fraction = std::min(1.0, camera.new_fraction + new_fraction);
 }
 
-/// The share of what a camera says that no other one says at the same moment.
-double TemporalFilter::independentShare(std::size_t camera) const {
+/// The fraction of what a camera says that no other one says at the same moment.
+double TemporalFilter::independentFraction(std::size_t camera) const {
   double sum = 1;
   for (std::size_t other = 0; other < cameras_.size(); ++other) {
     const std::optional<double>& told = cameras_[other].told;
@@ -123,14 +124,14 @@ void TemporalFilter::weigh(const Recognition& recognition, std::size_t number) {
   const auto tempered = [outliers](double ratio) { return (1 - outliers) * ratio + outliers; };
   const double any_room = tempered(recognition.evidence / camera.unknown_threshold);
   auto by_room = likelihoods.head(rooms).array();
-  by_room = (recognition.probabilities.array() / camera.room_shares.array()).unaryExpr(tempered);
+  by_room = (recognition.probabilities.array() / camera.room_fractions.array()).unaryExpr(tempered);
   by_room *= any_room / by_room.maxCoeff();
   likelihoods[rooms] = tempered((1 - recognition.evidence) / (1 - camera.unknown_threshold));
-  likelihoods = likelihoods.array().pow(camera.new_share * independentShare(number));
+  likelihoods = likelihoods.array().pow(camera.new_fraction * independentFraction(number));
 
   answer_.probabilities.array() *= likelihoods.array();
   answer_.probabilities /= answer_.probabilities.sum();
-  camera.new_share = 0;
+  camera.new_fraction = 0;
   camera.told = step_.stamp;
 }
 

@@ -23,12 +23,12 @@ void requireWithin(double value, const char* field, double low, double high, con
 void TemporalFilterOptions::check() const {
   requirePositive(dwell_time, "dwell_time");
   requirePositive(dwell_distance, "dwell_distance");
-  requireWithin(unknown_share, "unknown_share", 0, 0.5, "a share, 0 to 0.5");
-  requireWithin(jump_share, "jump_share", 0, 1, "a share, 0 to 1");
+  requireWithin(unknown_share, "unknown_share", 0, 0.5, "a fraction, 0 to 0.5");
+  requireWithin(jump_share, "jump_share", 0, 1, "a fraction, 0 to 1");
   requirePositive(decorrelation_time, "decorrelation_time");
   requirePositive(decorrelation_distance, "decorrelation_distance");
   requirePositive(decorrelation_angle, "decorrelation_angle");
-  requireWithin(outlier_share, "outlier_share", 1e-4, 1, "a share, 0.0001 to 1");
+  requireWithin(outlier_share, "outlier_share", 1e-4, 1, "a fraction, 0.0001 to 1");
   requireWithin(minimum_confidence, "minimum_confidence", 0, 1, "a probability, 0 to 1");
   requireWithin(minimum_dwell, "minimum_dwell", 0, 3600, "seconds, 0 to 3600");
   requirePositive(maximum_gap, "maximum_gap");

@@ -8,7 +8,7 @@ namespace place_recognition {
 
 /// How a robot moves between rooms: a Markov chain in continuous time over the rooms and, last, the
 /// state 'unknown'. Every state is left at the same rate. From a room the chain goes to 'unknown'
-/// as often as makes `unknown_share` its share of the time, else to an adjoining room or, in
+/// as often as makes `unknown_share` its fraction of the time, else to an adjoining room or, in
 /// `jump_share` of the cases, to any other; from 'unknown' to any room.
 ///
 /// Not thread-safe.

@@ -13,7 +13,7 @@ namespace place_recognition {
 struct LikenessOverTime {
   double step = 0;                ///< s, median time from one frame of a room to the next
   std::vector<double> distances;  ///< [lag - 1]: mean between frames that are `lag` frames apart
-  double next_is_nearest = 0;     ///< share of frames that are most like the one before or after
+  double next_is_nearest = 0;     ///< fraction of frames that are most like the one before or after
 };
 
 /// Chooses the gap, in s, for cross-validation as the next run through the same rooms would have

@@ -76,8 +76,8 @@ void keep(const HeldOutValues& held_out, const std::vector<int>& samples, HeldOu
   frames.familiarity.push_back(std::move(familiarity));
 }
 
-/// Which samples, of these places, a model keeps. stratifiedSample() rounds the share of each place
-/// up, so that it may have to be asked for less than there is room for.
+/// Which samples, of these places, a model keeps. stratifiedSample() rounds the fraction of each
+/// place up, so that it may have to be asked for less than there is room for.
 std::vector<bool> keptOf(const std::vector<int>& places, std::uint64_t seed) {
   std::size_t most = kMaxHeldOutFrames;
   std::vector<bool> kept = stratifiedSample(places, most, seed);

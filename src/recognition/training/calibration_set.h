@@ -23,7 +23,7 @@ struct CalibrationSet {
 };
 
 /// The frames of the judges that are valid in any cue, with one of the reductions; of more than
-/// the model keeps (kMaxHeldOutFrames), the same share of each place, drawn by `seed`.
+/// the model keeps (kMaxHeldOutFrames), the same fraction of each place, drawn by `seed`.
 HeldOutFrames keptFrames(const CalibrationSet& calibration_set, std::size_t reduction,
                          std::uint64_t seed);
 

@@ -58,10 +58,10 @@ std::vector<int> validSamples(const HeldOutValues& held_out, const std::vector<i
 
 }  // namespace
 
-double quantile(std::vector<double> values, double share) {
+double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
-  const auto below = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+  const auto below = static_cast<std::size_t>(fraction * static_cast<double>(values.size()));
   return values[std::min(below, values.size() - 1)];
 }
 

@@ -9,8 +9,8 @@ namespace place_recognition {
 /// What held-out decision values tell about a model.
 struct Calibrated {
   Calibration calibration;       ///< fitted on all of them
-  double unknown_threshold = 0;  ///< evidence that the wanted share of them stays below
-  double unknown = 0;            ///< share of each fold below the limit of the others
+  double unknown_threshold = 0;  ///< evidence that the wanted fraction of them stays below
+  double unknown = 0;            ///< fraction of each fold below the limit of the others
   Validation validation;         ///< each fold judged by a calibration fitted on the others
 };
 
@@ -18,7 +18,7 @@ struct Calibrated {
 Calibrated calibrate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                      const std::vector<Fold>& folds, double false_alarm_rate);
 
-/// The largest limit that at most `share` of the values lie below; 0 if there are none.
-double quantile(std::vector<double> values, double share);
+/// The largest limit that at most `fraction` of the values lie below; 0 if there are none.
+double quantile(std::vector<double> values, double fraction);
 
 }  // namespace place_recognition

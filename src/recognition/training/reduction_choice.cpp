@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kMethods[] = {"shared-greedy", "shared-qr", "qr"};
 constexpr std::size_t kMostSamplesForAuto = 4000;
-constexpr double kShares[] = {0.70, 0.50, 0.35, 0.25, 0.15};
+constexpr double kFractions[] = {0.70, 0.50, 0.35, 0.25, 0.15};
 
 /// Log losses of the held-out samples with one reduction, against those with another.
 class LossComparison {
@@ -51,8 +51,8 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
   if (samples > kMostSamplesForAuto) return reductions;
   for (const char* method : kMethods) {
     reduction.method = method;
-    for (const double share : kShares) {
-      reduction.share = share;
+    for (const double fraction : kFractions) {
+      reduction.share = fraction;
       reductions.push_back(reduction);
     }
   }
@@ -73,9 +73,9 @@ std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
     const bool another_method = reductions[r].method != reductions[r - 1].method;
     const bool no_loss = loss.mean <= 0 && averageRate(held_out[r], samples, places) >= full_rate;
     holds = (holds || another_method) && no_loss;
-    const double share = reductions[r].share;
+    const double fraction = reductions[r].share;
     const double smallest = chosen == 0 ? 1 : reductions[chosen].share;
-    if (holds && (share < smallest || (share == smallest && loss.mean < chosen_loss))) {
+    if (holds && (fraction < smallest || (fraction == smallest && loss.mean < chosen_loss))) {
       chosen = r;
       chosen_loss = loss.mean;
     }

@@ -22,7 +22,7 @@ class ReductionSweep {
   /// with the vectors, so the search begins at one, in steps that grow to a fiftieth.
   int fewest(double wanted, const Progress& progress) const;
 
-  /// Points (share of the vectors, rate), ascending to all vectors.
+  /// Points (fraction of the vectors, rate), ascending to all vectors.
   std::vector<std::pair<double, double>> curve() const;
 
  private:

@@ -95,7 +95,7 @@ class Collector {
         change_(std::move(change)),
         most_(static_cast<std::size_t>(options.sampling.most) / (change_ ? 2 : 1)),
         seed_(options.seed),
-        share_(options.seed),
+        fraction_(options.seed),
         cues_(options.cues.size()),
         pool_(options, profile, threads) {}
 
@@ -174,7 +174,7 @@ class Collector {
       leaveOut(skipped_.back(), frame.place, frame.name, frame.problem);
     } else if (!camera.rate.admits(frame.stamp)) {
       ++passed_over_;
-    } else if (const std::optional<int> level = share_.next(frame.place)) {
+    } else if (const std::optional<int> level = fraction_.next(frame.place)) {
       for (const std::string& warning : camera.guard.judge(frame.image, frame.stamp)) {
         warnings_.push_back(inputs_.back() + ": " + warning);
       }
@@ -196,8 +196,9 @@ class Collector {
   void dropHalf() {
     pool_.finish();
     dropFeatureless();
-    share_.halve();
-    dropRecords([this](const Record& record) { return !share_.keeps(record.place, record.level); });
+    fraction_.halve();
+    dropRecords(
+        [this](const Record& record) { return !fraction_.keeps(record.place, record.level); });
   }
 
   template <typename Condition>
@@ -278,19 +279,19 @@ class Collector {
     }
     std::size_t left_out = records_.size() - next;
     records_.resize(next);
-    for (const std::string& place : samples.places) left_out += share_.leftOut(place);
+    for (const std::string& place : samples.places) left_out += fraction_.leftOut(place);
     samples.passed_over = passed_over_ + left_out;
     if (left_out == 0) return;
     samples.warnings.push_back(
         "Of " + std::to_string(left_out + next) + " pictures " + std::to_string(next) +
-        " are learned, the same share of each room (sampling.most); of a fast "
+        " are learned, the same fraction of each room (sampling.most); of a fast "
         "camera sampling.rate=5 passes over more as it is read.");
   }
 
-  /// Which records are learned: of each place the same share of all its frames.
+  /// Which records are learned: of each place the same fraction of all its frames.
   std::vector<bool> choose(const std::vector<std::string>& places) const {
     std::vector<std::size_t> frames;
-    for (const std::string& place : places) frames.push_back(share_.leftOut(place));
+    for (const std::string& place : places) frames.push_back(fraction_.leftOut(place));
     std::vector<int> rooms;
     for (const Record& record : records_) {
       rooms.push_back(placeOf(record, places));
@@ -359,7 +360,7 @@ class Collector {
   PictureChange change_;
   std::size_t most_;  // records that may be learned
   std::uint64_t seed_;
-  HalvingSample share_;
+  HalvingSample fraction_;
   std::size_t cues_;
   ExtractionPool pool_;  // the last member: its threads end first
 };

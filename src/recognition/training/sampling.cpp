@@ -7,9 +7,9 @@ namespace place_recognition {
 std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std::size_t most) {
   const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   if (all <= most) return sizes;
-  std::vector<std::size_t> shares;
-  for (const std::size_t size : sizes) shares.push_back((size * most + all - 1) / all);
-  return shares;
+  std::vector<std::size_t> fractions;
+  for (const std::size_t size : sizes) fractions.push_back((size * most + all - 1) / all);
+  return fractions;
 }
 
 std::vector<bool> stratifiedSample(const std::vector<int>& groups,

@@ -31,7 +31,7 @@ class FrameRate {
 };
 
 /// How many members to keep of groups of these `sizes` so that there are no more than `most` (and
-/// one of each group): of each the same share.
+/// one of each group): of each the same fraction.
 std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std::size_t most);
 
 /// Which samples to keep so that there are at most `counts[k]` of group k, by stratified sampling.

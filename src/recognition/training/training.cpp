@@ -175,8 +175,8 @@ Training timed(const Work& work) {
   return training;
 }
 
-/// A share would be taken of what is left of earlier runs again and again, and the few new frames
-/// cannot choose one.
+/// A fraction would be taken of what is left of earlier runs again and again, and the few new
+/// frames cannot choose one.
 ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
   if (vector_limit > 0) {
     asked.method = "shared-greedy";

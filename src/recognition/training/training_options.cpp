@@ -70,11 +70,11 @@ void PanoramaOptions::check() const {
   if (mirror != "none" && mirror != "given" && mirror != "found") {
     throw Error("Option 'image.panorama.mirror' is '" + mirror + "'; give none, given or found.");
   }
-  const auto isShare = [](double value) { return value >= 0 && value <= 1; };
-  if (!isShare(center_x) || !isShare(center_y)) {
+  const auto isFraction = [](double value) { return value >= 0 && value <= 1; };
+  if (!isFraction(center_x) || !isFraction(center_y)) {
     throw Error("Options 'image.panorama.center_x' and 'center_y' are " + std::to_string(center_x) +
                 " and " + std::to_string(center_y) +
-                "; give shares of the image's width and height, 0 to 1.");
+                "; give fractions of the image's width and height, 0 to 1.");
   }
   if (!(inner >= 0 && inner < outer && outer <= 2)) {
     throw Error("Options 'image.panorama.inner' and 'outer' are " + std::to_string(inner) +
@@ -106,7 +106,7 @@ void InformationOptions::check() const {
        {std::pair("left_out_below", left_out_below), std::pair("unknown_below", unknown_below)}) {
     if (value >= 0 && value < 1) continue;
     throw Error(std::string("Option 'information.") + key + "' is " + std::to_string(value) +
-                "; give a share of the pixels, 0 to less than 1.");
+                "; give a fraction of the pixels, 0 to less than 1.");
   }
 }
 
@@ -128,7 +128,7 @@ void ValidationOptions::check() const {
 void UnknownOptions::check() const {
   if (!(false_alarm_rate >= 0 && false_alarm_rate <= 1)) {
     throw Error("Option 'unknown.false_alarm_rate' is " + std::to_string(false_alarm_rate) +
-                "; give a share, 0 to 1.");
+                "; give a fraction, 0 to 1.");
   }
 }
 

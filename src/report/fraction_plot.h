@@ -16,14 +16,14 @@ constexpr const char* kGrid = "#ddd";
 constexpr const char* kDark = "#888";
 }  // namespace plot_colors
 
-/// A square plot of one share (0..1) against another, with its axes in %.
-class SharePlot {
+/// A square plot of one fraction (0..1) against another, with its axes in %.
+class FractionPlot {
  public:
-  SharePlot(const std::string& x_label, const std::string& y_label);
+  FractionPlot(const std::string& x_label, const std::string& y_label);
 
-  /// Pixels of a share.
-  double x(double share) const { return 44 + 300 * share; }
-  double y(double share) const { return 250 - 225 * share; }
+  /// Pixels of a fraction.
+  double x(double fraction) const { return 44 + 300 * fraction; }
+  double y(double fraction) const { return 250 - 225 * fraction; }
 
   Svg& svg() { return svg_; }
 
@@ -31,14 +31,14 @@ class SharePlot {
   Svg svg_;
 };
 
-/// Points (share, share), 0..1, joined in their order.
+/// Points (fraction, fraction), 0..1, joined in their order.
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;
 };
 
 /// Any such curves in one square, with their names.
-std::string sharesPlot(const std::string& x_label, const std::string& y_label,
-                       const std::vector<Curve>& curves);
+std::string fractionsPlot(const std::string& x_label, const std::string& y_label,
+                          const std::vector<Curve>& curves);
 
 }  // namespace place_recognition
