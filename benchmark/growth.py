@@ -38,7 +38,7 @@ def curves(programs):
 
 
 def training_curve(programs, most_frames):
-    """From pictures to the model, the gamma found and the reduction chosen as by default."""
+    """From images to the model, the gamma found and the reduction chosen as by default."""
     return [json.loads(call([programs.path('training_growth'), frames], env=programs.environment))
             for frames in TRAINING_FRAMES if frames <= most_frames]
 

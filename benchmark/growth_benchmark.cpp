@@ -1,5 +1,5 @@
 // How the cost of an answer grows: with the size of the image, the dimensions and bins of its
-// histogram, the support vectors and the rooms. One core, real pictures.
+// histogram, the support vectors and the rooms. One core, real images.
 
 #include <benchmark/benchmark.h>
 

@@ -1,4 +1,4 @@
-// The chi-squared kernel of one frame with 1000 histograms of real pictures, and the decision of
+// The chi-squared kernel of one frame with 1000 histograms of real images, and the decision of
 // five rooms over them, beside libsvm's way: merging sorted lists, and svm_predict_values() of a
 // machine for each room with that column as its precomputed kernel. One core.
 

@@ -1,5 +1,5 @@
 // Harris-Laplace points with SIFT descriptors beside VLFeat's Harris-Laplace described by OpenCV,
-// for the same number of points of the same 640 x 480 picture. One core.
+// for the same number of points of the same 640 x 480 image. One core.
 
 #include <benchmark/benchmark.h>
 
@@ -18,14 +18,14 @@ extern "C" {
 namespace place_recognition {
 namespace {
 
-constexpr std::size_t kPicture = 44;  ///< one with many points
+constexpr std::size_t kImage = 44;  ///< one with many points
 
-/// A real picture of 640 x 480; without one, smoothed noise.
-cv::Mat picture() {
+/// A real image of 640 x 480; without one, smoothed noise.
+cv::Mat image() {
   if (const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA")) {
     std::vector<cv::String> files;
     cv::glob(data + std::string("/nao_canteen/*.jpg"), files, true);
-    if (files.size() > kPicture) return cv::imread(files[kPicture]);
+    if (files.size() > kImage) return cv::imread(files[kImage]);
   }
   cv::Mat noise(480, 640, CV_8UC3);
   cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 256);
@@ -74,7 +74,7 @@ int commonCount(const cv::Mat& image) {
 }
 
 void harrisLaplaceSift(benchmark::State& state) {
-  const cv::Mat image = picture();
+  const cv::Mat image = image();
   LocalFeatureOptions options;
   options.max_points = commonCount(image);
   const auto extractor = makeFeatureExtractor(options);
@@ -84,7 +84,7 @@ void harrisLaplaceSift(benchmark::State& state) {
 }
 
 void vlfeatAndOpenCv(benchmark::State& state) {
-  const cv::Mat image = picture();
+  const cv::Mat image = image();
   const int count = commonCount(image);
   cv::Mat descriptors;
   for (auto _ : state) descriptors = describeWithPeers(image, count);

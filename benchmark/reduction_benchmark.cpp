@@ -1,4 +1,4 @@
-// Reduction of the machines of five rooms, trained on 1000 real pictures, each machine by itself
+// Reduction of the machines of five rooms, trained on 1000 real images, each machine by itself
 // (`qr`), beside Eigen's ColPivHouseholderQR of each machine. One core. Columns are not normalized:
 // their first pivot would be a tie, which each program breaks as its rounding has it.
 

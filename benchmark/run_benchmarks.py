@@ -91,7 +91,7 @@ def parse_options():
     parser.add_argument('--out', type=pathlib.Path, help='default: BUILD/benchmark')
     parser.add_argument('--data', type=pathlib.Path, default=os.environ.get(
         'PLACE_RECOGNITION_TEST_DATA', SOURCE.parent / 'shared/data'),
-        help='folder of real pictures, as for the tests; without it rooms are rendered')
+        help='folder of real images, as for the tests; without it rooms are rendered')
     parser.add_argument('--rounds', type=int, default=7, help='interleaved runs of each row')
     parser.add_argument('--only', default=','.join([*ROWS, 'growth']),
                         help='some of these, separated by commas: %(default)s')

@@ -1,7 +1,7 @@
-// Learning from the histograms of real pictures of five rooms: Gram matrix, machines, one slope of
+// Learning from the histograms of real images of five rooms: Gram matrix, machines, one slope of
 // probabilities on held-out blocks. One core, on the same features as training_peer.py.
 //
-//   training_benchmark write FOLDER COUNT   the features of so many pictures, for both
+//   training_benchmark write FOLDER COUNT   the features of so many images, for both
 //   training_benchmark run FOLDER           prints seconds; leaves the decision values for the peer
 //   to check
 

@@ -1,5 +1,5 @@
 // training_growth FRAMES [GAMMA [REDUCTION]]: trains a model of five rooms on so many views with
-// the default preset, from pictures to the model; prints its cost as JSON. One process a number of
+// the default preset, from images to the model; prints its cost as JSON. One process a number of
 // frames, so that memory is that of this training.
 
 #include <sys/resource.h>

@@ -17,17 +17,17 @@ namespace fs = std::filesystem;
 
 const cv::Size kSize(640, 480);
 
-bool isPicture(const fs::path& path) {
+bool isImage(const fs::path& path) {
   return path.extension() == ".jpg" || path.extension() == ".png";
 }
 
-/// A part of the picture that depends on `number`; most of it.
-cv::Rect partOf(const cv::Mat& picture, std::size_t number) {
+/// A part of the image that depends on `number`; most of it.
+cv::Rect partOf(const cv::Mat& image, std::size_t number) {
   cv::RNG random(number);
   const double scale = random.uniform(0.6, 0.9);
-  const int width = static_cast<int>(scale * picture.cols);
-  const int height = static_cast<int>(scale * picture.rows);
-  return {random.uniform(0, picture.cols - width), random.uniform(0, picture.rows - height), width,
+  const int width = static_cast<int>(scale * image.cols);
+  const int height = static_cast<int>(scale * image.rows);
+  return {random.uniform(0, image.cols - width), random.uniform(0, image.rows - height), width,
           height};
 }
 
@@ -39,7 +39,7 @@ Views::Views() {
   if (folder && fs::is_directory(folder)) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const fs::path& path = entry.path();
-      if (isPicture(path)) rooms[path.parent_path().filename()].push_back(path);
+      if (isImage(path)) rooms[path.parent_path().filename()].push_back(path);
     }
   }
   for (auto& [name, files] : rooms) {

@@ -9,16 +9,16 @@
 
 namespace place_recognition {
 
-/// A picture of a room.
+/// An image of a room.
 struct View {
   cv::Mat image;  ///< 640 x 480, BGR
   int place;
 };
 
-/// Any number of views of the first five rooms that stand as room/picture somewhere below the
-/// folder $PLACE_RECOGNITION_PICTURES: each picture itself, then parts of it, mirrored every other
+/// Any number of views of the first five rooms that stand as room/image somewhere below the
+/// folder $PLACE_RECOGNITION_PICTURES: each image itself, then parts of it, mirrored every other
 /// time. The rooms take turns. View i is always the same. Throws std::runtime_error without
-/// pictures.
+/// images.
 class Views {
  public:
   static constexpr std::size_t kPlaces = 5;

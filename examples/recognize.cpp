@@ -1,5 +1,5 @@
-// Names the room that a picture shows:
-//   recognize MODEL.places PICTURE
+// Names the room that an image shows:
+//   recognize MODEL.places IMAGE
 
 #include <place_recognition/error.h>
 #include <place_recognition/model_file.h>
@@ -13,15 +13,15 @@ namespace pr = place_recognition;
 
 int main(int argc, char** argv) try {
   if (argc != 3) {
-    std::cerr << "usage: recognize MODEL.places PICTURE\n";
+    std::cerr << "usage: recognize MODEL.places IMAGE\n";
     return 2;
   }
   const auto model = std::make_shared<const pr::Model>(pr::loadModel(argv[1]));
-  const cv::Mat picture = cv::imread(argv[2]);
-  if (picture.empty()) throw pr::Error(std::string("There is no picture ") + argv[2] + ".");
+  const cv::Mat image = cv::imread(argv[2]);
+  if (image.empty()) throw pr::Error(std::string("There is no image ") + argv[2] + ".");
 
   pr::Recognizer recognizer(model);
-  const pr::Recognition& answer = recognizer.recognize(picture);
+  const pr::Recognition& answer = recognizer.recognize(image);
   std::cout << (answer.known ? model->places[answer.place] : "unknown") << " " << answer.confidence
             << "\n";
   return 0;

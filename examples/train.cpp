@@ -1,4 +1,4 @@
-// Learns the rooms of a folder of room/picture files:
+// Learns the rooms of a folder of room/image files:
 //   train FOLDER MODEL.places [--tune]
 // --tune first finds the features that suit these rooms, which takes minutes.
 
@@ -28,7 +28,7 @@ int main(int argc, char** argv) try {
   }
   const pr::Training training = pr::train(runs, options);
   pr::saveModel(training.model, argv[2]);
-  std::cout << training.model.places.size() << " rooms from " << training.images << " pictures, "
+  std::cout << training.model.places.size() << " rooms from " << training.images << " images, "
             << 100 * training.model.validation.average_rate << " % right on held-out ones\n";
   return 0;
 } catch (const pr::Error& e) {

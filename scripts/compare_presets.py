@@ -5,7 +5,7 @@
   ./scripts/compare_presets.py RUN1 RUN2 [--presets crfh,sift] [--place-tool PATH]
 
 Prints a table in Markdown: the mean of the rooms' rates both ways, features extracted and compared
-in a second, size of the models. RUN1 and RUN2 are bags or folders of room/picture files. Nothing is
+in a second, size of the models. RUN1 and RUN2 are bags or folders of room/image files. Nothing is
 chosen on the run that is tested on.
 """
 import pathlib

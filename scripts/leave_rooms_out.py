@@ -8,8 +8,8 @@
 For every preset: each room in turn is left out of the training on one run, and the other run is
 tested, both ways. Prints a table in Markdown of the area under the ROC curve of known against
 unknown, mean over the rooms; and for the thresholds that `train` sets, the fractions of unknown and of
-known pictures that are answered 'unknown'. With --elsewhere the same for a place of another
-building, with all rooms trained. The runs are folders of room/picture files.
+known images that are answered 'unknown'. With --elsewhere the same for a place of another
+building, with all rooms trained. The runs are folders of room/image files.
 """
 import pathlib
 import tempfile

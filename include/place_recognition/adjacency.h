@@ -18,7 +18,7 @@ class Adjacency {
   /// Whether one may walk between `a` and `b`; false if they are the same room.
   bool adjoin(int a, int b) const;
 
-  /// Whether the pair itself was given or learnt.
+  /// Whether the pair itself was given or learned.
   bool joined(int a, int b) const { return joined_[a][b]; }
 
   std::size_t places() const { return joined_.size(); }
@@ -51,7 +51,7 @@ struct PlaceAt {
 };
 
 /// Joins the rooms that follow each other in `run`, which is in order of time, within `longest_gap`
-/// seconds; between them frames may be unlabelled. Only a drive tells which rooms adjoin. Pictures
+/// seconds; between them frames may be unlabelled. Only a drive tells which rooms adjoin. Images
 /// sorted by room never come back to one, so a run that does not is passed over, and false
 /// returned.
 bool learnAdjacency(const std::vector<PlaceAt>& run, Adjacency& adjacency,

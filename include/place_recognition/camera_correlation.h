@@ -23,9 +23,9 @@ struct CameraCorrelation {
   bool known() const { return !cameras.empty(); }
 };
 
-/// The coefficients for `cameras`. A pair that `learnt` does not know has the mean of those that it
-/// knows, and kUnknownCorrelation if it knows none.
+/// The coefficients for `cameras`. A pair that `learned` does not know has the mean of those that
+/// it knows, and kUnknownCorrelation if it knows none.
 Eigen::MatrixXd coefficientsFor(const std::vector<std::string>& cameras,
-                                const CameraCorrelation& learnt);
+                                const CameraCorrelation& learned);
 
 }  // namespace place_recognition

@@ -59,7 +59,7 @@ struct ReductionOptions {
         "method "
         "and the fraction (of 15, 25, 35, 50, 70 or all 100 %) of the fewest vectors that lose "
         "neither log loss nor rate on held-out blocks of the training runs; all where more than "
-        "4000 pictures are learned");
+        "4000 images are learned");
     visitor("tau", self.tau, "rank threshold, relative to the largest pivot, 0..1");
     visitor("normalise", self.normalize, "scale the columns of the matrix to norm one first");
     visitor("share", self.share,

@@ -10,7 +10,7 @@
 #include "place_recognition/calibration.h"
 #include "place_recognition/camera_correlation.h"
 #include "place_recognition/classifier.h"
-#include "place_recognition/color_statistics.h"
+#include "place_recognition/colour_statistics.h"
 #include "place_recognition/depth_extent.h"
 #include "place_recognition/training_options.h"
 
@@ -69,8 +69,8 @@ struct Model {
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;
   HeldOutFrames held_out;     ///< what the three above rest on; empty in files of earlier versions
-  ColorStatistics colors;     ///< of the images that it was trained on
-  Adjacency adjacency{0};     ///< of `places`; learnt from the runs that are drives
+  ColourStatistics colours;   ///< of the images that it was trained on
+  Adjacency adjacency{0};     ///< of `places`; learned from the runs that are drives
   CameraCorrelation cameras;  ///< that it was trained with, if they are several
   Provenance provenance;
 

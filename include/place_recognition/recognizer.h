@@ -38,8 +38,8 @@ class Recognizer {
   Recognizer(Recognizer&&) noexcept;
   Recognizer& operator=(Recognizer&&) noexcept;
 
-  /// A picture by itself, of whose light nothing is known: CV_8UC3 in BGR order or CV_8UC1, not
-  /// empty. The result stays valid until the next call. A picture from which no cue could be
+  /// An image by itself, of whose light nothing is known: CV_8UC3 in BGR order or CV_8UC1, not
+  /// empty. The result stays valid until the next call. An image from which no cue could be
   /// extracted, or that shows too little (InformationOptions), has place -1, uniform probabilities
   /// and a reason.
   const Recognition& recognize(const cv::Mat& image);
@@ -91,7 +91,7 @@ class Recognizer {
   std::shared_ptr<const Model> model_;
   std::unique_ptr<CueExtraction> extraction_;
   std::unique_ptr<LightEstimate> light_;
-  double unknown_light_;  // certainty of the light of a picture by itself
+  double unknown_light_;  // certainty of the light of an image by itself
   std::unique_ptr<EvidenceShift> evidence_shift_;
   std::vector<bool> follows_run_;   // of each cue: normalize is run
   std::vector<bool> is_embedding_;  // of each cue
@@ -103,7 +103,7 @@ class Recognizer {
   double unknown_threshold_;
   std::vector<Feature> features_;  // one per cue
   CueAnswers stream_answers_;      // to the last frame of the stream; of embeddings, those held
-  CueAnswers image_answers_;       // to a picture by itself
+  CueAnswers image_answers_;       // to an image by itself
   Eigen::VectorXd kernel_values_;
   std::unique_ptr<CueMean> mean_;  // of the cues that count
   double log_odds_ = 0;            // of evidence, without the shift

@@ -10,13 +10,13 @@
 
 namespace place_recognition {
 
-/// One picture of a run.
+/// One image of a run.
 struct Frame {
   cv::Mat image;        ///< CV_8UC3 BGR or CV_8UC1; empty if it could not be decoded, see `problem`
   std::string place;    ///< label; empty: unlabelled
   double stamp = 0;     ///< s
   int camera = 0;       ///< index in Run::cameras()
-  std::string name;     ///< path of the picture, or topic and number in a bag, for messages
+  std::string name;     ///< path of the image, or topic and number in a bag, for messages
   std::string problem;  ///< why there is no image, for a person
 };
 
@@ -47,7 +47,7 @@ class Run {
   const std::string& name() const { return name_; }
 
   /// What a person should know of the recording as a whole, a sentence each: folders that give no
-  /// picture, labels that were read in an unusual way.
+  /// image, labels that were read in an unusual way.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  protected:
@@ -59,10 +59,10 @@ class Run {
   std::string name_;
 };
 
-/// A folder of `room/picture` files: the sub-folder is the place, the order that of the names as
-/// people number them (9 before 10), one second apart. The pictures of a room may lie in folders
-/// below its own. Pictures directly in `folder` are unlabelled. Throws Error if there is no
-/// picture.
+/// A folder of `room/image` files: the sub-folder is the place, the order that of the names as
+/// people number them (9 before 10), one second apart. The images of a room may lie in folders
+/// below its own. Images directly in `folder` are unlabelled. Throws Error if there is no
+/// image.
 std::unique_ptr<Run> openFolderRun(const std::string& folder);
 
 }  // namespace place_recognition

@@ -48,7 +48,7 @@ struct ImageOptions {
   void check() const;
 };
 
-/// Which pictures of the runs are learned: neighbouring ones are nearly copies of one another, and
+/// Which images of the runs are learned: neighbouring ones are nearly copies of one another, and
 /// memory grows with the square of their number.
 struct SamplingOptions {
   double rate = 0;
@@ -57,16 +57,15 @@ struct SamplingOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("rate", self.rate,
-            "pictures that are learned of each second of a run, at most, by their stamps; 0: all");
-    visitor(
-        "most", self.most,
-        "pictures that are learned at most, those in other light included, 10 or more; of more, "
-        "the same fraction of each room, at random; memory is 16 bytes times the square");
+            "images that are learned of each second of a run, at most, by their stamps; 0: all");
+    visitor("most", self.most,
+            "images that are learned at most, those in other light included, 10 or more; of more, "
+            "the same fraction of each room, at random; memory is 16 bytes times the square");
   }
   void check() const;
 };
 
-/// Pictures that say little, such as those of a wall that fills the view (thesis section 3.5).
+/// Images that say little, such as those of a wall that fills the view (thesis section 3.5).
 /// Their measure is the edge density: the fraction of the pixels whose gradient at sigma = 1
 /// exceeds 4 grey levels per pixel.
 struct InformationOptions {
@@ -77,14 +76,13 @@ struct InformationOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor(
         "left_out_below", self.left_out_below,
-        "edge density, 0..1, below which a picture is not learned; 0: all are. It is the fraction "
+        "edge density, 0..1, below which an image is not learned; 0: all are. It is the fraction "
         "of "
         "the pixels that differ from their neighbours by more than 4 grey levels: less than 0.02 "
-        "of a bare wall, less than 0.05 of one with part of a picture on it");
-    visitor(
-        "unknown_below", self.unknown_below,
-        "edge density, 0..1, below which a picture is answered 'unknown', whatever its room; 0: "
-        "none is");
+        "of a bare wall, less than 0.05 of one with part of an image on it");
+    visitor("unknown_below", self.unknown_below,
+            "edge density, 0..1, below which an image is answered 'unknown', whatever its room; 0: "
+            "none is");
   }
   void check() const;
 };
@@ -117,14 +115,14 @@ struct CueOptions {
 /// that serves while the light stays and one that does when it changes (doc/experiments.md).
 std::vector<CueOptions> defaultCues();
 
-/// Further pictures to learn from, made of those of the runs.
+/// Further images to learn from, made of those of the runs.
 struct AugmentationOptions {
   bool other_light = false;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("other_light", self.other_light,
-            "learn each picture a second time as it would look darker, brighter, warmer or colder, "
+            "learn each image a second time as it would look darker, brighter, warmer or colder, "
             "at random");
   }
 };
@@ -141,11 +139,11 @@ struct ValidationOptions {
     visitor(
         "folds", self.folds,
         "trainings, each without some blocks of time of the runs, 2..10000; as many as there are "
-        "pictures, which suits small sets: leave-one-out");
+        "images, which suits small sets: leave-one-out");
     visitor(
         "block", self.block,
         "s, length of the blocks that are held out in turn; at most a fraction of 1 / folds of a "
-        "room; pictures of a folder count as a second apart; 0: as long as the gap");
+        "room; images of a folder count as a second apart; 0: as long as the gap");
     visitor("gap", self.gap,
             "s, to each side of a held-out block, that is not trained on either; 0: found from how "
             "fast the frames of the run cease to be alike");
@@ -181,18 +179,17 @@ struct TrainingOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("image", self.image, "preparation of the image");
-    visitor("sampling", self.sampling, "which pictures of the runs are learned");
-    visitor("information", self.information, "pictures that say little");
-    visitor("augmentation", self.augmentation, "further pictures made of those of the runs");
+    visitor("sampling", self.sampling, "which images of the runs are learned");
+    visitor("information", self.information, "images that say little");
+    visitor("augmentation", self.augmentation, "further images made of those of the runs");
     visitor("cues", self.cues, "one or more cues; their decision values are combined");
     visitor("svm", self.svm, "the machines");
     visitor("reduction", self.reduction, "support vector reduction");
     visitor("validation", self.validation, "cross-validation within the training runs");
     visitor("unknown", self.unknown, "when to answer 'unknown'");
-    visitor(
-        "seed", self.seed,
-        "of what is drawn at random: which pictures are learned of too many, which of them gamma "
-        "and `tune` look at, and the light of each picture with augmentation.other_light");
+    visitor("seed", self.seed,
+            "of what is drawn at random: which images are learned of too many, which of them gamma "
+            "and `tune` look at, and the light of each image with augmentation.other_light");
   }
   /// Throws Error naming the first field out of range.
   void check() const;

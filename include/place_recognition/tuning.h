@@ -40,7 +40,7 @@ struct SearchSpace {
     visitor("c", self.c, "SVM penalty parameter C");
     visitor("max_cues", self.max_cues, "that are combined at most, 1..8");
     visitor("other_light", self.other_light,
-            "change the light, too, of the held-out pictures that are judged a second time; not "
+            "change the light, too, of the held-out images that are judged a second time; not "
             "where the "
             "rooms are only ever seen in the light of the runs");
     visitor("first_pictures", self.first_pictures,
@@ -54,14 +54,14 @@ struct SearchSpace {
   void check() const;
 };
 
-/// How one configuration fared on held-out pictures.
+/// How one configuration fared on held-out images.
 struct TuningTrial {
   std::string stage;             ///< in plain words, as "round 1 of 2", "one more", "C"
   std::vector<CueOptions> cues;  ///< combined with the weights of their options
   double c = 0;                  ///< SVM penalty parameter C
-  std::uint64_t pictures = 0;    ///< looked at
-  double log_loss = 0;           ///< nats a picture, rooms weighted alike; the criterion
-  double rate = 0;               ///< mean of the rooms' rates on pictures as recorded
+  std::uint64_t images = 0;      ///< looked at
+  double log_loss = 0;           ///< nats an image, rooms weighted alike; the criterion
+  double rate = 0;               ///< mean of the rooms' rates on images as recorded
   double changed_rate = 0;       ///< the same on changed ones
 };
 
@@ -71,32 +71,32 @@ struct Tuning {
   TuningTrial best;                 ///< how they fared
   std::vector<TuningTrial> trials;  ///< everything that was tried, in order
   bool complete = true;             ///< false: stopped early, and the best so far
-  std::uint64_t pictures = 0;       ///< labelled ones in the runs
+  std::uint64_t images = 0;         ///< labelled ones in the runs
   double seconds = 0;
 };
 
 /// Finds features and C for `runs` by cross-validation within them, starting from `base`, which
 /// also gives everything else. `base` is left only for good reason: it was found on other sites,
-/// and a few hundred pictures of one run cannot tell much.
+/// and a few hundred images of one run cannot tell much.
 ///
 /// Folds are whole runs if two or more of them hold every place, else the blocks of time that
 /// training holds out; if `hold_out` is not empty, one split: trained on `runs`, tested on
-/// `hold_out`. A tested picture is judged as it was recorded and as the next run might show it: in
+/// `hold_out`. A tested image is judged as it was recorded and as the next run might show it: in
 /// other light, nearer, to the side, less sharp. The criterion is the log loss of the calibrated
 /// probabilities: it uses how sure the answers are, where a rate of a few hundred frames only
 /// knows right and wrong.
 ///
 /// 1. For each set of descriptors, scales and bins by successive halving: a second round on
-///    twice as many pictures for the best quarter of the first. What is simpler wins if it is
+///    twice as many images for the best quarter of the first. What is simpler wins if it is
 ///    within one standard error (of the paired difference).
 /// 2. From the cues of `base`, the step that gains most, while it gains four standard errors: a
 ///    survivor or a cue of `space.cues` in place of a cue, one more, or one less.
 /// 3. C.
-///    Measures between pictures are computed once a candidate and serve every C and combination.
+///    Measures between images are computed once a candidate and serve every C and combination.
 ///
 /// Throws Error if the runs cannot be learned from, or a network cannot be used. If `progress` asks
 /// for a stop, what was found by then is returned, at first `base`; Cancelled if it does so before
-/// the pictures are counted. Independent of `threads`.
+/// the images are counted. Independent of `threads`.
 Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& hold_out,
             const TrainingOptions& base, const SearchSpace& space, unsigned threads = 0,
             const Progress& progress = {});

@@ -11,7 +11,7 @@ using namespace std::literals;
 
 constexpr std::string_view kConvertBag =
     "convert it to a ROS 1 bag, for instance with rosbags-convert";
-constexpr std::string_view kConvertPicture = "convert it to PNG or JPEG";
+constexpr std::string_view kConvertImage = "convert it to PNG or JPEG";
 
 struct Signature {
   std::size_t offset;
@@ -47,17 +47,17 @@ constexpr std::array<Signature, 32> kSignatures{{
      {"what macOS keeps beside a file", "give the file whose name does not start with ._"}},
     {0, "\x89HDF"sv, {"an HDF5 file", "export its images as PNG or JPEG"}},
     {8, "AVI "sv, {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
-    {0, "GIF8"sv, {"a GIF picture", kConvertPicture}},
-    {0, "\xff\x0a"sv, {"a JPEG XL picture", kConvertPicture}},
-    {4, "JXL "sv, {"a JPEG XL picture", kConvertPicture}},
-    {4, "ftypavi"sv, {"an AVIF picture", kConvertPicture}},
-    {4, "ftyphe"sv, {"a HEIC picture", kConvertPicture}},
-    {4, "ftypm"sv, {"a HEIC picture or a video", kConvertPicture}},
+    {0, "GIF8"sv, {"a GIF image", kConvertImage}},
+    {0, "\xff\x0a"sv, {"a JPEG XL image", kConvertImage}},
+    {4, "JXL "sv, {"a JPEG XL image", kConvertImage}},
+    {4, "ftypavi"sv, {"an AVIF image", kConvertImage}},
+    {4, "ftyphe"sv, {"a HEIC image", kConvertImage}},
+    {4, "ftypm"sv, {"a HEIC image or a video", kConvertImage}},
     {4, "ftyp"sv, {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
     {0,
      "\x1a\x45\xdf\xa3"sv,
      {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
-    {0, "%PDF"sv, {"a PDF document", kConvertPicture}},
+    {0, "%PDF"sv, {"a PDF document", kConvertImage}},
 }};
 
 bool sameLetter(char a, char b) {

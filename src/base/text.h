@@ -19,7 +19,7 @@ std::vector<std::string> linesOf(const std::string& text);
 /// them at its ends. `text` must be well formed.
 std::string tidied(const std::string& text);
 
-/// "1 picture", "2 pictures".
+/// "1 image", "2 images".
 std::string counted(std::uint64_t count, const std::string& noun);
 
 /// A number with a fixed count of decimals.

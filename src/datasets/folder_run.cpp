@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "datasets/picture_folder.h"
-#include "datasets/picture_sequence.h"
+#include "datasets/image_folder.h"
+#include "datasets/image_sequence.h"
 #include "place_recognition/error.h"
 #include "place_recognition/run.h"
 
@@ -11,17 +11,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What to say of a folder without pictures; points at recordings one level further down.
-[[noreturn]] void throwNoPictures(const std::string& folder,
-                                  const std::vector<std::string>& warnings) {
+/// What to say of a folder without images; points at recordings one level further down.
+[[noreturn]] void throwNoImages(const std::string& folder,
+                                const std::vector<std::string>& warnings) {
   for (const std::string& inner : entriesOf(folder).folders) {
     const std::string path = (fs::path(folder) / inner).string();
-    if (!holdsRoomPictures(path)) continue;
+    if (!holdsRoomImages(path)) continue;
     throw Error("The folder " + folder + " holds recordings, not rooms; give one of them, as in " +
                 path + ".");
   }
   std::string text = "The folder " + folder +
-                     " holds no pictures; arrange them as room/picture.jpg (png, jpg, webp, bmp or "
+                     " holds no images; arrange them as room/image.jpg (png, jpg, webp, bmp or "
                      "tiff).";
   for (const std::string& warning : warnings) text += " " + warning;
   throw Error(text);
@@ -30,42 +30,42 @@ namespace fs = std::filesystem;
 class FolderRun : public Run {
  public:
   explicit FolderRun(const std::string& folder) : Run(folder) {
-    FoundPictures found = findRoomPictures(folder);
-    if (found.pictures.empty()) throwNoPictures(folder, found.warnings);
+    FoundImages found = findRoomImages(folder);
+    if (found.images.empty()) throwNoImages(folder, found.warnings);
     warnings_ = std::move(found.warnings);
     std::vector<std::string> paths;
-    for (PlacedPicture& picture : found.pictures) {
-      paths.push_back(std::move(picture.path));
-      places_.push_back(std::move(picture.place));
+    for (PlacedImage& image : found.images) {
+      paths.push_back(std::move(image.path));
+      places_.push_back(std::move(image.place));
     }
-    pictures_ = PictureSequence(std::move(paths));
+    images_ = ImageSequence(std::move(paths));
   }
 
   bool next(Frame& frame) override {
-    if (position_ == pictures_.size()) {
-      if (!pictures_.note().empty()) warnings_.push_back(name() + ": " + pictures_.note());
+    if (position_ == images_.size()) {
+      if (!images_.note().empty()) warnings_.push_back(name() + ": " + images_.note());
       return false;
     }
-    DecodedImage decoded = pictures_.read(position_);
+    DecodedImage decoded = images_.read(position_);
     frame.image = std::move(decoded.image);
     frame.problem = std::move(decoded.problem);
     frame.place = places_[position_];
     frame.stamp = static_cast<double>(position_);
-    frame.name = pictures_.path(position_);
+    frame.name = images_.path(position_);
     ++position_;
     return true;
   }
 
-  void setDepthExtent(const DepthExtent& extent) override { pictures_.setDepthExtent(extent); }
-  DepthExtent depthExtent() const override { return pictures_.depthExtent(); }
+  void setDepthExtent(const DepthExtent& extent) override { images_.setDepthExtent(extent); }
+  DepthExtent depthExtent() const override { return images_.depthExtent(); }
 
   double fraction() const override {
-    return static_cast<double>(position_) / static_cast<double>(pictures_.size());
+    return static_cast<double>(position_) / static_cast<double>(images_.size());
   }
 
  private:
-  PictureSequence pictures_;
-  std::vector<std::string> places_;  // of each picture
+  ImageSequence images_;
+  std::vector<std::string> places_;  // of each image
   std::size_t position_ = 0;
 };
 

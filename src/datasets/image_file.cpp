@@ -9,9 +9,9 @@
 
 #include "base/atomic_file.h"
 #include "base/file_kind.h"
+#include "datasets/image_header.h"
+#include "datasets/image_sequence.h"
 #include "datasets/jpeg_check.h"
-#include "datasets/picture_header.h"
-#include "datasets/picture_sequence.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -21,21 +21,21 @@ constexpr std::uint64_t kMaxPixels = 64'000'000;
 constexpr std::size_t kMaxFileSize = 256'000'000;
 
 /// What cameras send.
-bool isStreamed(PictureFormat format) {
-  return format == PictureFormat::kPng || format == PictureFormat::kJpeg ||
-         format == PictureFormat::kWebp;
+bool isStreamed(ImageFormat format) {
+  return format == ImageFormat::kPng || format == ImageFormat::kJpeg ||
+         format == ImageFormat::kWebp;
 }
 
-std::string whyNoPicture(const std::uint8_t* bytes, std::size_t size) {
+std::string whyNoImage(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return "it is empty";
   const FileKind* kind = foreignFile({reinterpret_cast<const char*>(bytes), size});
-  if (!kind) return "it is no picture of a format that can be read";
+  if (!kind) return "it is no image of a format that can be read";
   return "it is " + std::string(kind->name) + "; " + std::string(kind->remedy);
 }
 
-/// What is wrong with a picture before it is decoded; empty if nothing is.
-std::string problemOf(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
-  if (header.format == PictureFormat::kNone) return whyNoPicture(bytes, size);
+/// What is wrong with an image before it is decoded; empty if nothing is.
+std::string problemOf(const ImageHeader& header, const std::uint8_t* bytes, std::size_t size) {
+  if (header.format == ImageFormat::kNone) return whyNoImage(bytes, size);
   if (header.width == 0 || header.height == 0) return "its header is damaged";
   if (header.width > kMaxPixels || header.height > kMaxPixels ||
       header.width * header.height > kMaxPixels) {
@@ -43,18 +43,18 @@ std::string problemOf(const PictureHeader& header, const std::uint8_t* bytes, st
            " pixels, more than 64 million";
   }
   if (size > std::numeric_limits<int>::max()) return "it has more than 2 GB";
-  const bool is_jpeg = header.format == PictureFormat::kJpeg;
+  const bool is_jpeg = header.format == ImageFormat::kJpeg;
   if (!header.whole || (is_jpeg && !isWholeJpeg(bytes, size))) return "it is damaged or cut short";
   return "";
 }
 
 /// Without an end marker OpenCV refuses a progressive JPEG, although all of it is there.
-bool lacksEnd(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
-  return header.format == PictureFormat::kJpeg &&
+bool lacksEnd(const ImageHeader& header, const std::uint8_t* bytes, std::size_t size) {
+  return header.format == ImageFormat::kJpeg &&
          (bytes[size - 2] != 0xff || bytes[size - 1] != 0xd9);
 }
 
-DecodedImage decode(const PictureHeader& header, const std::uint8_t* bytes, std::size_t size) {
+DecodedImage decode(const ImageHeader& header, const std::uint8_t* bytes, std::size_t size) {
   DecodedImage decoded{{}, problemOf(header, bytes, size)};
   if (!decoded.problem.empty()) return decoded;
   try {
@@ -77,33 +77,33 @@ DecodedImage decode(const PictureHeader& header, const std::uint8_t* bytes, std:
 }  // namespace
 
 DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size) {
-  const PictureHeader header = readPictureHeader(bytes, size);
-  if (header.format != PictureFormat::kNone && !isStreamed(header.format)) {
-    return {{}, "it is no PNG, JPEG or WebP picture"};
+  const ImageHeader header = readImageHeader(bytes, size);
+  if (header.format != ImageFormat::kNone && !isStreamed(header.format)) {
+    return {{}, "it is no PNG, JPEG or WebP image"};
   }
   return decode(header, bytes, size);
 }
 
-bool startsAsPicture(const std::string& path) {
+bool startsAsImage(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
   std::array<char, 64> start{};
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(start.data());
-  return isStreamed(readPictureHeader(bytes, static_cast<std::size_t>(file.gcount())).format);
+  return isStreamed(readImageHeader(bytes, static_cast<std::size_t>(file.gcount())).format);
 }
 
 DecodedImage readDeepImageFile(const std::string& path) {
   try {
     const std::string file = readFile(path, kMaxFileSize);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.data());
-    return decode(readPictureHeader(bytes, file.size()), bytes, file.size());
+    return decode(readImageHeader(bytes, file.size()), bytes, file.size());
   } catch (const Error&) {
     return {{}, "it cannot be read or has more than 256 MB"};
   }
 }
 
-DecodedImage readImageFile(const std::string& path) { return PictureSequence({path}).read(0); }
+DecodedImage readImageFile(const std::string& path) { return ImageSequence({path}).read(0); }
 
 }  // namespace place_recognition

@@ -11,7 +11,7 @@ namespace place_recognition {
 namespace {
 
 /// Some encoders leave a few bytes between the last block and the end marker. More are left where
-/// the blocks ran on into another picture's data.
+/// the blocks ran on into another image's data.
 constexpr int kMaxExtraneousBytes = 64;
 
 /// A buffer that was not filled: as many zeros at the end of the file.
@@ -64,7 +64,7 @@ void decodeRows(jpeg_decompress_struct& jpeg) {
   while (jpeg.output_scanline < jpeg.output_height) jpeg_read_scanlines(&jpeg, row, 1);
 }
 
-/// Whether there was a scan for every component and, in a progressive picture, for every bit.
+/// Whether there was a scan for every component and, in a progressive image, for every bit.
 bool hasAllScans(const jpeg_decompress_struct& jpeg) {
   for (int c = 0; c < jpeg.num_components; ++c) {
     if (jpeg.comp_info[c].quant_table == nullptr) return false;  // is set by the first scan

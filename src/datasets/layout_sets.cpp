@@ -5,8 +5,8 @@
 #include <iostream>
 #include <map>
 
+#include "datasets/image_folder.h"
 #include "datasets/layouts.h"
-#include "datasets/picture_folder.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -39,45 +39,45 @@ std::string conditionOf(const fs::path& sequence) {
   return "";
 }
 
-/// Pictures directly in `folder`, 9.jpg before 10.jpg.
-std::vector<std::string> picturesIn(const fs::path& folder) {
+/// Images directly in `folder`, 9.jpg before 10.jpg.
+std::vector<std::string> imagesIn(const fs::path& folder) {
   std::vector<std::string> paths;
-  for (const std::string& name : openedEntries(folder).pictures) {
+  for (const std::string& name : openedEntries(folder).images) {
     paths.push_back((folder / name).string());
   }
   return paths;
 }
 
 /// Tells on stderr of folders that give nothing.
-std::vector<LabelledPicture> listAndWarn(const std::string& folder, const Layout& layout) {
+std::vector<LabelledImage> listAndWarn(const std::string& folder, const Layout& layout) {
   std::vector<std::string> warnings;
-  std::vector<LabelledPicture> pictures = listPictures(folder, layout, warnings);
+  std::vector<LabelledImage> images = listImages(folder, layout, warnings);
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
-  return pictures;
+  return images;
 }
 
-/// The pictures of all sequences below `folder`, by condition.
+/// The images of all sequences below `folder`, by condition.
 void addSequences(const fs::path& folder, const Layout& layout,
-                  std::map<std::string, PictureSet>& sets) {
+                  std::map<std::string, ImageSet>& sets) {
   for (const fs::path& child : foldersIn(folder)) {
     const std::string condition = conditionOf(child);
     if (condition.empty()) {
       addSequences(child, layout, sets);
       continue;
     }
-    PictureSet& set = sets[condition];
+    ImageSet& set = sets[condition];
     set.name = condition;
-    const auto pictures = listAndWarn(child.string(), layout);
-    set.pictures.insert(set.pictures.end(), pictures.begin(), pictures.end());
+    const auto images = listAndWarn(child.string(), layout);
+    set.images.insert(set.images.end(), images.begin(), images.end());
   }
 }
 
-/// The samples of one material, each a list of pictures.
+/// The samples of one material, each a list of images.
 std::vector<std::vector<std::string>> samplesOf(const fs::path& material) {
   std::vector<std::vector<std::string>> samples;
-  for (const fs::path& sample : foldersIn(material)) samples.push_back(picturesIn(sample));
+  for (const fs::path& sample : foldersIn(material)) samples.push_back(imagesIn(sample));
   if (!samples.empty()) return samples;
-  const std::vector<std::string> all = picturesIn(material);
+  const std::vector<std::string> all = imagesIn(material);
   for (std::size_t block = 0; block < kBlocks; ++block) {
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(all.size() * block / kBlocks);
     const auto end = all.begin() + static_cast<std::ptrdiff_t>(all.size() * (block + 1) / kBlocks);
@@ -91,9 +91,9 @@ void requireFolder(const std::string& folder) {
 }
 
 /// By name.
-std::map<std::string, PictureSet> setsByCondition(const std::string& folder,
-                                                  const std::string& layout) {
-  std::map<std::string, PictureSet> sets;
+std::map<std::string, ImageSet> setsByCondition(const std::string& folder,
+                                                const std::string& layout) {
+  std::map<std::string, ImageSet> sets;
   Layout one;
   one.name = layout;
   if (layout == "indecs") {
@@ -116,43 +116,43 @@ std::string kindOf(const std::string& place) {
 
 }  // namespace
 
-std::vector<PictureSet> conditionSets(const std::string& folder, const std::string& layout) {
+std::vector<ImageSet> conditionSets(const std::string& folder, const std::string& layout) {
   requireFolder(folder);
-  std::map<std::string, PictureSet> sets = setsByCondition(folder, layout);
+  std::map<std::string, ImageSet> sets = setsByCondition(folder, layout);
   if (sets.size() < 2) {
     throw Error("The folder " + folder +
-                " does not hold pictures of two conditions of light or more (cloudy, night, "
+                " does not hold images of two conditions of light or more (cloudy, night, "
                 "sunny); see doc/datasets.md for the layouts.");
   }
-  std::vector<PictureSet> list;
+  std::vector<ImageSet> list;
   for (auto& [name, set] : sets) list.push_back(std::move(set));
   return list;
 }
 
-std::vector<PictureSet> buildingSets(const std::string& folder, const std::string& layout) {
+std::vector<ImageSet> buildingSets(const std::string& folder, const std::string& layout) {
   requireFolder(folder);
-  std::vector<PictureSet> buildings;
+  std::vector<ImageSet> buildings;
   for (const fs::path& path : foldersIn(folder)) {
-    PictureSet& building = buildings.emplace_back();
+    ImageSet& building = buildings.emplace_back();
     building.name = path.filename().string();
     for (auto& [condition, set] : setsByCondition(path.string(), layout)) {
-      for (LabelledPicture& picture : set.pictures) {
-        if (layout == "cold") picture.place = kindOf(picture.place);
-        building.pictures.push_back(std::move(picture));
+      for (LabelledImage& image : set.images) {
+        if (layout == "cold") image.place = kindOf(image.place);
+        building.images.push_back(std::move(image));
       }
     }
-    if (building.pictures.empty()) {
+    if (building.images.empty()) {
       throw Error("The folder " + path.string() +
-                  " holds no pictures of a condition of light (cloudy, night, sunny); see "
+                  " holds no images of a condition of light (cloudy, night, sunny); see "
                   "doc/datasets.md for the layouts.");
     }
   }
   return buildings;
 }
 
-std::vector<PictureSet> sampleSets(const std::string& folder) {
+std::vector<ImageSet> sampleSets(const std::string& folder) {
   requireFolder(folder);
-  std::vector<PictureSet> sets;
+  std::vector<ImageSet> sets;
   for (const fs::path& material : foldersIn(folder)) {
     const auto samples = samplesOf(material);
     if (sets.empty()) sets.resize(samples.size());
@@ -164,16 +164,16 @@ std::vector<PictureSet> sampleSets(const std::string& folder) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       sets[i].name = "sample " + std::to_string(i + 1);
       for (const std::string& path : samples[i]) {
-        const auto stamp = static_cast<double>(sets[i].pictures.size());
-        sets[i].pictures.push_back({path, material.filename().string(), stamp});
+        const auto stamp = static_cast<double>(sets[i].images.size());
+        sets[i].images.push_back({path, material.filename().string(), stamp});
       }
     }
   }
-  for (const PictureSet& set : sets) {
-    if (set.pictures.empty()) throw Error("There are too few pictures in " + folder + ".");
+  for (const ImageSet& set : sets) {
+    if (set.images.empty()) throw Error("There are too few images in " + folder + ".");
   }
   if (sets.empty()) {
-    throw Error("The folder " + folder + " holds no materials; give MATERIAL/SAMPLE/PICTURE.");
+    throw Error("The folder " + folder + " holds no materials; give MATERIAL/SAMPLE/IMAGE.");
   }
   return sets;
 }

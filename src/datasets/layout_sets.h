@@ -3,28 +3,28 @@
 #include <string>
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 
 namespace place_recognition {
 
-/// The pictures of a data set by condition of light (cloudy, night, sunny), in order of their
+/// The images of a data set by condition of light (cloudy, night, sunny), in order of their
 /// names.
 ///
 /// indecs     `folder` as import takes it, with several conditions
 /// idol, cold  a folder of sequences whose names tell the condition, as in dum_cloudy1, seq2_night1
 ///
 /// Throws Error if there are fewer than two conditions, or for what does not fit the layout.
-std::vector<PictureSet> conditionSets(const std::string& folder, const std::string& layout);
+std::vector<ImageSet> conditionSets(const std::string& folder, const std::string& layout);
 
-/// Buildings: each folder in `folder`, read as above, the pictures of all its conditions, of which
+/// Buildings: each folder in `folder`, read as above, the images of all its conditions, of which
 /// one is enough. Its places are to be named by their kind; in the names of cold (2PO1-A), what
 /// follows the kind is left out (2PO). Throws Error for what does not fit the layout.
-std::vector<PictureSet> buildingSets(const std::string& folder, const std::string& layout);
+std::vector<ImageSet> buildingSets(const std::string& folder, const std::string& layout);
 
-/// The n-th sample of each material in the n-th set: MATERIAL/SAMPLE/PICTURE, samples in order of
-/// their names. Where pictures lie directly in the materials' folders, four blocks of each in order
+/// The n-th sample of each material in the n-th set: MATERIAL/SAMPLE/IMAGE, samples in order of
+/// their names. Where images lie directly in the materials' folders, four blocks of each in order
 /// of their names take the place of samples. Throws Error if materials differ in their number of
 /// samples.
-std::vector<PictureSet> sampleSets(const std::string& folder);
+std::vector<ImageSet> sampleSets(const std::string& folder);
 
 }  // namespace place_recognition

@@ -12,7 +12,7 @@
 #include "base/atomic_file.h"
 #include "base/place_name.h"
 #include "base/text.h"
-#include "datasets/picture_folder.h"
+#include "datasets/image_folder.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 
@@ -51,18 +51,18 @@ double numberBehindLetter(const std::string& word) {
 
 using Warnings = std::vector<std::string>;
 
-void stampByRate(std::vector<LabelledPicture>& pictures, double rate) {
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    pictures[i].stamp = static_cast<double>(i) / rate;
+void stampByRate(std::vector<LabelledImage>& images, double rate) {
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    images[i].stamp = static_cast<double>(i) / rate;
   }
 }
 
-/// The pictures below a folder, for layouts whose paths tell more than the room.
-std::vector<std::string> picturesBelow(const std::string& folder, Warnings& warnings) {
-  FoundPictures found = findPicturesBelow(folder);
+/// The images below a folder, for layouts whose paths tell more than the room.
+std::vector<std::string> imagesBelow(const std::string& folder, Warnings& warnings) {
+  FoundImages found = findImagesBelow(folder);
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
   std::vector<std::string> paths;
-  for (PlacedPicture& picture : found.pictures) paths.push_back(std::move(picture.path));
+  for (PlacedImage& image : found.images) paths.push_back(std::move(image.path));
   return paths;
 }
 
@@ -72,18 +72,18 @@ std::string allOf(const Warnings& warnings) {
   return text;
 }
 
-std::vector<LabelledPicture> listRooms(const fs::path& folder, Warnings& warnings) {
-  FoundPictures found = findRoomPictures(folder.string());
+std::vector<LabelledImage> listRooms(const fs::path& folder, Warnings& warnings) {
+  FoundImages found = findRoomImages(folder.string());
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
-  std::vector<LabelledPicture> pictures;
-  for (PlacedPicture& picture : found.pictures) {
-    if (!picture.place.empty()) pictures.push_back({picture.path, picture.place, 0});
+  std::vector<LabelledImage> images;
+  for (PlacedImage& image : found.images) {
+    if (!image.place.empty()) images.push_back({image.path, image.place, 0});
   }
-  return pictures;
+  return images;
 }
 
-/// What the path of a KTH-INDECS picture tells, wherever in it that stands.
-struct IndecsPicture {
+/// What the path of a KTH-INDECS image tells, wherever in it that stands.
+struct IndecsImage {
   std::string condition;
   std::string room;
   long marker = 0;
@@ -91,7 +91,7 @@ struct IndecsPicture {
   std::string path;
 
   /// `path` lies below `folder`. Throws Error if it names no room.
-  IndecsPicture(const fs::path& folder, const fs::path& path) : path(path.string()) {
+  IndecsImage(const fs::path& folder, const fs::path& path) : path(path.string()) {
     for (const fs::path& part : path.lexically_relative(folder).parent_path()) {
       if (const std::string found = asCondition(part.string()); !found.empty()) {
         condition = found;
@@ -120,20 +120,20 @@ struct IndecsPicture {
     }
   }
 
-  bool operator<(const IndecsPicture& other) const {
+  bool operator<(const IndecsImage& other) const {
     return std::tie(room, marker, angle, path) <
            std::tie(other.room, other.marker, other.angle, other.path);
   }
 };
 
-std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::string& wanted,
-                                        Warnings& warnings) {
-  std::vector<IndecsPicture> found;
+std::vector<LabelledImage> listIndecs(const fs::path& folder, const std::string& wanted,
+                                      Warnings& warnings) {
+  std::vector<IndecsImage> found;
   std::set<std::string> conditions;
-  for (const fs::path path : picturesBelow(folder.string(), warnings)) {
-    IndecsPicture picture(folder, path);
-    conditions.insert(picture.condition);
-    if (wanted.empty() || picture.condition == wanted) found.push_back(std::move(picture));
+  for (const fs::path path : imagesBelow(folder.string(), warnings)) {
+    IndecsImage image(folder, path);
+    conditions.insert(image.condition);
+    if (wanted.empty() || image.condition == wanted) found.push_back(std::move(image));
   }
   if (wanted.empty() && conditions.size() > 1) {
     throw Error(folder.string() +
@@ -141,38 +141,38 @@ std::vector<LabelledPicture> listIndecs(const fs::path& folder, const std::strin
                 "add --condition cloudy, night or sunny.");
   }
   std::sort(found.begin(), found.end());
-  std::vector<LabelledPicture> pictures;
-  for (const IndecsPicture& picture : found) pictures.push_back({picture.path, picture.room, 0});
-  return pictures;
+  std::vector<LabelledImage> images;
+  for (const IndecsImage& image : found) images.push_back({image.path, image.room, 0});
+  return images;
 }
 
-std::vector<LabelledPicture> listIdol(const fs::path& folder, Warnings& warnings) {
-  std::vector<LabelledPicture> pictures;
-  for (const fs::path path : picturesBelow(folder.string(), warnings)) {
-    LabelledPicture picture{path.string(), "", NAN};
+std::vector<LabelledImage> listIdol(const fs::path& folder, Warnings& warnings) {
+  std::vector<LabelledImage> images;
+  for (const fs::path path : imagesBelow(folder.string(), warnings)) {
+    LabelledImage image{path.string(), "", NAN};
     for (const std::string& word : split(path.stem().string(), "_")) {
-      if (word.front() == 't') picture.stamp = numberBehindLetter(word);
-      if (word.front() == 'r') picture.place = word.substr(1);
+      if (word.front() == 't') image.stamp = numberBehindLetter(word);
+      if (word.front() == 'r') image.place = word.substr(1);
     }
-    if (picture.place.empty() || std::isnan(picture.stamp)) {
-      throw Error(picture.path +
+    if (image.place.empty() || std::isnan(image.stamp)) {
+      throw Error(image.path +
                   " is not named as KTH-IDOL does (tTIME_rROOM_xX_yY_aANGLE); give "
                   "the folder of one sequence, or another --layout.");
     }
-    pictures.push_back(std::move(picture));
+    images.push_back(std::move(image));
   }
-  return pictures;
+  return images;
 }
 
-/// The stamp in the name of a picture of COLD; NaN if it has none.
+/// The stamp in the name of an image of COLD; NaN if it has none.
 double coldStamp(const std::string& file) {
   return numberBehindLetter(file.substr(0, file.find('_')));
 }
 
-/// A line per picture, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
-std::vector<LabelledPicture> listByPictures(const fs::path& cameras, const fs::path& list) {
+/// A line per image, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
+std::vector<LabelledImage> listByImages(const fs::path& cameras, const fs::path& list) {
   constexpr std::size_t kMaxFileBytes = 64 << 20;
-  std::vector<LabelledPicture> pictures;
+  std::vector<LabelledImage> images;
   int number = 0;
   for (const std::string& line : linesOf(toUtf8(readFile(list.string(), kMaxFileBytes)))) {
     ++number;
@@ -184,39 +184,39 @@ std::vector<LabelledPicture> listByPictures(const fs::path& cameras, const fs::p
       throw Error(list.string() + " line " + std::to_string(number) +
                   " is not of the form 'tTIME_xX_yY_aANGLE.jpeg LABEL'; correct it.");
     }
-    pictures.push_back({(cameras / file).string(), place, stamp});
+    images.push_back({(cameras / file).string(), place, stamp});
   }
-  return pictures;
+  return images;
 }
 
-/// Lines `timestamp label` (COLD-Meta), each of which holds until the next. Pictures before the
+/// Lines `timestamp label` (COLD-Meta), each of which holds until the next. Images before the
 /// first are left out.
-std::vector<LabelledPicture> listByTimes(const fs::path& cameras, const fs::path& labels_file,
-                                         Warnings& warnings) {
-  std::vector<LabelledPicture> pictures;
+std::vector<LabelledImage> listByTimes(const fs::path& cameras, const fs::path& labels_file,
+                                       Warnings& warnings) {
+  std::vector<LabelledImage> images;
   double start = std::numeric_limits<double>::infinity(), end = -start;
-  for (const std::string& path : picturesBelow(cameras.string(), warnings)) {
+  for (const std::string& path : imagesBelow(cameras.string(), warnings)) {
     const double stamp = coldStamp(fs::path(path).filename().string());
     if (std::isnan(stamp)) {
       throw Error(path + " is not named as COLD does (tTIME_xX_yY_aANGLE); remove it.");
     }
-    pictures.push_back({path, "", stamp});
+    images.push_back({path, "", stamp});
     start = std::min(start, stamp);
     end = std::max(end, stamp);
   }
   const Labels labels = Labels::fromFile(labels_file.string(), start, end);
-  for (LabelledPicture& picture : pictures) picture.place = labels.at(picture.stamp);
-  pictures.erase(std::remove_if(pictures.begin(), pictures.end(),
-                                [](const auto& picture) { return picture.place.empty(); }),
-                 pictures.end());
-  return pictures;
+  for (LabelledImage& image : images) image.place = labels.at(image.stamp);
+  images.erase(std::remove_if(images.begin(), images.end(),
+                              [](const auto& image) { return image.place.empty(); }),
+               images.end());
+  return images;
 }
 
-std::vector<LabelledPicture> listCold(const fs::path& folder, const std::string& camera,
-                                      Warnings& warnings) {
+std::vector<LabelledImage> listCold(const fs::path& folder, const std::string& camera,
+                                    Warnings& warnings) {
   const fs::path cameras = folder / (camera.empty() ? "std_cam" : camera),
                  list = folder / "localization" / "places.lst";
-  if (fs::exists(list)) return listByPictures(cameras, list);
+  if (fs::exists(list)) return listByImages(cameras, list);
   for (const fs::path& labels : {folder / "labels.dat", folder / "localization" / "labels.dat"}) {
     if (fs::exists(labels) && fs::is_directory(cameras)) {
       return listByTimes(cameras, labels, warnings);
@@ -232,35 +232,35 @@ std::vector<LabelledPicture> listCold(const fs::path& folder, const std::string&
 std::vector<std::string> indecsConditions(const std::string& folder) {
   std::set<std::string> conditions;
   Warnings told_later;
-  for (const std::string& path : picturesBelow(folder, told_later)) {
-    conditions.insert(IndecsPicture(folder, path).condition);
+  for (const std::string& path : imagesBelow(folder, told_later)) {
+    conditions.insert(IndecsImage(folder, path).condition);
   }
   conditions.erase("");
   return {conditions.begin(), conditions.end()};
 }
 
-std::vector<LabelledPicture> listPictures(const std::string& folder, const Layout& layout,
-                                          std::vector<std::string>& warnings) {
+std::vector<LabelledImage> listImages(const std::string& folder, const Layout& layout,
+                                      std::vector<std::string>& warnings) {
   if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
   const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
-  std::vector<LabelledPicture> pictures =
+  std::vector<LabelledImage> images =
       layout.name == "rooms"    ? listRooms(folder, warnings)
       : layout.name == "indecs" ? listIndecs(folder, layout.condition, warnings)
       : layout.name == "idol"   ? listIdol(folder, warnings)
                                 : listCold(folder, layout.camera, warnings);
-  for (LabelledPicture& picture : pictures) picture.place = placeName(picture.place);
-  if (pictures.empty()) {
+  for (LabelledImage& image : images) image.place = placeName(image.place);
+  if (images.empty()) {
     throw Error("The folder " + folder +
-                " holds no pictures (png, jpg, webp, bmp or tiff) in the layout '" + layout.name +
+                " holds no images (png, jpg, webp, bmp or tiff) in the layout '" + layout.name +
                 "'; check the path, or give another --layout." + allOf(warnings));
   }
   if (by_rate) {
-    stampByRate(pictures, layout.rate);
+    stampByRate(images, layout.rate);
   } else {
-    std::stable_sort(pictures.begin(), pictures.end(),
+    std::stable_sort(images.begin(), images.end(),
                      [](const auto& a, const auto& b) { return a.stamp < b.stamp; });
   }
-  return pictures;
+  return images;
 }
 
 }  // namespace place_recognition

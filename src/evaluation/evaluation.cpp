@@ -41,8 +41,8 @@ std::string thumbnail(const cv::Mat& image) {
 
 class Evaluator {
  public:
-  Evaluator(const std::shared_ptr<const Model>& model, std::size_t wrong_pictures)
-      : recognizer_(model), wrong_pictures_(wrong_pictures) {
+  Evaluator(const std::shared_ptr<const Model>& model, std::size_t wrong_images)
+      : recognizer_(model), wrong_images_(wrong_images) {
     evaluation_.model = model->name;
     evaluation_.places = model->places;
     evaluation_.model_places = model->places.size();
@@ -62,7 +62,7 @@ class Evaluator {
     std::uint64_t unlabelled = 0, unreadable = 0;
     std::string first_problem;
     for (Frame frame; run.next(frame);) {
-      ++pictures_;
+      ++images_;
       if (frame.place.empty()) {
         ++unlabelled;
       } else if (frame.image.empty()) {
@@ -89,7 +89,7 @@ class Evaluator {
     for (std::size_t k = evaluation_.model_places; k < evaluation_.places.size(); ++k) {
       evaluation_.warnings.push_back(
           "The model has not learned '" + evaluation_.places[k] +
-          "'; its pictures count only for telling known places from unknown ones.");
+          "'; its images count only for telling known places from unknown ones.");
     }
     for (const std::string& warning : warnOfLikeNames(evaluation_.places)) {
       evaluation_.warnings.push_back(warning);
@@ -130,31 +130,30 @@ class Evaluator {
 
   /// Keeps evaluation_.wrong sorted by falling confidence and short.
   void keepIfAmongTheWorst(const FrameResult& result, const cv::Mat& image) {
-    std::vector<WrongPicture>& wrong = evaluation_.wrong;
-    const auto place = std::find_if(wrong.begin(), wrong.end(), [&](const WrongPicture& picture) {
-      return evaluation_.frames[picture.frame].confidence < result.confidence;
+    std::vector<WrongImage>& wrong = evaluation_.wrong;
+    const auto place = std::find_if(wrong.begin(), wrong.end(), [&](const WrongImage& image) {
+      return evaluation_.frames[image.frame].confidence < result.confidence;
     });
-    if (static_cast<std::size_t>(place - wrong.begin()) >= wrong_pictures_) return;
+    if (static_cast<std::size_t>(place - wrong.begin()) >= wrong_images_) return;
     wrong.insert(place, {evaluation_.frames.size() - 1, thumbnail(image)});
-    if (wrong.size() > wrong_pictures_) wrong.pop_back();
+    if (wrong.size() > wrong_images_) wrong.pop_back();
   }
 
   void warn(const std::string& run, std::uint64_t count, const std::string& why) {
     if (count == 0) return;
-    evaluation_.warnings.push_back(run + ": left out are " + counted(count, "picture") + " " + why +
+    evaluation_.warnings.push_back(run + ": left out are " + counted(count, "image") + " " + why +
                                    ".");
   }
 
   void requireLearnedPlaces() const {
     const std::string runs = joined(evaluation_.runs, 0, evaluation_.runs.size());
-    if (pictures_ == 0)
-      throw Error("There are no pictures in " + runs + "; give a run that has some.");
+    if (images_ == 0) throw Error("There are no images in " + runs + "; give a run that has some.");
     if (evaluation_.frames.empty() && !first_problem_.empty()) {
-      throw Error("None of the pictures in " + runs + " that have a label can be used (" +
+      throw Error("None of the images in " + runs + " that have a label can be used (" +
                   first_problem_ + "); give a run that has some.");
     }
     if (evaluation_.frames.empty()) {
-      throw Error("None of the " + std::to_string(pictures_) + " pictures in " + runs +
+      throw Error("None of the " + std::to_string(images_) + " images in " + runs +
                   " has a label; say which place each of them shows.");
     }
     const bool any = std::any_of(evaluation_.frames.begin(), evaluation_.frames.end(),
@@ -169,9 +168,9 @@ class Evaluator {
   RunRecognizer recognizer_;
   std::vector<int> camera_of_;  // of each camera of the current run: index into evaluation_.cameras
   std::size_t smoothed_ = 0;    // frames that have their smoothed answer
-  std::size_t wrong_pictures_;
-  std::uint64_t pictures_ = 0;
-  std::string first_problem_;  // of a labelled picture that cannot be used
+  std::size_t wrong_images_;
+  std::uint64_t images_ = 0;
+  std::string first_problem_;  // of a labelled image that cannot be used
   Evaluation evaluation_;
 };
 
@@ -186,8 +185,8 @@ std::vector<const FrameResult*> Evaluation::framesOf(int run) const {
 }
 
 Evaluation evaluate(const std::shared_ptr<const Model>& model, const std::vector<RunOpener>& runs,
-                    std::size_t wrong_pictures, const Progress& progress) {
-  Evaluator evaluator(model, wrong_pictures);
+                    std::size_t wrong_images, const Progress& progress) {
+  Evaluator evaluator(model, wrong_images);
   for (const RunOpener& open : runs) evaluator.read(*open(), progress);
   return evaluator.finish();
 }

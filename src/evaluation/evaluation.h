@@ -12,9 +12,9 @@
 
 namespace place_recognition {
 
-/// The answer to one labelled picture.
+/// The answer to one labelled image.
 struct FrameResult {
-  std::string name;       ///< of the picture
+  std::string name;       ///< of the image
   int run = 0;            ///< index into Evaluation::runs
   int camera = 0;         ///< index into Evaluation::cameras
   double stamp = 0;       ///< s
@@ -30,8 +30,8 @@ struct FrameResult {
   bool correct() const { return place == truth; }
 };
 
-/// A picture that was given a wrong place.
-struct WrongPicture {
+/// An image that was given a wrong place.
+struct WrongImage {
   std::size_t frame = 0;  ///< index into Evaluation::frames
   std::string jpeg;       ///< at most 320 pixels wide
 };
@@ -44,7 +44,7 @@ struct Evaluation {
   std::vector<std::string> runs;     ///< names; a run is one condition
   std::vector<std::string> cameras;  ///< of all runs, by the topics of their images
   std::vector<FrameResult> frames;
-  std::vector<WrongPicture> wrong;  ///< the most confidently wrong ones, worst first
+  std::vector<WrongImage> wrong;  ///< the most confidently wrong ones, worst first
   std::size_t support_vectors = 0;
   std::uint64_t model_bytes = 0;
   std::vector<std::string> warnings;  ///< for a person: what was left out, see also ImageGuard
@@ -58,10 +58,10 @@ struct Evaluation {
   std::vector<const FrameResult*> framesOf(int run) const;
 };
 
-/// Shows every labelled picture of the runs to the model, one at a time in this thread, and keeps
-/// the answers and the `wrong_pictures` most confident mistakes. Throws Error if there are no
-/// pictures, no labels, or none of a place that the model has learned; Cancelled.
+/// Shows every labelled image of the runs to the model, one at a time in this thread, and keeps
+/// the answers and the `wrong_images` most confident mistakes. Throws Error if there are no
+/// images, no labels, or none of a place that the model has learned; Cancelled.
 Evaluation evaluate(const std::shared_ptr<const Model>& model, const std::vector<RunOpener>& runs,
-                    std::size_t wrong_pictures = 12, const Progress& progress = {});
+                    std::size_t wrong_images = 12, const Progress& progress = {});
 
 }  // namespace place_recognition

@@ -23,7 +23,7 @@ struct AnswersOverTime {
 };
 
 /// The answers over time (TemporalFilter, FixedLagSmoother) beside those to single frames, on runs
-/// that are drives through the rooms; pictures of places that the model has learned.
+/// that are drives through the rooms; images of places that the model has learned.
 struct OverTime {
   /// In a doorway a camera sees the next room before the robot is in it, and an answer over time
   /// follows late: what is from kBefore before to kAfter after a change of room, s.
@@ -42,7 +42,7 @@ struct OverTime {
 /// Whether the frames of a run, of one of so many places each, can have been taken on the way.
 bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places);
 
-/// Nothing if no run is a drive: pictures that are sorted by room have no order in time.
+/// Nothing if no run is a drive: images that are sorted by room have no order in time.
 std::optional<OverTime> overTime(const Evaluation& evaluation);
 
 }  // namespace place_recognition

@@ -9,7 +9,7 @@
 
 namespace place_recognition {
 
-using namespace plot_colors;
+using namespace plot_colours;
 
 std::string ratesPlot(const Summary& summary) {
   constexpr double kLeft = 200, kWidth = 560, kRow = 26;
@@ -49,7 +49,7 @@ std::string reliabilityPlot(const Summary& summary) {
     if (bin.count == 0) continue;
     const double radius = 3 + 6 * static_cast<double>(bin.count) / static_cast<double>(most);
     plot.svg().circle(plot.x(bin.confidence), plot.y(bin.rate), radius, kBlue,
-                      std::to_string(bin.count) + " pictures, " + percent(bin.rate) + " right");
+                      std::to_string(bin.count) + " images, " + percent(bin.rate) + " right");
   }
   return plot.svg().str();
 }
@@ -64,7 +64,7 @@ std::string confidencePlot(const Evaluation& evaluation) {
   double most = 1;
   for (std::size_t i = 0; i < kBins; ++i) most = std::max(most, right[i] + wrong[i]);
 
-  FractionPlot plot("confidence", "pictures of the fullest bin");
+  FractionPlot plot("confidence", "images of the fullest bin");
   const double width = plot.x(1.0 / kBins) - plot.x(0) - 2;
   for (std::size_t i = 0; i < kBins; ++i) {
     const double x = plot.x(static_cast<double>(i) / kBins) + 1;
@@ -77,7 +77,7 @@ std::string confidencePlot(const Evaluation& evaluation) {
 }
 
 std::string riskPlot(const Summary& summary) {
-  FractionPlot plot("pictures answered, most confident first", "wrong");
+  FractionPlot plot("images answered, most confident first", "wrong");
   std::vector<std::pair<double, double>> curve;
   for (const RiskPoint& point : summary.risk_coverage) {
     curve.emplace_back(plot.x(point.coverage), plot.y(point.risk));

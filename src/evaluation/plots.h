@@ -15,7 +15,7 @@ std::string ratesPlot(const Summary& summary);
 /// How often answers of a certain confidence are right, against that confidence.
 std::string reliabilityPlot(const Summary& summary);
 
-/// How many pictures were answered with which confidence, right and wrong ones.
+/// How many images were answered with which confidence, right and wrong ones.
 std::string confidencePlot(const Evaluation& evaluation);
 
 /// Fraction of wrong answers if only the most confident ones were given.

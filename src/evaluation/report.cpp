@@ -38,7 +38,7 @@ std::string figure(const std::string& value, const std::string& what) {
 
 std::string titleAndFigures(const Evaluation& evaluation, const Summary& summary) {
   std::string html = "<h1>Model " + escapeMarkup(evaluation.model) + "</h1>\n<p>shown " +
-                     std::to_string(evaluation.frames.size()) + " labelled pictures of";
+                     std::to_string(evaluation.frames.size()) + " labelled images of";
   for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
     html += (r == 0 ? " " : ", ") + escapeMarkup(evaluation.runs[r]);
   }
@@ -46,8 +46,8 @@ std::string titleAndFigures(const Evaluation& evaluation, const Summary& summary
   html += figure(percent(summary.average_rate), "right, mean of the rooms");
   html += figure(percent(summary.unknown_share), "answered &lsquo;unknown&rsquo;");
   html += figure(fixed(summary.calibration_error, 3), "calibration error");
-  html += figure(fixed(1000 * summary.latency_p50, 1) + " ms", "a picture (median)");
-  html += figure(fixed(1000 * summary.latency_p99, 1) + " ms", "a picture (99 %)");
+  html += figure(fixed(1000 * summary.latency_p50, 1) + " ms", "an image (median)");
+  html += figure(fixed(1000 * summary.latency_p99, 1) + " ms", "an image (99 %)");
   html += figure(std::to_string(evaluation.support_vectors), "support vectors");
   if (summary.unknown) {
     html += figure(fixed(summary.unknown->roc_area, 3), "known against unknown, area under ROC");
@@ -134,13 +134,13 @@ std::string timelines(const Evaluation& evaluation) {
   return html;
 }
 
-std::string wrongPictures(const Evaluation& evaluation) {
+std::string wrongImages(const Evaluation& evaluation) {
   if (evaluation.wrong.empty()) return "";
   std::string html = "<h2>Most confidently wrong</h2>\n<div class=\"row\">\n";
-  for (const WrongPicture& picture : evaluation.wrong) {
-    const FrameResult& frame = evaluation.frames[picture.frame];
+  for (const WrongImage& image : evaluation.wrong) {
+    const FrameResult& frame = evaluation.frames[image.frame];
     html += "<figure><img width=\"280\" alt=\"\" src=\"data:image/jpeg;base64," +
-            base64(picture.jpeg) + "\"><figcaption>" +
+            base64(image.jpeg) + "\"><figcaption>" +
             escapeMarkup(evaluation.places[static_cast<std::size_t>(frame.truth)]) +
             ", taken for <b>" +
             escapeMarkup(evaluation.places[static_cast<std::size_t>(frame.place)]) + "</b> (" +
@@ -159,7 +159,7 @@ std::string confidenceSection(const Evaluation& evaluation, const Summary& summa
          captioned(reliabilityPlot(summary),
                    "Reliability: on the diagonal, confidence says how often answers are right.") +
          captioned(confidencePlot(evaluation),
-                   "Pictures by confidence, right (blue) and wrong (red).") +
+                   "Images by confidence, right (blue) and wrong (red).") +
          captioned(riskPlot(summary),
                    "Risk against coverage: wrong answers if only the most confident were given.") +
          "</div>\n" + htmlTable(reliabilityRows(summary)) + "<p>Expected calibration error " +
@@ -171,7 +171,7 @@ std::string unknownSection(const Summary& summary) {
   if (!summary.unknown) return "";
   return "<h2>Known and unknown places</h2>\n" +
          captioned(rocPlot(*summary.unknown),
-                   "Pictures of places never learned that are answered &lsquo;unknown&rsquo;, for "
+                   "Images of places never learned that are answered &lsquo;unknown&rsquo;, for "
                    "every threshold; the dot is the model&rsquo;s own. Area under the curve " +
                        fixed(summary.unknown->roc_area, 3) + ".");
 }
@@ -183,7 +183,7 @@ std::string htmlReport(const Evaluation& evaluation, const Summary& summary) {
                   titleAndFigures(evaluation, summary) + warningList(evaluation) +
                       "<h2>Rate of each room</h2>\n" + ratesPlot(summary) + runTable(summary) +
                       confusionTable(summary) + confidenceSection(evaluation, summary) +
-                      unknownSection(summary) + timelines(evaluation) + wrongPictures(evaluation));
+                      unknownSection(summary) + timelines(evaluation) + wrongImages(evaluation));
 }
 
 }  // namespace place_recognition

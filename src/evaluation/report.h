@@ -8,7 +8,7 @@
 namespace place_recognition {
 
 /// An evaluation as one HTML page that needs no other file: figures, plots, the confusion matrix,
-/// and the pictures that were most confidently wrong.
+/// and the images that were most confidently wrong.
 std::string htmlReport(const Evaluation& evaluation, const Summary& summary);
 
 }  // namespace place_recognition

@@ -19,7 +19,7 @@ std::string rateIn(const RunSummary& run, int place) {
 
 std::string ratesTable(const Summary& summary) {
   const bool several = summary.runs.size() > 1;
-  TextRows rows{{"room", "pictures", "right", "'unknown'"}};
+  TextRows rows{{"room", "images", "right", "'unknown'"}};
   if (several) {
     for (const RunSummary& run : summary.runs) rows[0].push_back(run.condition);
   }
@@ -40,7 +40,7 @@ std::string ratesTable(const Summary& summary) {
 /// Empty unless there are several cameras.
 std::string camerasTable(const Summary& summary) {
   if (summary.cameras.empty()) return "";
-  TextRows rows{{"camera", "pictures", "mean of the rooms"}};
+  TextRows rows{{"camera", "images", "mean of the rooms"}};
   for (const CameraSummary& camera : summary.cameras) {
     rows.push_back({camera.name, std::to_string(camera.count), percent(camera.average_rate)});
   }
@@ -68,7 +68,7 @@ std::string confusionTable(const Summary& summary) {
 std::string confusedTable(const Summary& summary) {
   constexpr std::size_t kMost = 5;
   if (summary.confused.empty()) return "";
-  TextRows rows{{"taken for one another", "of the pictures of both"}};
+  TextRows rows{{"taken for one another", "of the images of both"}};
   for (const ConfusedPair& pair : summary.confused) {
     if (rows.size() > kMost) break;
     rows.push_back({summary.places[static_cast<std::size_t>(pair.a)] + ", " +
@@ -124,7 +124,7 @@ std::string overTimeTable(const Summary& summary) {
 }  // namespace
 
 TextRows reliabilityRows(const Summary& summary) {
-  TextRows rows{{"confidence", "pictures", "mean confidence", "right"}};
+  TextRows rows{{"confidence", "images", "mean confidence", "right"}};
   for (std::size_t i = 0; i < summary.reliability.size(); ++i) {
     const ReliabilityBin& bin = summary.reliability[i];
     if (bin.count == 0) continue;

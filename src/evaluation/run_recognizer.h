@@ -30,8 +30,8 @@ class RunRecognizer {
   /// The answer to the image of `frame` alone; valid until the next call.
   const Recognition& recognize(const Frame& frame);
 
-  /// The same for a picture by itself, which is of no run.
-  const Recognition& recognizePicture(const cv::Mat& image) {
+  /// The same for an image by itself, which is of no run.
+  const Recognition& recognizeImage(const cv::Mat& image) {
     return recognizers_.front().recognize(image);
   }
 

@@ -66,7 +66,7 @@ void summarizeCameras(const Evaluation& evaluation, Summary& summary) {
     const auto ofCamera = [c](const FrameResult& f) { return f.camera == static_cast<int>(c); };
     const std::vector<RoomSummary> rooms = summarizeRooms(evaluation, ofCamera);
     const std::string& topic = evaluation.cameras[c];
-    CameraSummary camera{topic.empty() ? "pictures in folders" : topic, 0, meanRate(rooms)};
+    CameraSummary camera{topic.empty() ? "images in folders" : topic, 0, meanRate(rooms)};
     for (const RoomSummary& room : rooms) camera.count += room.count;
     summary.cameras.push_back(std::move(camera));
   }

@@ -12,7 +12,7 @@
 
 namespace place_recognition {
 
-/// How the pictures of one room, in one run or in all, were answered. Rates count the most probable
+/// How the images of one room, in one run or in all, were answered. Rates count the most probable
 /// place, whether or not the answer was 'unknown'; the fraction answered 'unknown' stands beside
 /// them.
 struct RoomSummary {
@@ -31,35 +31,35 @@ struct RoomSummary {
 struct RunSummary {
   std::string name;
   std::string condition;           ///< the last part of the name, without `.bag`
-  std::vector<RoomSummary> rooms;  ///< learned ones with pictures
+  std::vector<RoomSummary> rooms;  ///< learned ones with images
   double average_rate = 0;         ///< mean of their rates
 };
 
 /// The answers to the single frames of one of several cameras.
 struct CameraSummary {
-  std::string name;         ///< its topic; of folders, which have none, "pictures in folders"
-  std::uint64_t count = 0;  ///< pictures of learned rooms
+  std::string name;         ///< its topic; of folders, which have none, "images in folders"
+  std::uint64_t count = 0;  ///< images of learned rooms
   double average_rate = 0;  ///< mean of the rooms' rates
 };
 
 /// Counts of true place (row) and most probable place (column).
 struct Confusion {
   std::vector<std::vector<std::uint64_t>> counts;
-  std::vector<std::uint64_t> none;  ///< of each true place: pictures without any feature
+  std::vector<std::uint64_t> none;  ///< of each true place: images without any feature
 };
 
 /// How 'unknown' fared on places that were never learned.
 struct UnknownSummary {
   double roc_area = 0;          ///< of the evidence, learned against other places
-  double false_alarm_rate = 0;  ///< fraction of pictures of learned places answered 'unknown'
-  double detection_rate = 0;    ///< fraction of pictures of other places answered 'unknown'
+  double false_alarm_rate = 0;  ///< fraction of images of learned places answered 'unknown'
+  double detection_rate = 0;    ///< fraction of images of other places answered 'unknown'
   std::vector<RocPoint> roc;    ///< learned places (positive) and others below each threshold
 };
 
 /// The figures of an evaluation.
 struct Summary {
   std::vector<std::string> places;  ///< as in Evaluation
-  std::vector<RoomSummary> rooms;   ///< all runs together: learned ones with pictures
+  std::vector<RoomSummary> rooms;   ///< all runs together: learned ones with images
   double average_rate = 0;          ///< mean of their rates, each room of equal weight
   std::vector<RunSummary> runs;
   double test_set_rate = 0;  ///< mean over the rooms of all runs, each such set of equal weight
@@ -67,13 +67,13 @@ struct Summary {
   std::vector<CameraSummary> cameras;  ///< if there are several
   Confusion confusion;
   std::vector<ConfusedPair> confused;       ///< indices into places; the most confused first
-  std::vector<ReliabilityBin> reliability;  ///< from here on: pictures of learned places
+  std::vector<ReliabilityBin> reliability;  ///< from here on: images of learned places
   double calibration_error = 0;
   std::vector<RiskPoint> risk_coverage;
   double unknown_share = 0;               ///< answered 'unknown'
-  std::optional<UnknownSummary> unknown;  ///< if there are pictures of other places
+  std::optional<UnknownSummary> unknown;  ///< if there are images of other places
   std::optional<OverTime> over_time;      ///< if a run is a drive
-  double latency_p50 = 0;                 ///< s, of all pictures
+  double latency_p50 = 0;                 ///< s, of all images
   double latency_p95 = 0;
   double latency_p99 = 0;
 };

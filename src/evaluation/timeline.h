@@ -7,7 +7,7 @@
 namespace place_recognition {
 
 /// One run from left to right, an <svg> element: the true place, the answer and where it is wrong;
-/// of a drive the answers over time instead. 'unknown' is pale. Empty if the run has no pictures.
+/// of a drive the answers over time instead. 'unknown' is pale. Empty if the run has no images.
 std::string timelinePlot(const Evaluation& evaluation, int run);
 
 }  // namespace place_recognition

@@ -14,7 +14,7 @@ namespace {
 constexpr PlaceFeatures kFeatures[] = {PlaceFeatures::kLocal, PlaceFeatures::kGlobal};
 
 /// Rates of one kind of features: of each place and, as an empty name, of their mean.
-Table categoryTable(PlaceFeatures features, const std::vector<PictureSet>& buildings,
+Table categoryTable(PlaceFeatures features, const std::vector<ImageSet>& buildings,
                     const std::vector<const Json*>& results) {
   Table table;
   table.name = std::string("categories_") + name(features);
@@ -48,18 +48,18 @@ Table categoryTable(PlaceFeatures features, const std::vector<PictureSet>& build
 
 }  // namespace
 
-CategoriesExperiment::CategoriesExperiment(std::vector<PictureSet> buildings, unsigned threads)
+CategoriesExperiment::CategoriesExperiment(std::vector<ImageSet> buildings, unsigned threads)
     : buildings_(std::move(buildings)), threads_(threads) {
   if (buildings_.size() >= 3) return;
   throw Error(
-      "There are fewer than three buildings; give a folder of BUILDING/CONDITION/ROOM/PICTURE with "
+      "There are fewer than three buildings; give a folder of BUILDING/CONDITION/ROOM/IMAGE with "
       "three buildings or more.");
 }
 
 std::vector<Json> CategoriesExperiment::cells() const {
   std::vector<Json> cells;
   for (const PlaceFeatures features : kFeatures) {
-    for (const PictureSet& building : buildings_) {
+    for (const ImageSet& building : buildings_) {
       cells.push_back({{"categories", writeOptions(trainingOptions(features))},
                        {"features", name(features)},
                        {"tested", building.name}});

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/experiment.h"
 #include "experiments/place_training.h"
 
@@ -14,7 +14,7 @@ class CategoriesExperiment : public Experiment {
  public:
   /// `buildings`: three or more, whose places of one kind have one name. `threads`: 0: one per
   /// core. Throws Error if there are fewer.
-  CategoriesExperiment(std::vector<PictureSet> buildings, unsigned threads);
+  CategoriesExperiment(std::vector<ImageSet> buildings, unsigned threads);
 
   std::vector<Json> cells() const override;
   void compute(const std::vector<Json>& cells, const CellSink& finished,
@@ -22,7 +22,7 @@ class CategoriesExperiment : public Experiment {
   Findings findings(const std::vector<Json>& results) const override;
 
  private:
-  std::vector<PictureSet> buildings_;
+  std::vector<ImageSet> buildings_;
   unsigned threads_;
 };
 

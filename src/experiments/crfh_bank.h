@@ -13,7 +13,7 @@
 
 namespace place_recognition {
 
-/// Many composed receptive field histograms of one picture, the same as CrfhExtractor's: each
+/// Many composed receptive field histograms of one image, the same as CrfhExtractor's: each
 /// response is computed once and quantized once for each number of bins, however many histograms
 /// use it. One bank a thread.
 class CrfhBank {

@@ -24,13 +24,13 @@ std::string rateIn(const Json& result, const std::string& place, const std::stri
 
 }  // namespace
 
-FinalExperiment::FinalExperiment(PlaceFeatures features, std::vector<PictureSet> sets,
+FinalExperiment::FinalExperiment(PlaceFeatures features, std::vector<ImageSet> sets,
                                  unsigned threads)
     : features_(features), sets_(std::move(sets)), threads_(threads) {}
 
 std::vector<Json> FinalExperiment::cells() const {
   std::vector<Json> cells;
-  for (const PictureSet& set : sets_) {
+  for (const ImageSet& set : sets_) {
     cells.push_back(
         {{"final", writeOptions(trainingOptions(features_))}, {"training_set", set.name}});
   }
@@ -41,7 +41,7 @@ void FinalExperiment::compute(const std::vector<Json>& cells, const CellSink& fi
                               const Progress& progress) {
   const PlaceSamples samples(sets_, features_, threads_, progress);
   for (const Json& cell : cells) {
-    const auto set = std::find_if(sets_.begin(), sets_.end(), [&](const PictureSet& candidate) {
+    const auto set = std::find_if(sets_.begin(), sets_.end(), [&](const ImageSet& candidate) {
       return candidate.name == cell.at("training_set");
     });
     const PlaceTraining training =
@@ -64,16 +64,16 @@ void FinalExperiment::compute(const std::vector<Json>& cells, const CellSink& fi
 
 Table FinalExperiment::splits() const {
   Table table{"table_8_1",
-              "Table 8.1: pictures by room and set; each set is trained on in turn and tested on "
+              "Table 8.1: images by room and set; each set is trained on in turn and tested on "
               "the rooms of the others",
               {{"room"}}};
   std::map<std::string, std::vector<int>> counts;
   std::vector<std::string> total = {"all"};
   for (std::size_t set = 0; set < sets_.size(); ++set) {
     table.rows[0].push_back(sets_[set].name);
-    total.push_back(std::to_string(sets_[set].pictures.size()));
-    for (const LabelledPicture& picture : sets_[set].pictures) {
-      std::vector<int>& room = counts[picture.place];
+    total.push_back(std::to_string(sets_[set].images.size()));
+    for (const LabelledImage& image : sets_[set].images) {
+      std::vector<int>& room = counts[image.place];
       room.resize(sets_.size());
       ++room[set];
     }
@@ -95,7 +95,7 @@ Findings FinalExperiment::findings(const std::vector<Json>& results) const {
                 " descriptors. Rates in per cent by training set (columns) and test set; right, "
                 "the thesis, for rooms that go by its names";
   std::vector<std::string> head = {"room", "tested on"};
-  for (const PictureSet& set : sets_) head.push_back(set.name);
+  for (const ImageSet& set : sets_) head.push_back(set.name);
   for (const char* column : {"| cloudy", "night", "sunny"}) head.emplace_back(column);
   table.rows.push_back(head);
 
@@ -112,11 +112,11 @@ Findings FinalExperiment::findings(const std::vector<Json>& results) const {
     table.rows[1].push_back((i == 0 ? "| " : "") + fixed(thesis.gamma[i], 3));
   }
   std::map<std::string, int> places;
-  for (const PictureSet& set : sets_) {
-    for (const LabelledPicture& picture : set.pictures) ++places[picture.place];
+  for (const ImageSet& set : sets_) {
+    for (const LabelledImage& image : set.images) ++places[image.place];
   }
-  for (const auto& [place, pictures] : places) {
-    for (const PictureSet& set : sets_) {
+  for (const auto& [place, images] : places) {
+    for (const ImageSet& set : sets_) {
       std::vector<std::string> row = {place, set.name};
       for (const Json& result : results) row.push_back(rateIn(result, place, set.name));
       for (int i = 0; i < 3; ++i) {

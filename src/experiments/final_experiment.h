@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/experiment.h"
 #include "experiments/place_training.h"
 
@@ -12,7 +12,7 @@ namespace place_recognition {
 class FinalExperiment : public Experiment {
  public:
   /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
-  FinalExperiment(PlaceFeatures features, std::vector<PictureSet> sets, unsigned threads);
+  FinalExperiment(PlaceFeatures features, std::vector<ImageSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;
   void compute(const std::vector<Json>& cells, const CellSink& finished,
@@ -23,7 +23,7 @@ class FinalExperiment : public Experiment {
   Table splits() const;
 
   PlaceFeatures features_;
-  std::vector<PictureSet> sets_;
+  std::vector<ImageSet> sets_;
   unsigned threads_;
 };
 

@@ -61,10 +61,10 @@ CrfhOptions histogram(const ThesisRow& row, const std::vector<double>& scales, i
   return options;
 }
 
-cv::Mat readPicture(const LabelledPicture& picture) {
-  const DecodedImage decoded = readImageFile(picture.path);
+cv::Mat readImage(const LabelledImage& image) {
+  const DecodedImage decoded = readImageFile(image.path);
   if (decoded.image.empty()) {
-    throw Error("The picture " + picture.path + " is of no use: " + decoded.problem +
+    throw Error("The image " + image.path + " is of no use: " + decoded.problem +
                 "; remove it or put a good one in its place.");
   }
   cv::Mat buffer;
@@ -79,12 +79,12 @@ double bytesOf(const Feature& feature) {
 
 }  // namespace
 
-HistogramExperiment::HistogramExperiment(HistogramSweep sweep, std::vector<PictureSet> sets,
+HistogramExperiment::HistogramExperiment(HistogramSweep sweep, std::vector<ImageSet> sets,
                                          int max_dimensions, unsigned threads)
     : sweep_(sweep), sets_(std::move(sets)), threads_(threads) {
   samples_ = samplesOf(sets_);
-  for (const PictureSet& set : sets_) {
-    for (const LabelledPicture& picture : set.pictures) pictures_.push_back(&picture);
+  for (const ImageSet& set : sets_) {
+    for (const LabelledImage& image : set.images) images_.push_back(&image);
   }
   if (sweep == HistogramSweep::kBins) {
     for (std::size_t row = 0; row < table85().size(); ++row) {
@@ -146,8 +146,8 @@ void HistogramExperiment::compute(const std::vector<Json>& cells, const CellSink
       const Candidate& candidate = candidateOf(cells[i]);
       if (candidate.row != first.row) break;
       CrfhBank bank({candidate.options});
-      const auto sample = bank.extract(readPicture(*pictures_[pictures_.size() / 2]));
-      bytes += bytesOf(sample[0]) * static_cast<double>(pictures_.size());
+      const auto sample = bank.extract(readImage(*images_[images_.size() / 2]));
+      bytes += bytesOf(sample[0]) * static_cast<double>(images_.size());
       if (!batch.empty() && bytes > kBatchBytes) break;
       batch.push_back(&candidate);
     }
@@ -165,20 +165,20 @@ std::vector<std::vector<Feature>> HistogramExperiment::extract(const Batch& batc
   std::vector<CrfhOptions> options;
   for (const Candidate* candidate : batch) options.push_back(candidate->options);
   std::vector<CrfhBank> banks(threadCount(threads_), CrfhBank(options));
-  std::vector<std::vector<Feature>> features(batch.size(), std::vector<Feature>(pictures_.size()));
+  std::vector<std::vector<Feature>> features(batch.size(), std::vector<Feature>(images_.size()));
   std::atomic<std::size_t> done{0};
-  parallelFor(pictures_.size(), threads_, [&](std::size_t i, unsigned thread) {
-    std::vector<Feature> histograms = banks[thread].extract(readPicture(*pictures_[i]));
+  parallelFor(images_.size(), threads_, [&](std::size_t i, unsigned thread) {
+    std::vector<Feature> histograms = banks[thread].extract(readImage(*images_[i]));
     for (std::size_t h = 0; h < batch.size(); ++h) {
       if (isMissing(histograms[h])) {
-        throw Error("The picture " + pictures_[i]->path +
+        throw Error("The image " + images_[i]->path +
                     " is too small for these histograms; give larger ones.");
       }
       features[h][i] = std::move(histograms[h]);
     }
     ++done;
     if (thread == 0) {
-      report(progress, "counting", static_cast<double>(done) / pictures_.size());
+      report(progress, "counting", static_cast<double>(done) / images_.size());
     }
   });
   return features;
@@ -223,12 +223,12 @@ Findings HistogramExperiment::findings(const std::vector<Json>& results) const {
     HistogramResult& histogram = histograms.emplace_back();
     histogram.row = candidates_[i].row;
     histogram.options = candidates_[i].options;
-    for (const PictureSet& set : sets_) {
+    for (const ImageSet& set : sets_) {
       histogram.rates.push_back(results[i].at("rates").at(set.name).get<std::vector<double>>());
     }
   }
   std::vector<std::string> names;
-  for (const PictureSet& set : sets_) names.push_back(set.name);
+  for (const ImageSet& set : sets_) names.push_back(set.name);
   return {{histogramTable(sweep_, names, gammas(), histograms)}, {}};
 }
 

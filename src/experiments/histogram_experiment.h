@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/experiment.h"
 #include "experiments/table_8_4.h"
 #include "experiments/test_sets.h"
@@ -24,7 +24,7 @@ class HistogramExperiment : public Experiment {
  public:
   /// Each of `sets` is trained on in turn. Descriptors: histograms of more than `max_dimensions`
   /// are left out, as are those whose bins 64 bits cannot number. `threads`: 0: one per core.
-  HistogramExperiment(HistogramSweep sweep, std::vector<PictureSet> sets, int max_dimensions,
+  HistogramExperiment(HistogramSweep sweep, std::vector<ImageSet> sets, int max_dimensions,
                       unsigned threads);
 
   std::vector<Json> cells() const override;
@@ -37,7 +37,7 @@ class HistogramExperiment : public Experiment {
     std::size_t row;  ///< of the thesis' table
     CrfhOptions options;
   };
-  /// What a batch of histograms of all pictures takes up is bounded by how many there are.
+  /// What a batch of histograms of all images takes up is bounded by how many there are.
   using Batch = std::vector<const Candidate*>;
 
   const Candidate& candidateOf(const Json& cell) const;
@@ -46,8 +46,8 @@ class HistogramExperiment : public Experiment {
   Json rates(const std::vector<Feature>& features, const Progress& progress) const;
 
   HistogramSweep sweep_;
-  std::vector<PictureSet> sets_;
-  std::vector<const LabelledPicture*> pictures_;  // of all sets, one after the other
+  std::vector<ImageSet> sets_;
+  std::vector<const LabelledImage*> images_;  // of all sets, one after the other
   SetSamples samples_;
   unsigned threads_;
   std::vector<Candidate> candidates_;

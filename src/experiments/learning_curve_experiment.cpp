@@ -51,12 +51,12 @@ std::vector<Json> salient(const Json& result) {
 
 }  // namespace
 
-LearningCurveExperiment::LearningCurveExperiment(std::vector<PictureSet> sets, unsigned threads)
+LearningCurveExperiment::LearningCurveExperiment(std::vector<ImageSet> sets, unsigned threads)
     : sets_(std::move(sets)), threads_(threads) {}
 
 std::vector<Json> LearningCurveExperiment::cells() const {
   std::vector<Json> cells;
-  for (const PictureSet& set : sets_) {
+  for (const ImageSet& set : sets_) {
     cells.push_back({{"learning_curve", writeOptions(trainingOptions(PlaceFeatures::kGlobal))},
                      {"training_set", set.name}});
   }
@@ -106,9 +106,9 @@ void LearningCurveExperiment::compute(const std::vector<Json>& cells, const Cell
 
 Findings LearningCurveExperiment::findings(const std::vector<Json>& results) const {
   Table curve{"learning_curve",
-              "Rate on the other sets by pictures a room that are learned, spread over the room or "
+              "Rate on the other sets by images a room that are learned, spread over the room or "
               "neighbours; mean +- standard deviation over the training sets",
-              {{"pictures a room", "spread, %", "neighbours, %"}}};
+              {{"images a room", "spread, %", "neighbours, %"}}};
   const auto cell = [&](const auto& rateIn) {
     std::vector<double> rates;
     for (const Json& result : results) rates.push_back(100 * rateIn(result));
@@ -124,11 +124,10 @@ Findings LearningCurveExperiment::findings(const std::vector<Json>& results) con
   }
   curve.rows.push_back({"all", cell([](const Json& r) { return r.at("all").get<double>(); }), ""});
 
-  Table viewpoints{
-      "viewpoints",
-      "Viewpoints (twelve successive pictures of a room) without which the rate on the "
-      "other sets falls most",
-      {{"trained on", "room", "viewpoint", "rate, %", "change, points"}}};
+  Table viewpoints{"viewpoints",
+                   "Viewpoints (twelve successive images of a room) without which the rate on the "
+                   "other sets falls most",
+                   {{"trained on", "room", "viewpoint", "rate, %", "change, points"}}};
   for (std::size_t set = 0; set < results.size(); ++set) {
     const double all = results[set].at("all");
     for (const Json& view : salient(results[set])) {

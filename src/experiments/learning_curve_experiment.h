@@ -2,20 +2,20 @@
 
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/experiment.h"
 
 namespace place_recognition {
 
 /// How much training data is needed, and which viewpoints count (section 9.1): the rate on the
-/// other sets, with global features, of 1, 2, 4 ... pictures a room, spread over its viewpoints or
+/// other sets, with global features, of 1, 2, 4 ... images a room, spread over its viewpoints or
 /// all from neighbouring ones, and without each viewpoint in turn. A viewpoint is twelve successive
-/// pictures of a room, a marker of KTH-INDECS. One cell a training set; gamma is that found on the
+/// images of a room, a marker of KTH-INDECS. One cell a training set; gamma is that found on the
 /// whole of it.
 class LearningCurveExperiment : public Experiment {
  public:
   /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
-  LearningCurveExperiment(std::vector<PictureSet> sets, unsigned threads);
+  LearningCurveExperiment(std::vector<ImageSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;
   void compute(const std::vector<Json>& cells, const CellSink& finished,
@@ -23,7 +23,7 @@ class LearningCurveExperiment : public Experiment {
   Findings findings(const std::vector<Json>& results) const override;
 
  private:
-  std::vector<PictureSet> sets_;
+  std::vector<ImageSet> sets_;
   unsigned threads_;
 };
 

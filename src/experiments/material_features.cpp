@@ -29,14 +29,14 @@ TrainingOptions trainingOptions(const std::string& feature) {
   return options;
 }
 
-std::vector<RunOpener> runsOf(const std::vector<PictureSet>& sets) {
+std::vector<RunOpener> runsOf(const std::vector<ImageSet>& sets) {
   std::vector<RunOpener> runs;
-  for (const PictureSet& set : sets) runs.push_back([&set] { return openPictureSet(set); });
+  for (const ImageSet& set : sets) runs.push_back([&set] { return openImageSet(set); });
   return runs;
 }
 
 /// What one image at a time tells of.
-MaterialFeatures extractUntrained(const std::string& feature, const std::vector<PictureSet>& sets,
+MaterialFeatures extractUntrained(const std::string& feature, const std::vector<ImageSet>& sets,
                                   unsigned threads, const Progress& progress) {
   Samples samples = collectSamples(runsOf(sets), trainingOptions(feature), threads, progress);
   MaterialFeatures result;
@@ -50,21 +50,21 @@ MaterialFeatures extractUntrained(const std::string& feature, const std::vector<
   return result;
 }
 
-/// Histograms of textons. Pictures are read and filtered twice, so that their responses need no
+/// Histograms of textons. Images are read and filtered twice, so that their responses need no
 /// memory: once for the dictionaries, once for the histograms.
 class TextonExtraction {
  public:
-  TextonExtraction(const std::vector<PictureSet>& sets, unsigned threads, const Progress& progress)
+  TextonExtraction(const std::vector<ImageSet>& sets, unsigned threads, const Progress& progress)
       : size_(commonSize(runsOf(sets), progress)), threads_(threads), progress_(progress) {
     result_.samples = samplesOf(sets);
-    for (const PictureSet& set : sets) {
-      for (const LabelledPicture& picture : set.pictures) paths_.push_back(picture.path);
+    for (const ImageSet& set : sets) {
+      for (const LabelledImage& image : set.images) paths_.push_back(image.path);
     }
   }
 
   MaterialFeatures extract(const std::vector<TrainingSamples>& splits) {
-    std::vector<cv::Mat1f> pixels(paths_.size());  // of each picture
-    forEachPicture("Filtering the pictures", [&](std::size_t i, const auto& responses) {
+    std::vector<cv::Mat1f> pixels(paths_.size());  // of each image
+    forEachImage("Filtering the images", [&](std::size_t i, const auto& responses) {
       pixels[i] = sampledPixels(responses, kPixelsPerImage);
     });
     std::vector<std::unique_ptr<TextonDictionary>> dictionaries(splits.size());
@@ -73,7 +73,7 @@ class TextonExtraction {
       dictionaries[split] = learn(pixels, splits[split]);
     });
     result_.lists.assign(splits.size(), std::vector<Feature>(paths_.size()));
-    forEachPicture("Counting textons", [&](std::size_t i, const auto& responses) {
+    forEachImage("Counting textons", [&](std::size_t i, const auto& responses) {
       for (std::size_t split = 0; split < splits.size(); ++split) {
         result_.lists[split][i] = dictionaries[split]->histogram(responses);
       }
@@ -93,21 +93,21 @@ class TextonExtraction {
     return std::make_unique<TextonDictionary>(materials);
   }
 
-  using Work = std::function<void(std::size_t picture, const Mr8FilterBank::Responses& responses)>;
+  using Work = std::function<void(std::size_t image, const Mr8FilterBank::Responses& responses)>;
 
-  void forEachPicture(const std::string& stage, const Work& work) const {
+  void forEachImage(const std::string& stage, const Work& work) const {
     std::vector<Mr8Responses> filters(threadCount(threads_), Mr8Responses(Mr8Options().weber));
     std::vector<ImageScaler> scalers(filters.size(), ImageScaler(size_, ImageOptions().max_width));
-    constexpr std::size_t kAtOnce = 64;  // pictures between two looks at whether to stop
+    constexpr std::size_t kAtOnce = 64;  // images between two looks at whether to stop
     for (std::size_t begin = 0; begin < paths_.size(); begin += kAtOnce) {
       report(progress_, stage, static_cast<double>(begin) / static_cast<double>(paths_.size()));
       const std::size_t count = std::min(kAtOnce, paths_.size() - begin);
       parallelFor(count, threads_, [&](std::size_t i, unsigned thread) {
-        const DecodedImage picture = readImageFile(paths_[begin + i]);
-        if (picture.image.empty()) {
-          throw Error(paths_[begin + i] + " cannot be read: " + picture.problem + ".");
+        const DecodedImage image = readImageFile(paths_[begin + i]);
+        if (image.image.empty()) {
+          throw Error(paths_[begin + i] + " cannot be read: " + image.problem + ".");
         }
-        work(begin + i, filters[thread].of(scalers[thread].scaled(picture.image)));
+        work(begin + i, filters[thread].of(scalers[thread].scaled(image.image)));
       });
     }
   }
@@ -127,7 +127,7 @@ std::string describeFeature(const std::string& feature) {
          std::to_string(kPixelsPerImage) + " pixels per image";
 }
 
-MaterialFeatures extractMaterials(const std::string& feature, const std::vector<PictureSet>& sets,
+MaterialFeatures extractMaterials(const std::string& feature, const std::vector<ImageSet>& sets,
                                   const std::vector<TrainingSamples>& splits, unsigned threads,
                                   const Progress& progress) {
   if (feature != "mr8") return extractUntrained(feature, sets, threads, progress);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/material_grid.h"
 #include "experiments/test_sets.h"
 #include "place_recognition/feature.h"
@@ -12,7 +12,7 @@
 
 namespace place_recognition {
 
-/// The feature of all pictures of samples of materials.
+/// The feature of all images of samples of materials.
 struct MaterialFeatures {
   SetSamples samples;  ///< set: the sample of the material
   /// One list for each split, or a single one if the feature needs no training.
@@ -26,9 +26,9 @@ struct MaterialFeatures {
 /// How `feature`, one of kMaterialFeatures, is found, for what identifies a result.
 std::string describeFeature(const std::string& feature);
 
-/// `feature` of all pictures of `sets`; textons are those of the training pictures of each of
-/// `splits`. Throws Error if there is no picture to be read, Cancelled.
-MaterialFeatures extractMaterials(const std::string& feature, const std::vector<PictureSet>& sets,
+/// `feature` of all images of `sets`; textons are those of the training images of each of
+/// `splits`. Throws Error if there is no image to be read, Cancelled.
+MaterialFeatures extractMaterials(const std::string& feature, const std::vector<ImageSet>& sets,
                                   const std::vector<TrainingSamples>& splits, unsigned threads,
                                   const Progress& progress);
 

@@ -29,7 +29,7 @@ Fold foldOf(const SetSamples& samples, const TrainingSamples& split) {
   return fold;
 }
 
-/// Mean rate on parts of the training pictures when they are left out: on each sample, or, where
+/// Mean rate on parts of the training images when they are left out: on each sample, or, where
 /// there is one only, on three blocks of neighbours of each material.
 double validate(const Eigen::MatrixXd& gram, const SetSamples& samples,
                 const std::vector<int>& train, const SvmOptions& svm) {
@@ -42,9 +42,9 @@ double validate(const Eigen::MatrixXd& gram, const SetSamples& samples,
   std::map<int, std::vector<int>> parts = of_set;
   if (of_set.size() == 1) {
     parts.clear();
-    for (const auto& [place, pictures] : of_place) {
-      for (std::size_t k = 0; k < pictures.size(); ++k) {
-        parts[static_cast<int>(kBlocks * k / pictures.size())].push_back(pictures[k]);
+    for (const auto& [place, images] : of_place) {
+      for (std::size_t k = 0; k < images.size(); ++k) {
+        parts[static_cast<int>(kBlocks * k / images.size())].push_back(images[k]);
       }
     }
   }
@@ -124,12 +124,12 @@ MaterialOutcome outcomeFrom(const Json& json) {
 
 }  // namespace
 
-MaterialsExperiment::MaterialsExperiment(std::vector<PictureSet> samples, unsigned threads)
+MaterialsExperiment::MaterialsExperiment(std::vector<ImageSet> samples, unsigned threads)
     : sets_(std::move(samples)), threads_(threads) {
   if (sets_.size() < 3) {
     throw Error(
         "There are fewer than three samples of the materials; give a folder of "
-        "MATERIAL/SAMPLE/PICTURE with three samples or more.");
+        "MATERIAL/SAMPLE/IMAGE with three samples or more.");
   }
   splits_ = materialSplits(static_cast<int>(sets_.size()));
 }

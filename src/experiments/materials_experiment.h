@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/experiment.h"
 #include "experiments/material_grid.h"
 #include "experiments/test_sets.h"
@@ -16,8 +16,8 @@ namespace place_recognition {
 /// kernel; see material_grid.h.
 class MaterialsExperiment : public Experiment {
  public:
-  /// `samples`: pictures of every material each; three or more. `threads`: 0: one per core.
-  MaterialsExperiment(std::vector<PictureSet> samples, unsigned threads);
+  /// `samples`: images of every material each; three or more. `threads`: 0: one per core.
+  MaterialsExperiment(std::vector<ImageSet> samples, unsigned threads);
 
   std::vector<Json> cells() const override;
   void compute(const std::vector<Json>& cells, const CellSink& finished,
@@ -32,7 +32,7 @@ class MaterialsExperiment : public Experiment {
                     const SetSamples& samples, const std::vector<Feature>& features,
                     const CellSink& finished, const Progress& progress) const;
 
-  std::vector<PictureSet> sets_;
+  std::vector<ImageSet> sets_;
   unsigned threads_;
   std::vector<TrainingSamples> splits_;
 };

@@ -25,8 +25,8 @@ struct TauPoint {
 
 /// How a classifier fared on one split into training and test samples.
 struct MaterialOutcome {
-  double validation = 0;       ///< mean rate on parts of the training pictures that were left out
-  double rate = 0;             ///< on the test pictures, before reduction
+  double validation = 0;       ///< mean rate on parts of the training images that were left out
+  double rate = 0;             ///< on the test images, before reduction
   int vectors = 0;             ///< before reduction
   std::vector<int> fewest;     ///< vectors at each of kMaterialFractions
   ReductionCurve curve;        ///< normalized; empty if not measured

@@ -43,11 +43,11 @@ TrainingOptions trainingOptions(PlaceFeatures features) {
   return options;
 }
 
-PlaceSamples::PlaceSamples(const std::vector<PictureSet>& sets, PlaceFeatures features,
+PlaceSamples::PlaceSamples(const std::vector<ImageSet>& sets, PlaceFeatures features,
                            unsigned threads, const Progress& progress)
     : options_(trainingOptions(features)), threads_(threads) {
   std::vector<RunOpener> runs;
-  for (const PictureSet& set : sets) runs.push_back([&set] { return openPictureSet(set); });
+  for (const ImageSet& set : sets) runs.push_back([&set] { return openImageSet(set); });
   samples_ = collectSamples(runs, options_, threads, progress);
   set_samples_.place_count = static_cast<int>(samples_.places.size());
   set_samples_.set_count = static_cast<int>(sets.size());
@@ -65,7 +65,7 @@ PlaceTraining PlaceSamples::train(const Fold& split, const Progress& progress) c
     origins.push_back(samples_.origins[static_cast<std::size_t>(i)]);
     training_features.push_back(features[static_cast<std::size_t>(i)]);
   }
-  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // a picture apart
+  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // an image apart
   const std::vector<Fold> folds = timeBlockFolds(
       origins, options_.validation.folds,
       std::vector<TimeBlocks>(static_cast<std::size_t>(set_samples_.set_count), kAFifth));

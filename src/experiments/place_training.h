@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/test_sets.h"
 #include "learning/binary_svms.h"
 #include "place_recognition/progress.h"
@@ -18,7 +18,7 @@ namespace place_recognition {
 enum class PlaceFeatures { kLocal, kGlobal };
 const char* name(PlaceFeatures features);
 
-/// Cue, size of pictures (512 pixels wide) and C = 100, which is what the thesis' cross-validation
+/// Cue, size of images (512 pixels wide) and C = 100, which is what the thesis' cross-validation
 /// found for every training set; gamma is open.
 TrainingOptions trainingOptions(PlaceFeatures features);
 
@@ -26,8 +26,8 @@ TrainingOptions trainingOptions(PlaceFeatures features);
 struct PlaceTraining {
   double gamma = 0;  ///< found by cross-validation on blocks of the training samples
   BinarySvms machines;
-  Eigen::MatrixXd training_values;  ///< kernel values: training pictures x support vectors
-  Eigen::MatrixXd test_values;      ///< test pictures x support vectors
+  Eigen::MatrixXd training_values;  ///< kernel values: training images x support vectors
+  Eigen::MatrixXd test_values;      ///< test images x support vectors
   std::vector<int> test;            ///< samples tested
 
   double rate(const BinarySvms& tested, const SetSamples& samples) const {
@@ -35,11 +35,11 @@ struct PlaceTraining {
   }
 };
 
-/// The pictures of all sets as features. Pictures without any are left out, as those of fewer than
+/// The images of all sets as features. Images without any are left out, as those of fewer than
 /// five interest points are in the thesis.
 class PlaceSamples {
  public:
-  PlaceSamples(const std::vector<PictureSet>& sets, PlaceFeatures features, unsigned threads,
+  PlaceSamples(const std::vector<ImageSet>& sets, PlaceFeatures features, unsigned threads,
                const Progress& progress);
 
   PlaceTraining train(const Fold& split, const Progress& progress) const;

@@ -127,13 +127,13 @@ Figure reductionFigure(PlaceFeatures features, const Curves& curves) {
 
 }  // namespace
 
-ReductionExperiment::ReductionExperiment(std::vector<PictureSet> sets, unsigned threads)
+ReductionExperiment::ReductionExperiment(std::vector<ImageSet> sets, unsigned threads)
     : sets_(std::move(sets)), threads_(threads) {}
 
 std::vector<Json> ReductionExperiment::cells() const {
   std::vector<Json> cells;
   for (const PlaceFeatures features : kFeatures) {
-    for (const PictureSet& set : sets_) {
+    for (const ImageSet& set : sets_) {
       for (const Way& way : kWays) {
         cells.push_back({{"reduction", writeOptions(trainingOptions(features))},
                          {"features", name(features)},

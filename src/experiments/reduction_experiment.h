@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "experiments/experiment.h"
 #include "experiments/place_training.h"
 
@@ -14,7 +14,7 @@ namespace place_recognition {
 class ReductionExperiment : public Experiment {
  public:
   /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
-  ReductionExperiment(std::vector<PictureSet> sets, unsigned threads);
+  ReductionExperiment(std::vector<ImageSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;
   void compute(const std::vector<Json>& cells, const CellSink& finished,
@@ -22,7 +22,7 @@ class ReductionExperiment : public Experiment {
   Findings findings(const std::vector<Json>& results) const override;
 
  private:
-  std::vector<PictureSet> sets_;
+  std::vector<ImageSet> sets_;
   unsigned threads_;
 };
 

@@ -16,17 +16,17 @@ Fold SetSamples::split(int set) const {
   return fold;
 }
 
-SetSamples samplesOf(const std::vector<PictureSet>& sets) {
+SetSamples samplesOf(const std::vector<ImageSet>& sets) {
   std::map<std::string, int> places;
-  for (const PictureSet& set : sets) {
-    for (const LabelledPicture& picture : set.pictures) places[picture.place] = 0;
+  for (const ImageSet& set : sets) {
+    for (const LabelledImage& image : set.images) places[image.place] = 0;
   }
   SetSamples samples;
   samples.set_count = static_cast<int>(sets.size());
   for (auto& [name, place] : places) place = samples.place_count++;
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (const LabelledPicture& picture : sets[set].pictures) {
-      samples.places.push_back(places[picture.place]);
+    for (const LabelledImage& image : sets[set].images) {
+      samples.places.push_back(places[image.place]);
       samples.sets.push_back(static_cast<int>(set));
     }
   }

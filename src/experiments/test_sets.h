@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "datasets/picture_set.h"
+#include "datasets/image_set.h"
 #include "learning/binary_svms.h"
 #include "learning/folds.h"
 
@@ -21,10 +21,10 @@ struct SetSamples {
   Fold split(int set) const;
 };
 
-/// The pictures of all sets, one set after the other; places are numbered in order of their names.
-SetSamples samplesOf(const std::vector<PictureSet>& sets);
+/// The images of all sets, one set after the other; places are numbered in order of their names.
+SetSamples samplesOf(const std::vector<ImageSet>& sets);
 
-/// How many pictures of one test set there are, and how many were named right.
+/// How many images of one test set there are, and how many were named right.
 struct TestCount {
   int place = 0;
   int set = 0;
@@ -32,7 +32,7 @@ struct TestCount {
   int total = 0;
 };
 
-/// By test set, in order of place, then set; those without pictures are left out. `answers`: a
+/// By test set, in order of place, then set; those without images are left out. `answers`: a
 /// place for each of `test`.
 std::vector<TestCount> testCounts(const SetSamples& samples, const std::vector<int>& test,
                                   const std::vector<int>& answers);

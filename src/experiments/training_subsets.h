@@ -7,7 +7,7 @@
 
 namespace place_recognition {
 
-/// How `count` pictures of a room are chosen of all.
+/// How `count` images of a room are chosen of all.
 enum class SubsetKind {
   kSpread,     ///< evenly over all of them, so over all viewpoints
   kNeighbours  ///< successive ones, from the middle of the room's

@@ -31,8 +31,8 @@ Mixture mixture(Channel channel) {
 }
 
 PLACE_RECOGNITION_TARGET_CLONES
-void mixColors(const std::uint8_t* __restrict bgr, const Mixture& mixture, int n,
-               float* __restrict out) {
+void mixColours(const std::uint8_t* __restrict bgr, const Mixture& mixture, int n,
+                float* __restrict out) {
   const auto [b, g, r, middle] = mixture;
   for (int x = 0; x < n; ++x) {
     // 16 bits hold all of it, and vectors hold more of them.
@@ -45,7 +45,7 @@ void mixColors(const std::uint8_t* __restrict bgr, const Mixture& mixture, int n
 
 /// Every third number from the first on, the channel of a mixture of one.
 PLACE_RECOGNITION_TARGET_CLONES
-void takeColor(const std::uint8_t* __restrict channel, int n, float* __restrict out) {
+void takeColour(const std::uint8_t* __restrict channel, int n, float* __restrict out) {
   for (int x = 0; x < n; ++x) out[x] = static_cast<float>(channel[3 * x] - 128);
 }
 
@@ -65,13 +65,13 @@ void extractChannelRow(const cv::Mat& image, Channel channel, int y, int left, i
   if (image.type() == CV_8UC1) return mixGrey(pixels, mixture(channel), n, row);
   switch (channel) {
     case Channel::kB:
-      return takeColor(pixels, n, row);
+      return takeColour(pixels, n, row);
     case Channel::kG:
-      return takeColor(pixels + 1, n, row);
+      return takeColour(pixels + 1, n, row);
     case Channel::kR:
-      return takeColor(pixels + 2, n, row);
+      return takeColour(pixels + 2, n, row);
     default:
-      return mixColors(pixels, mixture(channel), n, row);
+      return mixColours(pixels, mixture(channel), n, row);
   }
 }
 

@@ -12,8 +12,8 @@
 
 namespace place_recognition {
 
-/// Responses of CRFH descriptors, not normalized by scale, a few rows of a picture after the other.
-/// A channel is taken from the picture once, and what is asked of one channel at one scale shares a
+/// Responses of CRFH descriptors, not normalized by scale, a few rows of an image after the other.
+/// A channel is taken from the image once, and what is asked of one channel at one scale shares a
 /// filter. Keeps its buffers: one per thread.
 class CrfhResponses {
  public:
@@ -32,13 +32,13 @@ class CrfhResponses {
 
   /// Has computeRows() compute these responses.
   Response request(const CrfhDescriptor& descriptor, double t);
-  /// Pixels at each side of the picture where there are no responses.
+  /// Pixels at each side of the image where there are no responses.
   int margin() const { return margin_; }
 
-  /// Begins a picture of this size, of which the pixels `border` >= margin() or farther from the
+  /// Begins an image of this size, of which the pixels `border` >= margin() or farther from the
   /// edges are asked. There must be at least one.
   void start(cv::Size size, int border);
-  /// Computes the responses in the first of those rows of that picture (CV_8UC3 BGR or CV_8UC1), or
+  /// Computes the responses in the first of those rows of that image (CV_8UC3 BGR or CV_8UC1), or
   /// in the next ones. Returns how many; at the end 0.
   int computeRows(const cv::Mat& image);
   /// Requested responses in row r of these, in strands(), of which only the first pixels count: as

@@ -4,7 +4,7 @@
 
 namespace place_recognition {
 
-/// How much a picture shows: the fraction of its pixels, 0..1, whose gradient at sigma = 1 exceeds
+/// How much an image shows: the fraction of its pixels, 0..1, whose gradient at sigma = 1 exceeds
 /// 4 grey levels per pixel. A bare wall that fills the view has next to none. Keeps its buffers:
 /// one per thread.
 class EdgeDensity {

@@ -7,16 +7,16 @@
 
 namespace place_recognition {
 
-/// Smooths a picture that streams through row by row, so that what it works on stays in the
-/// processor's cache. The caller sends the rows above and below the picture too, radius() of each;
-/// to the left and right the picture is mirrored (edge pixels not repeated).
+/// Smooths an image that streams through row by row, so that what it works on stays in the
+/// processor's cache. The caller sends the rows above and below the image too, radius() of each;
+/// to the left and right the image is mirrored (edge pixels not repeated).
 class GaussianFilter {
  public:
   /// Sampled Gaussian of `sigma` > 0 pixels, cut at `half_width` sigma.
   GaussianFilter(double sigma, double half_width);
 
   int radius() const { return kernel_.halfWidth(); }
-  /// Begins a picture.
+  /// Begins an image.
   void start(int width);
   /// Where the caller writes the next row, `width` values.
   float* input() { return padded_.data() + radius(); }

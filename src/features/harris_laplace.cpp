@@ -16,13 +16,13 @@ constexpr double kWindowHalfWidth = 3;
 /// No corners this close to the edge, pixels of the octave: what is beyond is only a mirror image.
 constexpr int kBorder = 4;
 // A corner is seen at several differentiation scales. Points closer than this are one; at half the
-// distance, the strongest points of a picture are fewer places, and fewer are found again in
+// distance, the strongest points of an image are fewer places, and fewer are found again in
 // another light.
 constexpr float kSameDistance = 1;  ///< in scales of the smaller
 constexpr float kSameScaleRatio = 1.3f;
 
 /// Products of the first derivatives (central differences) of row `here`, for eq. 4.25. The
-/// picture is mirrored, so flat across its left and right edge.
+/// image is mirrored, so flat across its left and right edge.
 PLACE_RECOGNITION_TARGET_CLONES
 void multiplyGradients(const float* above, const float* here, const float* below, int width,
                        float* __restrict xx, float* __restrict xy, float* __restrict yy) {

@@ -14,7 +14,7 @@ namespace place_recognition {
 /// Pietikainen and Maenpaa 2002, eq. 10): a pixel's code is the number of its P neighbours on a
 /// circle of radius R that are at least as bright as itself, if around the circle that changes at
 /// most twice; else P + 1. Exact: neighbours between pixels are interpolated in integers, so that
-/// even pictures count rightly and an image turned by 90 degrees gives the same codes.
+/// even images count rightly and an image turned by 90 degrees gives the same codes.
 class LbpOperator {
  public:
   explicit LbpOperator(const LbpCircle& circle);

@@ -12,7 +12,7 @@ namespace place_recognition {
 
 /// Correlates with a symmetric kernel: along a row if `stride` is 1, down a column if it is the
 /// distance between rows. Reads in[x + r * stride] for every tap -half..half and x in 0..n-1.
-/// Kernels of order 1 and 2 give exactly zero where the picture is constant.
+/// Kernels of order 1 and 2 give exactly zero where the image is constant.
 void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n, float* out);
 
 /// The same with the kernels of several orders, all of one half width, whose number is their place:

@@ -6,12 +6,12 @@
 
 namespace place_recognition {
 
-/// The last rows of a picture that comes row by row, in order and at equal distances, as filters
+/// The last rows of an image that comes row by row, in order and at equal distances, as filters
 /// down its columns read them. Each stands there twice, so that wherever the oldest is, all follow
 /// it; and few of them are in use at a time, so that they stay in the processor's cache.
 class RowRing {
  public:
-  /// Begins a picture: room for its last `rows` rows of `width` numbers.
+  /// Begins an image: room for its last `rows` rows of `width` numbers.
   void start(int rows, int width) {
     // An odd number of cache lines apart, so that the rows are not put in the same places of it.
     constexpr int kLine = 64 / sizeof(float);

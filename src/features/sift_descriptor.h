@@ -20,7 +20,7 @@ class SiftDescriptor {
   const std::vector<float>& orientations(const cv::Mat1f& level, float x, float y, float sigma);
 
   /// The descriptor of kDimension elements at `angle`: histograms by rows, columns, directions,
-  /// as OpenCV orders them. Unlike there, (x, y) is not rounded to a pixel: of a picture turned by
+  /// as OpenCV orders them. Unlike there, (x, y) is not rounded to a pixel: of an image turned by
   /// 25 degrees and shrunk to 0.8, 6 % more points find their partner. So nearest neighbours are
   /// those of cv::SIFT in 99 % of cases where the keypoints are pixels, and in 95 % elsewhere.
   void describe(const cv::Mat1f& level, float x, float y, float sigma, float angle,

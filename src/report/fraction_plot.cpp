@@ -6,7 +6,7 @@
 
 namespace place_recognition {
 
-using namespace plot_colors;
+using namespace plot_colours;
 
 FractionPlot::FractionPlot(const std::string& x_label, const std::string& y_label)
     : svg_(360, 300) {

@@ -8,13 +8,13 @@
 
 namespace place_recognition {
 
-namespace plot_colors {
+namespace plot_colours {
 constexpr const char* kBlue = "#3b6ea5";
 constexpr const char* kRed = "#c0504d";
 constexpr const char* kGreen = "#6a994e";
 constexpr const char* kGrid = "#ddd";
 constexpr const char* kDark = "#888";
-}  // namespace plot_colors
+}  // namespace plot_colours
 
 /// A square plot of one fraction (0..1) against another, with its axes in %.
 class FractionPlot {

@@ -49,7 +49,7 @@ float exposure(const cv::Mat& radiance) {
   return std::sqrt(low * high);
 }
 
-/// Gains that take part of the picture's mean colour out; blown-out parts do not count.
+/// Gains that take part of the image's mean colour out; blown-out parts do not count.
 Vec3 whiteBalance(const cv::Mat& radiance, float factor) {
   Vec3 mean(1e-6f, 1e-6f, 1e-6f);
   for (int y = 0; y < radiance.rows; y += 4) {
@@ -110,7 +110,7 @@ cv::Mat develop(const cv::Mat& radiance, Random random) {
   const auto& curve = toneCurve();
   const auto& normal = deviates();
 
-  cv::Mat picture(radiance.size(), CV_8UC3);
+  cv::Mat image(radiance.size(), CV_8UC3);
   for (int y = 0; y < radiance.rows; ++y) {
     for (int x = 0; x < radiance.cols; ++x) {
       const float light = 1.0f - kVignetting * squaredRadius(radiance.size(), x, y);
@@ -121,11 +121,11 @@ cv::Mat develop(const cv::Mat& radiance, Random random) {
         const float deviation = std::sqrt(exposed * full + read) / full;
         const float value = exposed + deviation * normal[bits & 8191];
         const float entry = std::clamp(value * 1023.75f + 0.5f, 0.0f, 4095.0f);
-        picture.at<cv::Vec3b>(y, x)[c] = curve[static_cast<std::size_t>(entry)];
+        image.at<cv::Vec3b>(y, x)[c] = curve[static_cast<std::size_t>(entry)];
       }
     }
   }
-  return picture;
+  return image;
 }
 
 }  // namespace place_recognition::simulation

@@ -22,11 +22,11 @@ struct View {
 View turned(View view, float angle);
 
 /// The focal length in pixels of the Olympus C-3030ZOOM at wide angle (6.5 mm before a sensor
-/// 7.18 mm wide: 58 degrees across) for a picture `width` pixels wide.
+/// 7.18 mm wide: 58 degrees across) for an image `width` pixels wide.
 float focalLength(int width);
 
-/// Radiance (CV_32FC3, linear) to a picture (CV_8UC3): vignetting, automatic exposure that looks
-/// at the whole picture and more at its middle, automatic white balance that corrects only part of
+/// Radiance (CV_32FC3, linear) to an image (CV_8UC3): vignetting, automatic exposure that looks
+/// at the whole image and more at its middle, automatic white balance that corrects only part of
 /// the colour of the light, noise of photons and of reading out, sRGB curve with a soft shoulder.
 cv::Mat develop(const cv::Mat& radiance, Random random);
 

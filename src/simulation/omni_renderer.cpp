@@ -11,7 +11,7 @@ constexpr float kPi = 3.14159265f;
 constexpr float kXi = 0.95f;            ///< a hyperbola's; 1 is a parabola
 constexpr float kLowest = 0.25f * kPi;  ///< rad from straight down
 constexpr float kHighest = 115 * kPi / 180;
-constexpr float kRim = 0.47f;  ///< radius of the mirror, in shorter sides of the picture
+constexpr float kRim = 0.47f;               ///< radius of the mirror, in shorter sides of the image
 const Vec3 kSurround(0.02f, 0.02f, 0.02f);  ///< radiance beside the mirror, and of the camera in it
 constexpr int kFaces = 4;
 /// Of a face, in focal lengths: a quarter of the circle, and a little for interpolation.

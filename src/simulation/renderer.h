@@ -16,7 +16,7 @@ namespace place_recognition::simulation {
 /// of the upper left pixel is (0.5, 0.5). Thread-safe.
 class Renderer {
  public:
-  /// Keeps references to all three. `focal`: in pixels of the picture.
+  /// Keeps references to all three. `focal`: in pixels of the image.
   Renderer(const Scene& scene, const RayTracer& tracer, const Lighting& lighting, cv::Size size,
            float focal);
 
@@ -37,7 +37,7 @@ class Renderer {
   const Scene& scene_;
   const RayTracer& tracer_;
   const Lighting& lighting_;
-  cv::Size samples_;  ///< twice the size of the picture
+  cv::Size samples_;  ///< twice the size of the image
   float focal_;       ///< in samples
 };
 

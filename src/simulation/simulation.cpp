@@ -155,7 +155,7 @@ void simulate(const SimulationOptions& options, const FrameSink& sink) {
   Scene scene;
   const std::vector<Pose> poses = prepare(options, scene);
   const RayTracer tracer(scene);
-  // A grid of light finer than what the picture shows would be wasted.
+  // A grid of light finer than what the image shows would be wasted.
   const float spacing = 0.12f * std::max(1.0f, 512.0f / static_cast<float>(options.size.width));
   const Lighting lighting(scene, tracer, daylight(options.condition), spacing, options.threads);
   const Render render = renderOf(options, scene, tracer, lighting);

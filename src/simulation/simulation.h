@@ -35,9 +35,9 @@ struct SimulationOptions {
   unsigned visit = 1;
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
   unsigned threads = 0;     ///< 0: one per core
-  double rate = 5.0;        ///< frames a second (0.1..100); indecs: one picture every 1/rate s
+  double rate = 5.0;        ///< frames a second (0.1..100); indecs: one image every 1/rate s
   /// Those that the robot has at one spot: front, left, rear, right, by where they look, each once.
-  /// Each takes a picture at every stamp. Empty: one that looks ahead and has no name.
+  /// Each takes an image at every stamp. Empty: one that looks ahead and has no name.
   std::vector<std::string> cameras;
   /// The camera looks up into a mirror and so sees all around (OmniRenderer).
   bool omnidirectional = false;
@@ -46,7 +46,7 @@ struct SimulationOptions {
   void check() const;
 };
 
-/// One labelled picture of a run.
+/// One labelled image of a run.
 struct SimulatedFrame {
   cv::Mat image;       ///< CV_8UC3, BGR
   std::string camera;  ///< as in SimulationOptions::cameras; empty: the only one

@@ -29,8 +29,8 @@ void evaluateModel(const EvaluateOptions& options) {
   const std::vector<RunOpener> runs = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
-  constexpr std::size_t kWrongPictures = 24;  // in the report
-  const Evaluation evaluation = evaluate(model, runs, kWrongPictures, display.callback());
+  constexpr std::size_t kWrongImages = 24;  // in the report
+  const Evaluation evaluation = evaluate(model, runs, kWrongImages, display.callback());
   const Summary summary = summarize(evaluation);
   display.clear();
 
@@ -54,12 +54,12 @@ void addEvaluate(CommandLine& tool) {
   verb.argument("INPUT", options->inputs, kInputHelp);
   verb.option("--model", "NAME", options->model, "Name or file of the model").required();
   verb.option("--report", "DIR", options->report,
-              "Write DIR/report.html: figures, plots and the worst mistakes as pictures");
+              "Write DIR/report.html: figures, plots and the worst mistakes as images");
   options->input.addTo(verb);
   options->output.addTo(verb);
   verb.footer(
       "Prints the rate of each room and their mean, each room of equal weight; the confusion\n"
-      "matrix; how far the confidence can be trusted; the time a picture takes. Pictures of "
+      "matrix; how far the confidence can be trusted; the time an image takes. Images of "
       "places\n"
       "that the model has not learned measure how well it says 'unknown'.\n"
       "Example:\n"

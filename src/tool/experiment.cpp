@@ -40,7 +40,7 @@ Part parsePart(const std::string& text) {
 }
 
 std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
-                                           std::vector<PictureSet> sets) {
+                                           std::vector<ImageSet> sets) {
   const unsigned threads = options.threads;
   if (options.name == "indecs-local") {
     return std::make_unique<FinalExperiment>(PlaceFeatures::kLocal, std::move(sets), threads);
@@ -66,7 +66,7 @@ std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
                                                threads);
 }
 
-std::vector<PictureSet> setsOf(const ExperimentOptions& options) {
+std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
   const bool made_up = options.name == "figures";
   if (made_up && !options.data.empty()) {
     throw UsageError("--data: the figures are of made-up points; leave it out");
@@ -80,11 +80,11 @@ std::vector<PictureSet> setsOf(const ExperimentOptions& options) {
 
 void runExperimentVerb(const ExperimentOptions& options) {
   const Part part = parsePart(options.part);
-  std::vector<PictureSet> sets = setsOf(options);
-  std::size_t pictures = 0;
-  for (PictureSet& set : sets) {
+  std::vector<ImageSet> sets = setsOf(options);
+  std::size_t images = 0;
+  for (ImageSet& set : sets) {
     set = thinnedOut(set, options.every);
-    pictures += set.pictures.size();
+    images += set.images.size();
   }
   const NewFolder folder(options.out);
   ProgressDisplay display(options.output.progress);
@@ -100,12 +100,12 @@ void runExperimentVerb(const ExperimentOptions& options) {
   }
   out << outcome.cells << " cells, " << outcome.computed << " computed now";
   if (outcome.missing > 0) out << ", " << outcome.missing << " still missing";
-  out << "; " << pictures << " pictures" << std::endl;
+  out << "; " << images << " images" << std::endl;
   options.output.writeJson({{"experiment", options.name},
                             {"cells", outcome.cells},
                             {"computed", outcome.computed},
                             {"missing", outcome.missing},
-                            {"pictures", pictures}});
+                            {"pictures", images}});
 }
 
 }  // namespace
@@ -116,22 +116,21 @@ void addExperiment(CommandLine& tool) {
   verb.argument("NAME", options->name,
                 "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
                 "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, which need no "
-                "--data; learning-curve: how many pictures and which viewpoints are needed; "
+                "--data; learning-curve: how many images and which viewpoints are needed; "
                 "categories: rooms of a building that was not learned")
       .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials",
               "figures", "learning-curve", "categories"});
   verb.option("--data", "DIR", options->data,
-              "Folder of pictures: CONDITION/ROOM/PICTURE; materials: MATERIAL/SAMPLE/PICTURE; "
-              "categories: BUILDING/CONDITION/ROOM/PICTURE");
+              "Folder of images: CONDITION/ROOM/IMAGE; materials: MATERIAL/SAMPLE/IMAGE; "
+              "categories: BUILDING/CONDITION/ROOM/IMAGE");
   verb.option("--out", "DIR", options->out,
               "Folder for the tables and for finished cells, which are not computed again")
       .required();
   verb.option("--layout", "NAME", options->layout,
-              "How the pictures of places lie: indecs (default); idol, cold: a folder of "
+              "How the images of places lie: indecs (default); idol, cold: a folder of "
               "sequences")
       .oneOf({"indecs", "idol", "cold"});
-  verb.option("--every", "N", options->every, "Take every N-th picture of each room only")
-      .positive();
+  verb.option("--every", "N", options->every, "Take every N-th image of each room only").positive();
   verb.option("--max-dimensions", "N", options->max_dimensions,
               "descriptors: leave out histograms of more (default 16; the thesis' have 8 at most)")
       .positive();

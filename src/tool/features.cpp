@@ -53,12 +53,12 @@ void features(const FeaturesOptions& options) {
   TrainingOptions thesis;
   thesis.cues = {CueOptions()};
   const TrainingOptions training_options = options.configuration.read(thesis);
-  const cv::Mat image = readPicture(options.image);
+  const cv::Mat image = readImage(options.image);
   CueExtraction extraction(withMirror(training_options, image, options.image), ImageProfile());
   std::vector<Feature> features;
   if (!extraction.extract(image, features)) {
     throw Error(options.image + " has no feature: " + extraction.reason() +
-                "; take a larger or less empty picture, or another --config.");
+                "; take a larger or less empty image, or another --config.");
   }
   for (std::size_t c = 0; c < features.size(); ++c) {
     if (features.size() > 1) std::cout << "# " << training_options.cues[c].name << '\n';
@@ -70,9 +70,9 @@ void features(const FeaturesOptions& options) {
 }  // namespace
 
 void addFeatures(CommandLine& tool) {
-  Verb& verb = tool.verb("features", "Prints the feature of a picture");
+  Verb& verb = tool.verb("features", "Prints the feature of an image");
   const auto options = std::make_shared<FeaturesOptions>();
-  verb.argument("IMAGE", options->image, "Picture (png, jpg)");
+  verb.argument("IMAGE", options->image, "Image (png, jpg)");
   options->configuration.addTo(verb);
   verb.footer(
       "A histogram is one line of index:value; local features are a line each, 128 numbers "

@@ -3,11 +3,11 @@
 #include <memory>
 #include <set>
 
+#include "datasets/image_sequence.h"
 #include "datasets/layouts.h"
-#include "datasets/picture_sequence.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "tool/output.h"
-#include "tool/unusable_pictures.h"
+#include "tool/unusable_images.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -21,57 +21,56 @@ struct ImportOptions {
   OutputOptions output;
 };
 
-void importPictures(const ImportOptions& options) {
+void importImages(const ImportOptions& options) {
   if (!options.layout.camera.empty() && options.layout.name != "cold") {
     throw UsageError("--camera goes with --layout cold alone");
   }
   requireWritable(options.out);
   std::vector<std::string> warnings;
-  const std::vector<LabelledPicture> pictures =
-      listPictures(options.folder, options.layout, warnings);
+  const std::vector<LabelledImage> images = listImages(options.folder, options.layout, warnings);
 
   LabelledBagOptions bag_options;
   bag_options.jpeg = !options.raw;
   // Stamps that start at 0 are moved to a time that ROS takes for one; others are kept.
-  if (pictures.front().stamp > 0) bag_options.base_time = 0;
+  if (images.front().stamp > 0) bag_options.base_time = 0;
 
   ProgressDisplay display(options.output.progress);
   const Progress progress = display.callback();
   LabelledBagWriter bag(options.out, bag_options);
   std::set<std::string> places;
   std::map<std::string, std::string> problems;  // the first, by place
-  UnusablePictures unusable;
+  UnusableImages unusable;
   std::vector<std::string> paths;
-  for (const LabelledPicture& picture : pictures) paths.push_back(picture.path);
-  PictureSequence sequence(std::move(paths));
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const LabelledPicture& picture = pictures[i];
-    report(progress, "Importing", static_cast<double>(i) / pictures.size());
+  for (const LabelledImage& image : images) paths.push_back(image.path);
+  ImageSequence sequence(std::move(paths));
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const LabelledImage& image = images[i];
+    report(progress, "Importing", static_cast<double>(i) / images.size());
     const DecodedImage decoded = sequence.read(i);
     if (decoded.image.empty()) {
-      unusable.add(picture.path, decoded.problem);
-      problems.emplace(picture.place, picture.path + ": " + decoded.problem);
+      unusable.add(image.path, decoded.problem);
+      problems.emplace(image.place, image.path + ": " + decoded.problem);
       continue;
     }
-    bag.write(decoded.image, picture.place, picture.stamp);
-    places.insert(picture.place);
+    bag.write(decoded.image, image.place, image.stamp);
+    places.insert(image.place);
   }
-  unusable.requireOthers(pictures.size());
+  unusable.requireOthers(images.size());
   if (!sequence.note().empty()) warnings.push_back(options.folder + ": " + sequence.note());
   bag.close();
   for (const auto& [place, problem] : problems) {
     if (places.count(place) > 0) continue;
-    warnings.push_back("'" + place + "' is not in the bag: its pictures cannot be used (" +
-                       problem + ").");
+    warnings.push_back("'" + place + "' is not in the bag: its images cannot be used (" + problem +
+                       ").");
   }
   display.clear();
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
   unusable.warn(std::cerr);
-  const std::size_t images = pictures.size() - unusable.count();
-  options.output.text() << options.out << ": " << images << " pictures of " << places.size()
+  const std::size_t written = images.size() - unusable.count();
+  options.output.text() << options.out << ": " << written << " images of " << places.size()
                         << " places" << std::endl;
   options.output.writeJson({{"path", options.out},
-                            {"images", images},
+                            {"images", written},
                             {"unusable_images", unusable.count()},
                             {"places", places},
                             {"warnings", warnings}});
@@ -80,36 +79,35 @@ void importPictures(const ImportOptions& options) {
 }  // namespace
 
 void addImport(CommandLine& tool) {
-  Verb& verb = tool.verb("import", "Makes a labelled bag of pictures on disk");
+  Verb& verb = tool.verb("import", "Makes a labelled bag of images on disk");
   const auto options = std::make_shared<ImportOptions>();
-  verb.argument("FOLDER", options->folder, "Folder of pictures");
+  verb.argument("FOLDER", options->folder, "Folder of images");
   verb.option("--out", "RUN.bag", options->out, "Bag to write").required();
   verb.option("--layout", "NAME", options->layout.name,
-              "How the pictures lie: rooms (default), indecs, idol or cold")
+              "How the images lie: rooms (default), indecs, idol or cold")
       .oneOf({"rooms", "indecs", "idol", "cold"});
   verb.option("--condition", "NAME", options->layout.condition,
               "indecs: the light to import, where the folder holds several: cloudy, night or sunny")
       .oneOf({"cloudy", "night", "sunny"});
   verb.option("--rate", "HZ", options->layout.rate,
-              "rooms, indecs: pictures a second (default 5); the others have their own stamps")
+              "rooms, indecs: images a second (default 5); the others have their own stamps")
       .positive();
-  verb.option(
-          "--camera", "NAME", options->layout.camera,
-          "cold: the camera whose pictures are read, std_cam (default) or omni_cam; train on the "
-          "latter with --set image.panorama.mirror=found")
+  verb.option("--camera", "NAME", options->layout.camera,
+              "cold: the camera whose images are read, std_cam (default) or omni_cam; train on the "
+              "latter with --set image.panorama.mirror=found")
       .oneOf({"std_cam", "omni_cam"});
   verb.flag("--raw", options->raw, "Store pixels (sensor_msgs/Image) instead of JPEG");
   options->output.addTo(verb);
   verb.footer(
       "Layouts:\n"
-      "  rooms   ROOM/PICTURE\n"
+      "  rooms   ROOM/IMAGE\n"
       "  indecs  cloudy, night or sunny and the room as folders or words of the name, then marker\n"
       "          and angle: cloudy/kitchen/kitchen_07_120.png\n"
       "  idol    one sequence: tTIME_rROOM_xX_yY_aANGLE.png\n"
       "  cold    one sequence: std_cam/tTIME_xX_yY_aANGLE.jpeg, localization/places.lst\n"
       "Example:\n"
       "  place_tool import dum_cloudy1 --layout idol --out dum_cloudy1.bag");
-  verb.run([options] { importPictures(*options); });
+  verb.run([options] { importImages(*options); });
 }
 
 }  // namespace place_recognition::tool

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "base/text.h"
-#include "datasets/picture_folder.h"
-#include "datasets/picture_sequence.h"
+#include "datasets/image_folder.h"
+#include "datasets/image_sequence.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "tool/carried_labels.h"
@@ -18,19 +18,19 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isRun(const std::string& path) {
-  return isBag(path) || (fs::is_directory(path) && holdsRoomPictures(path));
+  return isBag(path) || (fs::is_directory(path) && holdsRoomImages(path));
 }
 
 /// Why a folder that holds no run gives nothing.
 std::string whyNoRun(const std::string& folder) {
   const FolderEntries entries = entriesOf(folder);
   if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
-  const FoundPictures found = findRoomPictures(folder);
-  if (!found.pictures.empty()) {
-    return "its pictures lie too deep, as " + found.pictures.front().path +
-           "; arrange them as room/picture";
+  const FoundImages found = findRoomImages(folder);
+  if (!found.images.empty()) {
+    return "its images lie too deep, as " + found.images.front().path +
+           "; arrange them as room/image";
   }
-  std::string text = "it holds no room/picture files";
+  std::string text = "it holds no room/image files";
   for (const std::string& warning : found.warnings) text += "; " + warning;
   return text;
 }
@@ -93,8 +93,8 @@ void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
   for (const std::string& sentence : passed_over) text += " " + sentence;
   if (runs.size() == before) {
     throw Error("The folder " + folder +
-                " holds neither bags nor room/picture files (png, jpg, webp, bmp or tiff); put the "
-                "pictures of each room into a folder with the room's name." +
+                " holds neither bags nor room/image files (png, jpg, webp, bmp or tiff); put the "
+                "images of each room into a folder with the room's name." +
                 text);
   }
   for (const std::string& sentence : passed_over) std::cerr << "warning: " << sentence << "\n";
@@ -116,14 +116,14 @@ void findRunsOf(const std::string& input, std::vector<std::string>& runs) {
   } else {
     throw Error(input +
                 " is neither a bag nor a folder; give a file that ends in .bag or a "
-                "folder of room/picture files.");
+                "folder of room/image files.");
   }
 }
 
 }  // namespace
 
 const char* const kInputHelp =
-    "Labelled runs: bags, folders of room/picture files (png, jpg, webp, bmp, tiff), or folders of "
+    "Labelled runs: bags, folders of room/image files (png, jpg, webp, bmp, tiff), or folders of "
     "these";
 
 void InputOptions::addTo(Verb& verb) {
@@ -169,10 +169,10 @@ std::vector<std::string> findRuns(const std::vector<std::string>& inputs) {
   return runs;
 }
 
-Frame pictureFrame(const std::string& path, const DepthExtent& depth) {
+Frame imageFrame(const std::string& path, const DepthExtent& depth) {
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw Error("There is no picture " + path + "; check the path.");
-  PictureSequence sequence({path});
+  if (!fs::exists(path, ignored)) throw Error("There is no image " + path + "; check the path.");
+  ImageSequence sequence({path});
   sequence.setDepthExtent(depth);
   DecodedImage decoded = sequence.read(0);
   Frame frame;
@@ -182,10 +182,10 @@ Frame pictureFrame(const std::string& path, const DepthExtent& depth) {
   return frame;
 }
 
-cv::Mat readPicture(const std::string& path) {
-  const Frame frame = pictureFrame(path, {});
+cv::Mat readImage(const std::string& path) {
+  const Frame frame = imageFrame(path, {});
   if (!frame.image.empty()) return frame.image;
-  throw Error("The picture " + path + " is of no use: " + frame.problem +
+  throw Error("The image " + path + " is of no use: " + frame.problem +
               "; remove it or put a good one in its place.");
 }
 

@@ -28,16 +28,16 @@ struct InputOptions {
   std::unique_ptr<Run> open(const std::string& run) const;
 };
 
-/// The runs that `inputs` stand for, in the order given: a bag; a folder of `room/picture`; a
+/// The runs that `inputs` stand for, in the order given: a bag; a folder of `room/image`; a
 /// folder of such bags or folders, in natural order of their names, of which those that give
 /// nothing are named on stderr. Throws Error for anything else.
 std::vector<std::string> findRuns(const std::vector<std::string>& inputs);
 
-/// A picture as a frame without a label, `depth` as of Run::setDepthExtent(); it has no image if it
+/// An image as a frame without a label, `depth` as of Run::setDepthExtent(); it has no image if it
 /// is damaged. Throws Error if there is none at `path`.
-Frame pictureFrame(const std::string& path, const DepthExtent& depth);
+Frame imageFrame(const std::string& path, const DepthExtent& depth);
 
-/// A picture, CV_8UC3 BGR or CV_8UC1. Throws Error if there is none at `path`, or it is damaged.
-cv::Mat readPicture(const std::string& path);
+/// An image, CV_8UC3 BGR or CV_8UC1. Throws Error if there is none at `path`, or it is damaged.
+cv::Mat readImage(const std::string& path);
 
 }  // namespace place_recognition::tool

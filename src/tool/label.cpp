@@ -28,7 +28,7 @@ std::vector<std::string> checkedBags(const LabelOptions& options) {
   const std::vector<std::string> bags = findRuns(options.inputs);
   for (const std::string& bag : bags) {
     if (!isBag(bag)) {
-      throw Error(bag + " is a folder of pictures, whose labels are the folders; give bags.");
+      throw Error(bag + " is a folder of images, whose labels are the folders; give bags.");
     }
     bagInfo(bag, options.input.bag);  // throws if it cannot be read
   }

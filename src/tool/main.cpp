@@ -48,7 +48,7 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
     if (place_recognition::tool::stopRequested()) return fail(tool, "stopped.", kStopped);
     return fail(tool, e.what(), kBadInput);
   } catch (const std::bad_alloc&) {
-    return fail(tool, "out of memory; give fewer or smaller pictures.", kBadInput);
+    return fail(tool, "out of memory; give fewer or smaller images.", kBadInput);
   } catch (const std::exception& e) {
     return fail(tool, std::string("failed unexpectedly: ") + e.what(), kBadInput);
   }
@@ -57,14 +57,14 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // What OpenCV and libpng find wrong with a picture is told in one line by whoever reads it.
+  // What OpenCV and libpng find wrong with an image is told in one line by whoever reads it.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   place_recognition::tool::stopOnSignals();
   // A file that grows beyond what is allowed (ulimit -f) is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
 
   CommandLine tool("place_tool",
-                   "Learns the rooms of a building from labelled bags or pictures, and names them.",
+                   "Learns the rooms of a building from labelled bags or images, and names them.",
                    PLACE_RECOGNITION_VERSION);
   place_recognition::tool::addVerbs(tool);
   return run(tool, {argv + std::min(argc, 1), argv + argc});

@@ -10,14 +10,14 @@
 #include "base/atomic_file.h"
 #include "base/place_name.h"
 #include "datasets/image_file.h"
-#include "datasets/picture_folder.h"
+#include "datasets/image_folder.h"
 #include "evaluation/run_recognizer.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "ros/bags/bag_file.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
-#include "tool/unusable_pictures.h"
+#include "tool/unusable_images.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -71,9 +71,9 @@ class Recognitions {
 
   const DepthExtent& depth() const { return recognizer_.model().images.depth; }
 
-  /// A picture by itself.
-  void addPicture(const Frame& frame) {
-    if (isUsable(frame)) add(frame, recognizer_.recognizePicture(frame.image));
+  /// An image by itself.
+  void addImage(const Frame& frame) {
+    if (isUsable(frame)) add(frame, recognizer_.recognizeImage(frame.image));
   }
 
   /// Frames of `run` follow. `in_time`: by their stamps they follow one another.
@@ -92,7 +92,7 @@ class Recognitions {
     smooths_ = false;
   }
 
-  /// Throws Error if there was no picture that could be used.
+  /// Throws Error if there was no image that could be used.
   void finish() {
     unusable_.requireOthers(frames_);
     unusable_.warn(std::cerr);
@@ -183,7 +183,7 @@ class Recognitions {
 
   const OutputOptions& output_;
   RunRecognizer recognizer_;
-  UnusablePictures unusable_;
+  UnusableImages unusable_;
   std::size_t frames_ = 0;
   bool smooths_ = false;
   std::deque<Waiting> waiting_;  // of the current run
@@ -201,12 +201,12 @@ void recognize(const RecognizeOptions& options) {
   Frame frame;
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     const std::string& input = options.inputs[i];
-    const bool is_picture = isPictureName(input) && !std::filesystem::is_directory(input);
-    if (is_picture || startsAsPicture(input)) {
+    const bool is_image = isImageName(input) && !std::filesystem::is_directory(input);
+    if (is_image || startsAsImage(input)) {
       report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
-      frame = pictureFrame(input, recognitions.depth());
+      frame = imageFrame(input, recognitions.depth());
       frame.stamp = static_cast<double>(i);
-      recognitions.addPicture(frame);
+      recognitions.addImage(frame);
       continue;
     }
     for (const std::string& run_path : findRuns({input})) {
@@ -230,18 +230,18 @@ void recognize(const RecognizeOptions& options) {
 }  // namespace
 
 void addRecognize(CommandLine& tool) {
-  Verb& verb = tool.verb("recognize", "Names the place that pictures show");
+  Verb& verb = tool.verb("recognize", "Names the place that images show");
   const auto options = std::make_shared<RecognizeOptions>();
   verb.argument("IMAGE_OR_INPUT", options->inputs,
-                "Pictures (png, jpg, webp, bmp, tiff), bags or folders of room/picture files");
+                "Images (png, jpg, webp, bmp, tiff), bags or folders of room/image files");
   verb.option("--model", "NAME", options->model, "Name or file of the model").required();
   options->input.addTo(verb);
   options->output.addTo(verb);
   verb.footer(
-      "Prints a line per picture: path, place (or unknown), confidence 0..1. With --json an object "
+      "Prints a line per image: path, place (or unknown), confidence 0..1. With --json an object "
       "a\n"
       "line: image, place, known, confidence, evidence and the scores of every place; for a bag\n"
-      "also the smoothed answer, in the light of the frames around. Pictures that cannot be used\n"
+      "also the smoothed answer, in the light of the frames around. Images that cannot be used\n"
       "are told with the reason.\n"
       "Example:\n"
       "  place_tool recognize --model office now.jpg");

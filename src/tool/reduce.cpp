@@ -83,9 +83,9 @@ class Reducer {
   std::string valuesOf() const {
     if (options_.train.empty()) {
       return "the model's own support vectors, all that it has of its training (give --train for "
-             "all pictures)";
+             "all images)";
     }
-    return "the " + std::to_string(training_.origins.size()) + " pictures given by --train";
+    return "the " + std::to_string(training_.origins.size()) + " images given by --train";
   }
 
  private:
@@ -99,12 +99,12 @@ class Reducer {
     ReductionFigures figures;
     figures.support_vectors = model.supportVectorCount();
     figures.model_bytes = serializeModel(model).size();
-    figures.comparison_ms = comparisonMilliseconds(model, pictures());
+    figures.comparison_ms = comparisonMilliseconds(model, images());
     return figures;
   }
 
-  /// Features to measure time on, [cue][picture].
-  std::vector<std::vector<Feature>> pictures() const {
+  /// Features to measure time on, [cue][image].
+  std::vector<std::vector<Feature>> images() const {
     if (rate_) return validation_.features;
     if (!options_.train.empty()) return training_.features;
     std::vector<std::vector<Feature>> features;
@@ -191,7 +191,7 @@ void addReduce(CommandLine& tool) {
   verb.option("--train", "INPUT", options->train,
               "The runs that the model was trained on: the decision values are then kept on all of "
               "their "
-              "pictures. Without it on the support vectors only, all that the model has of them")
+              "images. Without it on the support vectors only, all that the model has of them")
       .many();
   verb.option("--report", "DIR", options->report,
               "Compare all three methods, in the table and in DIR/reduction.html; with --validate, "

@@ -25,9 +25,8 @@ struct ReductionFigures {
 
 /// What reductions made of a model.
 struct ReductionReport {
-  std::string model;  ///< file of the reduced one
-  std::string
-      values_of;  ///< the pictures that changes of decision values are measured on, in words
+  std::string model;      ///< file of the reduced one
+  std::string values_of;  ///< the images that changes of decision values are measured on, in words
   ReductionFigures before;                ///< the model as it was
   std::vector<ReductionFigures> methods;  ///< the one that was saved first
 };

@@ -12,7 +12,7 @@ namespace place_recognition::tool {
 
 /// Judges whether a new model may replace an old one: by the mean rate of the rooms of labelled
 /// runs that neither was trained on. It may be lower by one standard error, as if frames were
-/// independent: so many pictures do not tell that from equal. A room that one of the two has not
+/// independent: so many images do not tell that from equal. A room that one of the two has not
 /// learned counts as 0 for it.
 class Replacement {
  public:

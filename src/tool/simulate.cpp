@@ -38,7 +38,7 @@ cv::Size parseSize(const std::string& text) {
   return size;
 }
 
-/// Pictures of each room.
+/// Images of each room.
 using Counts = std::map<std::string, int>;
 
 Counts renderBag(const SimulationOptions& options, const std::string& path,
@@ -92,7 +92,7 @@ void simulateRuns(SimulateOptions options) {
     int images = 0;
     for (const auto& [room, count] : counts) images += count;
     display.clear();
-    options.output.text() << path << ": " << images << " pictures of " << counts.size() << " rooms"
+    options.output.text() << path << ": " << images << " images of " << counts.size() << " rooms"
                           << std::endl;
     runs.push_back(
         {{"path", path}, {"condition", condition}, {"images", images}, {"rooms", counts}});

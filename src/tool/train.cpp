@@ -72,7 +72,7 @@ std::string textOf(const std::vector<std::string>& names) {
 /// What was held out to judge the model, and with what result.
 std::string heldOutText(const Model& model) {
   const std::vector<std::string> judged = model.validatedPlaces();
-  if (judged.empty()) return "Not validated: too few pictures to hold any of them out.";
+  if (judged.empty()) return "Not validated: too few images to hold any of them out.";
   const ValidationOptions& options = model.options.validation;
   std::ostringstream text;
   text << std::setprecision(2) << "Held-out ";

@@ -65,7 +65,7 @@ std::string namesOf(const std::vector<CueOptions>& cues) {
 std::vector<std::string> rowOf(const TuningTrial& trial) {
   return {trial.stage + ": " + namesOf(trial.cues),
           fixed(trial.c, 0),
-          std::to_string(trial.pictures),
+          std::to_string(trial.images),
           fixed(trial.log_loss, 3),
           percent(trial.rate),
           percent(trial.changed_rate)};
@@ -93,9 +93,9 @@ std::string yamlOf(const Tuning& tuning, const std::vector<std::string>& inputs)
   std::string header = "Found by `place_tool tune` for";
   for (const std::string& input : inputs) header += " " + input;
   header += tuning.complete ? ".\n" : "; stopped before its end.\n";
-  header += tuning.best.pictures == 0
+  header += tuning.best.images == 0
                 ? "It is what the search started from; nothing was compared with it yet.\n"
-                : "Held-out pictures: log loss " + fixed(tuning.best.log_loss, 3) + ", " +
+                : "Held-out images: log loss " + fixed(tuning.best.log_loss, 3) + ", " +
                       percent(tuning.best.rate) + " right, " + percent(tuning.best.changed_rate) +
                       " as the next run might show them.\n";
   header += "\nEverything that was tried:\n" +
@@ -109,7 +109,7 @@ Json jsonOf(const TuningTrial& trial) {
   return {{"stage", trial.stage},
           {"cues", cues},
           {"c", trial.c},
-          {"pictures", trial.pictures},
+          {"pictures", trial.images},
           {"log_loss", trial.log_loss},
           {"rate", trial.rate},
           {"changed_rate", trial.changed_rate}};
@@ -118,7 +118,7 @@ Json jsonOf(const TuningTrial& trial) {
 Json figures(const Tuning& tuning, const std::string& path) {
   Json trials = Json::array();
   for (const TuningTrial& trial : tuning.trials) trials.push_back(jsonOf(trial));
-  return {{"configuration", path},     {"complete", tuning.complete}, {"pictures", tuning.pictures},
+  return {{"configuration", path},     {"complete", tuning.complete}, {"pictures", tuning.images},
           {"seconds", tuning.seconds}, {"best", jsonOf(tuning.best)}, {"trials", trials}};
 }
 
@@ -127,7 +127,7 @@ void printSummary(const Tuning& tuning, const std::string& path, std::ostream& o
                [](const TuningTrial& trial) { return trial.stage.find("round") != 0; })
       << "\nBest" << (tuning.complete ? "" : " so far") << ": " << namesOf(tuning.best.cues)
       << ", C " << tuning.best.c << "\n"
-      << tuning.trials.size() << " configurations tried on " << tuning.pictures << " pictures in "
+      << tuning.trials.size() << " configurations tried on " << tuning.images << " images in "
       << fixed(tuning.seconds, 0) << " s. Configuration: " << path << " (place_tool train --config "
       << path << ")" << std::endl;
 }
@@ -167,7 +167,7 @@ void addTune(CommandLine& tool) {
               "YAML file that says what to try; see doc/configuration.md");
   verb.flag("--same-light", options->same_light,
             "The rooms will only be seen in the light of these runs: do not change it in the "
-            "held-out pictures that stand for the next run");
+            "held-out images that stand for the next run");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
   verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
@@ -175,8 +175,8 @@ void addTune(CommandLine& tool) {
   verb.footer(
       "Starts from the configuration, the default one unless told, and leaves it only where "
       "held-out\n"
-      "pictures, also changed as the next run might show them, clearly speak for it. One or two\n"
-      "rounds find the best scales and bins on few pictures (--space: first_pictures), then cues\n"
+      "images, also changed as the next run might show them, clearly speak for it. One or two\n"
+      "rounds find the best scales and bins on few images (--space: first_pictures), then cues\n"
       "and C are chosen on more of them (max_pictures). Ctrl-C keeps the best so far.\n"
       "Example:\n"
       "  place_tool tune monday.bag tuesday.bag --out office.yaml\n"

@@ -9,7 +9,7 @@
 
 namespace place_recognition {
 
-/// How all pictures compare by one cue: measures of the kernel, computed once, which serve every
+/// How all images compare by one cue: measures of the kernel, computed once, which serve every
 /// C and combination. A gamma that is open is one over twice the typical distance; training finds
 /// its own.
 class CueComparison {

@@ -12,7 +12,7 @@ namespace place_recognition {
 namespace {
 
 /// Standard errors that a step away from the prior must gain: the best of some fifty steps gains
-/// two by chance alone, and neighbouring pictures are not as independent as the error takes them to
+/// two by chance alone, and neighbouring images are not as independent as the error takes them to
 /// be.
 constexpr double kGainOfAStep = 4;
 

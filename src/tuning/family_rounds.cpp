@@ -16,16 +16,16 @@ std::uint64_t countLabelled(const std::vector<RunOpener>& runs, const Progress& 
     const std::unique_ptr<Run> run = runs[r]();
     for (Frame frame; run->next(frame);) {
       count += frame.place.empty() ? 0 : 1;
-      report(progress, "Counting pictures",
+      report(progress, "Counting images",
              (static_cast<double>(r) + run->fraction()) / static_cast<double>(runs.size()));
     }
   }
   return count;
 }
 
-std::size_t stepTo(std::uint64_t pictures, int wanted) {
-  return std::max<std::size_t>(
-      1, static_cast<std::size_t>(pictures) / static_cast<std::size_t>(wanted));
+std::size_t stepTo(std::uint64_t images, int wanted) {
+  return std::max<std::size_t>(1,
+                               static_cast<std::size_t>(images) / static_cast<std::size_t>(wanted));
 }
 
 /// The progress of family number `index` as a part of `round`.
@@ -68,9 +68,9 @@ std::vector<CueOptions> bestOf(const Family& family, std::size_t count, std::siz
 }  // namespace
 
 Thinning planThinning(const TuningRuns& runs, const SearchSpace& space, const Progress& progress,
-                      std::uint64_t& pictures) {
-  pictures = countLabelled(runs.runs, progress) + countLabelled(runs.hold_out, progress);
-  return {stepTo(pictures, space.first_pictures), stepTo(pictures, space.max_pictures)};
+                      std::uint64_t& images) {
+  images = countLabelled(runs.runs, progress) + countLabelled(runs.hold_out, progress);
+  return {stepTo(images, space.first_pictures), stepTo(images, space.max_pictures)};
 }
 
 std::vector<CueOptions> bestOfEach(std::vector<Family> families, const Thinning& thinning,

@@ -7,18 +7,18 @@
 
 namespace place_recognition {
 
-/// How the pictures of the runs are thinned out from round to round.
+/// How the images of the runs are thinned out from round to round.
 struct Thinning {
-  std::size_t first;  ///< one of so many pictures of a place in the first round
+  std::size_t first;  ///< one of so many images of a place in the first round
   std::size_t last;   ///< and in the last
 };
 
-/// Counts the labelled pictures of the runs and decides.
+/// Counts the labelled images of the runs and decides.
 Thinning planThinning(const TuningRuns& runs, const SearchSpace& space, const Progress& progress,
-                      std::uint64_t& pictures);
+                      std::uint64_t& images);
 
 /// The best cue of each family by successive halving: the first round leaves
-/// a quarter of each family, the second, on twice as many pictures, one. Where all pictures are
+/// a quarter of each family, the second, on twice as many images, one. Where all images are
 /// few, one round does.
 std::vector<CueOptions> bestOfEach(std::vector<Family> families, const Thinning& thinning,
                                    Search& search);

@@ -15,8 +15,8 @@ constexpr double kErrorOfLight = 0.05;   // of the gain that is found, at most
 NextRun::NextRun(std::uint64_t seed, bool other_light)
     : random_(seed), light_draw_(seed), other_light_(other_light) {}
 
-ChangedPicture NextRun::change(const cv::Mat& image, const std::string& place) {
-  ChangedPicture changed{framed(image), {}};
+ChangedImage NextRun::change(const cv::Mat& image, const std::string& place) {
+  ChangedImage changed{framed(image), {}};
   const double sigma = uniform(0, kMostBlur) * image.cols;
   if (sigma > 0.3) cv::GaussianBlur(changed.image, changed.image, {}, sigma);
   if (!other_light_) return changed;

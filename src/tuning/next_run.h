@@ -7,16 +7,16 @@
 
 namespace place_recognition {
 
-/// Changes pictures as the next run would differ from this one: the robot stands a little nearer
+/// Changes images as the next run would differ from this one: the robot stands a little nearer
 /// and to the side, the camera is less sharp, and, if asked for, the light has changed. Cues that
 /// follow the light of the run find it to within a twentieth, as in a stream of frames. Draws at
-/// random, the same for the same seed and pictures.
+/// random, the same for the same seed and images.
 class NextRun {
  public:
   NextRun(std::uint64_t seed, bool other_light);
 
-  /// For the next picture of `place`; of the same size.
-  ChangedPicture change(const cv::Mat& image, const std::string& place);
+  /// For the next image of `place`; of the same size.
+  ChangedImage change(const cv::Mat& image, const std::string& place);
 
  private:
   double uniform(double least, double most);

@@ -35,19 +35,19 @@ Score score(const HeldOutValues& held_out, const TuningSamples& samples) {
   const std::vector<double> losses = logLosses(held_out, samples.origins, tested);
   Score result;
   result.losses.assign(samples.recorded, 0);
-  std::vector<int> pictures(samples.recorded, 0);
+  std::vector<int> images(samples.recorded, 0);
   std::vector<int> truth, answers, changed_truth, changed_answers;
   for (std::size_t k = 0; k < tested.size(); ++k) {
     const int i = tested[k];
     const int source = samples.source[i];
     result.losses[source] += losses[k];
-    ++pictures[source];
+    ++images[source];
     const int answer = held_out.valid[i] ? largest(held_out.decision_values.row(i)) : -1;
     (source == i ? truth : changed_truth).push_back(samples.origins[i].place);
     (source == i ? answers : changed_answers).push_back(answer);
   }
   for (std::size_t i = 0; i < samples.recorded; ++i) {
-    if (pictures[i] > 0) result.losses[i] /= pictures[i];
+    if (images[i] > 0) result.losses[i] /= images[i];
   }
   const RoomMean mean = meanOfTested(samples, [&](int i) { return result.losses[i]; });
   result.log_loss = mean.mean;

@@ -24,7 +24,7 @@ struct Search {
   void note(const std::string& stage, const std::vector<CueOptions>& cues, double c,
             const TuningSamples& samples, const Score& score);
 
-  /// Features of `cues` of about one of `step` pictures.
+  /// Features of `cues` of about one of `step` images.
   TuningSamples collect(const std::vector<CueOptions>& cues, std::size_t step,
                         const Progress& collect_progress) const;
 };

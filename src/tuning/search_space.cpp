@@ -39,7 +39,7 @@ void SearchSpace::check() const {
   if (max_cues < 1 || max_cues > 8) refuse("max_cues", "is not 1 to 8");
   if (first_pictures < 10) refuse("first_pictures", "is below 10; give more");
   if (max_pictures < first_pictures) {
-    refuse("max_pictures", "is below 'first_pictures'; later rounds look at more pictures");
+    refuse("max_pictures", "is below 'first_pictures'; later rounds look at more images");
   }
 }
 

@@ -28,7 +28,7 @@ void look(Search& search, const Thinning& thinning) {
   TuningSamples samples = search.collect(cues, thinning.last, search.progress);
   std::vector<CueComparison> comparisons;
   for (std::size_t c = 0; c < cues.size(); ++c) {
-    report(search.progress, "Comparing pictures",
+    report(search.progress, "Comparing images",
            static_cast<double>(c) / static_cast<double>(cues.size()));
     comparisons.emplace_back(cues[c], std::move(samples.features[c]), samples, search.threads);
   }
@@ -52,7 +52,7 @@ Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& ho
   search.best.cues = base.cues;
   search.best.c = base.svm.c;
   Tuning tuning;
-  const Thinning thinning = planThinning(search.runs, space, progress, tuning.pictures);
+  const Thinning thinning = planThinning(search.runs, space, progress, tuning.images);
   try {
     look(search, thinning);
   } catch (const Cancelled&) {

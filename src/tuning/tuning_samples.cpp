@@ -74,7 +74,7 @@ TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions
   const std::vector<RunOpener> openers = thinnedOpeners(runs, step, options.seed);
   std::size_t opened = 0;
   NextRun next_run(options.seed, other_light);
-  const PictureChange change = [&next_run](const cv::Mat& image, const std::string& place) {
+  const ImageChange change = [&next_run](const cv::Mat& image, const std::string& place) {
     return next_run.change(image, place);
   };
   TuningSamples samples{

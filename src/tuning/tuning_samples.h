@@ -23,7 +23,7 @@ struct TuningSamples : Samples {
   std::vector<Fold> folds;  ///< tested as recorded and changed
 };
 
-/// Features of one of every `step` labelled pictures of each place, see thinOut(). See
+/// Features of one of every `step` labelled images of each place, see thinOut(). See
 /// collectSamples() for errors.
 TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
                                    bool other_light, std::size_t step, unsigned threads,

@@ -53,9 +53,9 @@ TEST(Text, KeepsWhatJoinsLetters) {
 }
 
 TEST(Text, CountsInSingularAndPlural) {
-  EXPECT_EQ(counted(0, "picture"), "0 pictures");
-  EXPECT_EQ(counted(1, "picture"), "1 picture");
-  EXPECT_EQ(counted(2, "picture"), "2 pictures");
+  EXPECT_EQ(counted(0, "image"), "0 images");
+  EXPECT_EQ(counted(1, "image"), "1 image");
+  EXPECT_EQ(counted(2, "image"), "2 images");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "datasets/picture_sequence.h"
+#include "datasets/image_sequence.h"
 #include "place_recognition/depth_extent.h"
 #include "scratch_folder.h"
 
@@ -97,18 +97,18 @@ TEST(DepthScale, LeavesEightBitsAloneAndTakesColour) {
   EXPECT_EQ(scale.toEightBits(cv::Mat(1, 1, CV_16UC1, cv::Scalar(7))).type(), CV_8UC1);
 }
 
-TEST(PictureSequence, ShowsAllPicturesAlike) {
+TEST(ImageSequence, ShowsAllImagesAlike) {
   const ScratchFolder scratch;
   std::vector<std::string> paths;
   for (const int high : {100, 300, 1000}) {
     paths.push_back(scratch / (std::to_string(high) + ".png"));
     ASSERT_TRUE(cv::imwrite(paths.back(), ramp(0, high)));
   }
-  PictureSequence pictures(paths);
+  ImageSequence images(paths);
   double largest = 0;
-  cv::minMaxLoc(pictures.read(0).image, nullptr, &largest);
+  cv::minMaxLoc(images.read(0).image, nullptr, &largest);
   EXPECT_EQ(largest, 100 / 4);
-  EXPECT_NE(pictures.note().find("0 .. 1023"), std::string::npos);
+  EXPECT_NE(images.note().find("0 .. 1023"), std::string::npos);
 }
 
 }  // namespace

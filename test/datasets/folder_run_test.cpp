@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void writePicture(const std::string& path) {
+void writeImage(const std::string& path) {
   fs::create_directories(fs::path(path).parent_path());
   cv::imwrite(path, drawRoom(0, 0));
 }
@@ -40,7 +40,7 @@ TEST(FolderRun, ReadsRoomsInNaturalOrder) {
   const ScratchFolder folder;
   for (const char* name : {"kitchen/a10.png", "kitchen/a9.JPG", "kitchen/a09b.jpeg",
                            "Elin's office/1.png", "kitchen/.hidden.png", "kitchen/notes.txt"}) {
-    writePicture(folder / "picture.png");
+    writeImage(folder / "picture.png");
     fs::create_directories(fs::path(folder / name).parent_path());
     fs::copy_file(folder / "picture.png", folder / name);
   }
@@ -58,22 +58,22 @@ TEST(FolderRun, ReadsRoomsInNaturalOrder) {
   }
 }
 
-TEST(FolderRun, LeavesPicturesOutsideRoomsUnlabelled) {
+TEST(FolderRun, LeavesImagesOutsideRoomsUnlabelled) {
   const ScratchFolder folder;
-  writePicture(folder / "1.png");
+  writeImage(folder / "1.png");
   const std::vector<Frame> frames = framesOf(folder / "");
   ASSERT_EQ(frames.size(), 1u);
   EXPECT_EQ(frames[0].place, "");
 }
 
-TEST(FolderRun, GoesOnBehindADamagedPicture) {
+TEST(FolderRun, GoesOnBehindADamagedImage) {
   const ScratchFolder folder;
-  writePicture(folder / "kitchen/2.png");
-  folder.write("kitchen/1.png", "no picture");
+  writeImage(folder / "kitchen/2.png");
+  folder.write("kitchen/1.png", "no image");
   const std::vector<Frame> frames = framesOf(folder / "");
   ASSERT_EQ(frames.size(), 2u);
   EXPECT_TRUE(frames[0].image.empty());
-  EXPECT_EQ(frames[0].problem, "it is no picture of a format that can be read");
+  EXPECT_EQ(frames[0].problem, "it is no image of a format that can be read");
   EXPECT_FALSE(frames[1].image.empty());
   EXPECT_EQ(frames[1].problem, "");
 }
@@ -81,8 +81,8 @@ TEST(FolderRun, GoesOnBehindADamagedPicture) {
 TEST(FolderRun, SaysWhatIsMissing) {
   const ScratchFolder folder;
   EXPECT_NE(complaint(folder / "nowhere").find("Cannot read"), std::string::npos);
-  EXPECT_NE(complaint(folder / "").find("holds no pictures"), std::string::npos);
-  writePicture(folder / "kitchen/monday/1.png");  // a room may have sub-folders
+  EXPECT_NE(complaint(folder / "").find("holds no images"), std::string::npos);
+  writeImage(folder / "kitchen/monday/1.png");  // a room may have sub-folders
   EXPECT_EQ(complaint(folder / ""), "");
 }
 
@@ -102,7 +102,7 @@ TEST(DecodeImage, TakesWhatCamerasSendOnly) {
   EXPECT_EQ(problemOf(encoded(".png")), "");
   EXPECT_EQ(problemOf(encoded(".jpg")), "");
   EXPECT_EQ(problemOf(encoded(".webp")), "");
-  EXPECT_EQ(problemOf(encoded(".bmp")), "it is no PNG, JPEG or WebP picture");
+  EXPECT_EQ(problemOf(encoded(".bmp")), "it is no PNG, JPEG or WebP image");
   EXPECT_EQ(problemOf({}), "it is empty");
 }
 

@@ -74,7 +74,7 @@ std::string refusal(const std::vector<Frame>& frames) {
   return "";
 }
 
-TEST(Evaluate, AnswersEveryLabelledPicture) {
+TEST(Evaluate, AnswersEveryLabelledImage) {
   std::vector<Frame> frames = drawFrames(4, 6, 200);  // room3 was never learned
   frames[0].place.clear();
   frames[7].image = cv::Mat();
@@ -102,7 +102,7 @@ TEST(Evaluate, KeepsSeveralCamerasApart) {
   EXPECT_EQ(summary.cameras[0].count, 30u);  // the rear camera sees one room everywhere
   EXPECT_NEAR(summary.cameras[0].average_rate, 1.0 / 3, 1e-9);
   EXPECT_EQ(summary.cameras[1].count, 30u);
-  EXPECT_EQ(summary.cameras[2].name, "pictures in folders");
+  EXPECT_EQ(summary.cameras[2].name, "images in folders");
   EXPECT_NEAR(summary.cameras[1].average_rate, 1, 0.1);
   EXPECT_NE(resultTable(evaluation, summary).find("/front"), std::string::npos);
 }
@@ -128,7 +128,7 @@ TEST(Evaluate, KeepsTheMostConfidentMistakes) {
 }
 
 TEST(Evaluate, SaysWhyItRefuses) {
-  EXPECT_NE(refusal({}).find("no pictures in walk.bag"), std::string::npos);
+  EXPECT_NE(refusal({}).find("no images in walk.bag"), std::string::npos);
   std::vector<Frame> frames = drawFrames(2, 2);
   for (Frame& frame : frames) frame.place = "attic";
   EXPECT_NE(refusal(frames).find("attic"), std::string::npos) << refusal(frames);

@@ -58,7 +58,7 @@ TEST(OverTime, CountsTheDoorwaysApart) {
   EXPECT_EQ(result->settled.smoothed.wrong, 6u);
 }
 
-TEST(OverTime, PicturesSortedByRoomAreNoDrive) {
+TEST(OverTime, ImagesSortedByRoomAreNoDrive) {
   EXPECT_FALSE(overTime(driveOf("000111222", "000111222", "000111222", "000111222")));
 }
 

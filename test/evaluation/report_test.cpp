@@ -42,7 +42,7 @@ TEST(ResultTable, ShowsRoomsRunsAndConfusion) {
   const Evaluation evaluation = madeUpEvaluation();
   const std::string table = resultTable(evaluation, summarize(evaluation));
   EXPECT_EQ(table.substr(0, table.find("\n\n") + 1),
-            "room               pictures    right  'unknown'      day   night\n"
+            "room               images    right  'unknown'      day   night\n"
             "kitchen                   5   60.0 %     40.0 %   66.7 %  50.0 %\n"
             "office                    1  100.0 %      0.0 %  100.0 %\n"
             "mean of the rooms             80.0 %              83.3 %  50.0 %\n");

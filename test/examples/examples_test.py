@@ -66,7 +66,7 @@ class PlainTest(InstalledCase):
         picture = self.write_picture("now.png", paint("office", 7))
         programs = self.build(SOURCE / "examples")
         report = run(programs / "train", self.folder / "rooms", self.folder / "home.places")
-        self.assertIn("3 rooms from 18 pictures", report)
+        self.assertIn("3 rooms from 18 images", report)
         answer = run(programs / "recognize", self.folder / "home.places", picture).split()
         self.assertEqual(answer[0], "office")
         for library in ("libroscpp", "libnodeletlib", "libtf2"):

@@ -48,7 +48,7 @@ TEST(CrfhBank, GivesTheHistogramsOfTheExtractor) {
   }
 }
 
-TEST(CrfhBank, SmallPictureHasNone) {
+TEST(CrfhBank, SmallImageHasNone) {
   CrfhBank bank({histogram({"L"}, {1}, 15)});
   EXPECT_TRUE(isMissing(bank.extract(cv::Mat::zeros(20, 30, CV_8UC1))[0]));
 }

@@ -40,13 +40,13 @@ TEST(Spread, IsTheThesisStandardDeviation) {
   EXPECT_EQ(spreadOf({5}).deviation, 0);
 }
 
-TEST(ThinnedOut, TakesEveryNthPictureOfEachPlace) {
-  PictureSet set{"day", {}};
+TEST(ThinnedOut, TakesEveryNthImageOfEachPlace) {
+  ImageSet set{"day", {}};
   for (int i = 0; i < 7; ++i) {
-    set.pictures.push_back({std::to_string(i), i % 2 == 0 ? "kitchen" : "office", 0.0});
+    set.images.push_back({std::to_string(i), i % 2 == 0 ? "kitchen" : "office", 0.0});
   }
   std::string kept;  // kitchens 0 2 4 6, offices 1 3 5
-  for (const LabelledPicture& picture : thinnedOut(set, 2).pictures) kept += picture.path;
+  for (const LabelledImage& image : thinnedOut(set, 2).images) kept += image.path;
   EXPECT_EQ(kept, "0145");
 }
 

@@ -121,16 +121,16 @@ TEST(TextonDictionary, CountsTheNearestTextonOfEachPixel) {
 
 class MaterialFeaturesTest : public testing::Test {
  protected:
-  /// Two materials of three samples, two pictures each.
+  /// Two materials of three samples, two images each.
   MaterialFeaturesTest() {
     for (int sample = 0; sample < 3; ++sample) {
-      PictureSet& set = sets_.emplace_back();
+      ImageSet& set = sets_.emplace_back();
       set.name = std::to_string(sample);
       for (const char* material : {"cork", "wool"}) {
         for (int i = 0; i < 2; ++i) {
           const std::string name = std::string(material) + set.name + std::to_string(i) + ".png";
-          set.pictures.push_back({folder_ / name, material, 1.0 * i});
-          draw(set.pictures.back().path, 10 * sample + i + (material[0] == 'c' ? 100 : 200));
+          set.images.push_back({folder_ / name, material, 1.0 * i});
+          draw(set.images.back().path, 10 * sample + i + (material[0] == 'c' ? 100 : 200));
         }
       }
     }
@@ -144,7 +144,7 @@ class MaterialFeaturesTest : public testing::Test {
   }
 
   ScratchFolder folder_;
-  std::vector<PictureSet> sets_;
+  std::vector<ImageSet> sets_;
 };
 
 TEST_F(MaterialFeaturesTest, TextonsAreLearnedFromTrainingSamplesOnly) {
@@ -152,7 +152,7 @@ TEST_F(MaterialFeaturesTest, TextonsAreLearnedFromTrainingSamplesOnly) {
     return std::get<DenseVector>(features[i]).values;
   };
   const MaterialFeatures before = extractMaterials("mr8", sets_, {{0}, {1, 2}}, 2, {});
-  for (const LabelledPicture& picture : sets_[1].pictures) draw(picture.path, 999);
+  for (const LabelledImage& image : sets_[1].images) draw(image.path, 999);
   const MaterialFeatures after = extractMaterials("mr8", sets_, {{0}, {1, 2}}, 1, {});
   ASSERT_EQ(before.lists.size(), 2u);
   ASSERT_EQ(before.lists[0].size(), 12u);
@@ -164,8 +164,8 @@ TEST_F(MaterialFeaturesTest, TextonsAreLearnedFromTrainingSamplesOnly) {
   }
 }
 
-TEST_F(MaterialFeaturesTest, APictureThatCannotBeReadIsNamed) {
-  std::remove(sets_[2].pictures[1].path.c_str());
+TEST_F(MaterialFeaturesTest, AImageThatCannotBeReadIsNamed) {
+  std::remove(sets_[2].images[1].path.c_str());
   try {
     extractMaterials("mr8", sets_, {{0}}, 1, {});
     FAIL();

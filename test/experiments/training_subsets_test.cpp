@@ -5,8 +5,8 @@
 namespace place_recognition {
 namespace {
 
-/// Forty pictures of one set: thirty of place 0, then ten of place 1.
-SetSamples fortyPictures() {
+/// Forty images of one set: thirty of place 0, then ten of place 1.
+SetSamples fortyImages() {
   SetSamples samples;
   samples.places.assign(30, 0);
   samples.places.insert(samples.places.end(), 10, 1);
@@ -17,7 +17,7 @@ SetSamples fortyPictures() {
 }
 
 TEST(SubsetOf, SpreadsOverAllOfARoomOrTakesNeighbours) {
-  const SetSamples samples = fortyPictures();
+  const SetSamples samples = fortyImages();
   const std::vector<int> train = samples.split(0).train;
   EXPECT_EQ(subsetOf(train, samples, 1, SubsetKind::kSpread), (std::vector<int>{15, 35}));
   EXPECT_EQ(subsetOf(train, samples, 3, SubsetKind::kSpread),
@@ -30,8 +30,8 @@ TEST(SubsetOf, SpreadsOverAllOfARoomOrTakesNeighbours) {
   }
 }
 
-TEST(ViewpointsOf, AreTwelveSuccessivePicturesOfARoom) {
-  const SetSamples samples = fortyPictures();
+TEST(ViewpointsOf, AreTwelveSuccessiveImagesOfARoom) {
+  const SetSamples samples = fortyImages();
   const std::vector<Viewpoint> viewpoints = viewpointsOf(samples.split(0).train, samples);
   ASSERT_EQ(viewpoints.size(), 4u);  // 12, 12 and 6 of place 0, 10 of place 1
   EXPECT_EQ(viewpoints[1].number, 2);

@@ -5,7 +5,7 @@ crfh_check.py CRFH_DUMP DATA_FOLDER
 
 The histogram must have the same bins and values, but for pixels whose responses lie within float
 rounding of a bin edge: each of these may be in the bin at either side, and fewer than 0.1 % of the
-pixels may be in another bin than here. Exits with 77 (skipped) where pictures or packages are
+pixels may be in another bin than here. Exits with 77 (skipped) where images or packages are
 absent.
 """
 import collections
@@ -150,7 +150,7 @@ def main():
     pictures = [sorted(glob.glob(room + "/*.jpg"))[0] for room in rooms[::4]]
     pictures += sorted(glob.glob(os.path.join(data, "nao_canteen/run*/canteen/*.jpg")))[50::150]
     if not pictures:
-        print("no pictures in " + data + ": skipped")
+        print("no images in " + data + ": skipped")
         return 77
     failures = 0
     for name, case in CASES.items():

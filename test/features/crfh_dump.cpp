@@ -1,4 +1,4 @@
-// crfh_dump IMAGE OPTIONS: the CRFH of a picture as lines "index:value", for crfh_check.py.
+// crfh_dump IMAGE OPTIONS: the CRFH of an image as lines "index:value", for crfh_check.py.
 // OPTIONS is YAML text.
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>

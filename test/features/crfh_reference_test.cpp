@@ -4,7 +4,7 @@
 #include <cctype>
 #include <opencv2/core.hpp>
 
-#include "features/crfh_pictures.h"
+#include "features/crfh_images.h"
 #include "features/crfh_reference.h"
 
 namespace place_recognition {

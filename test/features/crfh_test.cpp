@@ -3,7 +3,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "features/crfh_pictures.h"
+#include "features/crfh_images.h"
 
 namespace place_recognition {
 namespace {
@@ -170,15 +170,15 @@ TEST(Crfh, TranspositionSwapsXAndY) {
   EXPECT_EQ(a.values, b.values);
 }
 
-TEST(Crfh, GreyImageIsOneWithEqualColors) {
+TEST(Crfh, GreyImageIsOneWithEqualColours) {
   const cv::Mat grey = noise(60, 50, CV_8UC1);
-  cv::Mat color;
-  cv::merge(std::vector<cv::Mat>(3, grey), color);
+  cv::Mat colour;
+  cv::merge(std::vector<cv::Mat>(3, grey), colour);
   CrfhOptions options;
   options.descriptors = {"L", "Rx", "Gyy", "Bxy", "C1", "C2"};
   options.bins = {10};
-  EXPECT_EQ(extractCrfh(options, grey).indices, extractCrfh(options, color).indices);
-  EXPECT_EQ(extractCrfh(options, grey).values, extractCrfh(options, color).values);
+  EXPECT_EQ(extractCrfh(options, grey).indices, extractCrfh(options, colour).indices);
+  EXPECT_EQ(extractCrfh(options, grey).values, extractCrfh(options, colour).values);
 }
 
 TEST(Crfh, SigmaIsTheRootOfScale) {

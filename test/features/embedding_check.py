@@ -84,7 +84,7 @@ def expected(blob, w, layer):
 
 def blob_of(image, options):
     """Planes of the image as the network takes them; halved exactly if it is twice as large."""
-    if options.get("fit") == "crop":  # of the pictures below, 8 columns at each side go
+    if options.get("fit") == "crop":  # of the images below, 8 columns at each side go
         image = image[:, 8:-8]
     if image.shape[0] == 2 * HEIGHT:
         sums = image.astype(int).reshape(HEIGHT, 2, WIDTH, 2, -1).sum(axis=(1, 3))

@@ -4,10 +4,10 @@
 harris_check.py HARRIS_DUMP DATA_FOLDER
 
 One octave of the thesis' section 4.3.1, sigma_I from 2 in steps of a quarter octave, sigma_D =
-sigma_I / sqrt(2): each scale is smoothed from the picture in one go, in double precision, and the
+sigma_I / sqrt(2): each scale is smoothed from the image in one go, in double precision, and the
 Laplacian is interpolated by a spline. Corners must have the same place and cornerness. 6 % may
 differ in whether, or where, the Laplacian has an extremum over scale: where it hardly changes, that
-depends on how it is interpolated. Exits with 77 (skipped) where the pictures are absent.
+depends on how it is interpolated. Exits with 77 (skipped) where the images are absent.
 """
 import glob
 import os
@@ -77,7 +77,7 @@ def main():
     dump, data = sys.argv[1:]
     pictures = sorted(glob.glob(os.path.join(data, "ie_rooms/clip2/*/*.jpg")))[10::40]
     if not pictures:
-        print("no pictures in " + data + ": skipped")
+        print("no images in " + data + ": skipped")
         return 77
     failures = 0
     for picture in pictures:

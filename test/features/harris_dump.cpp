@@ -1,4 +1,4 @@
-// harris_dump IMAGE: the Harris-Laplace points of a picture, from one octave of integration scales,
+// harris_dump IMAGE: the Harris-Laplace points of an image, from one octave of integration scales,
 // as lines "x y sigma cornerness", for harris_check.py.
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "features/local_pictures.h"
+#include "features/local_images.h"
 
 namespace place_recognition {
 namespace {

@@ -104,7 +104,7 @@ TEST(Lbp, IgnoresQuarterTurnsAndContrast) {
   EXPECT_EQ(extract(image * 3 + 20), values);
 }
 
-TEST(Lbp, OfGreyPicturesInColourIsTheSame) {
+TEST(Lbp, OfGreyImagesInColourIsTheSame) {
   cv::Mat colour;
   cv::cvtColor(noise(40, 30), colour, cv::COLOR_GRAY2BGR);
   EXPECT_EQ(extract(colour), extract(noise(40, 30)));

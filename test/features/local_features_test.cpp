@@ -5,13 +5,13 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "features/local_pictures.h"
+#include "features/local_images.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
 
-cv::Mat picture() { return cv::Mat1b(texture(320, 240, 1)); }
+cv::Mat image() { return cv::Mat1b(texture(320, 240, 1)); }
 
 Feature extract(const cv::Mat& image, const LocalFeatureOptions& options = {}) {
   Feature feature;
@@ -26,27 +26,27 @@ std::vector<std::uint8_t> descriptors(const Feature& feature) {
 TEST(LocalFeatures, AreTheSameEveryTime) {
   LocalFeatureExtractor extractor{LocalFeatureOptions()};
   Feature first, second;
-  extractor.extract(picture(), first);
+  extractor.extract(image(), first);
   EXPECT_GT(std::get<DescriptorSet>(first).size(), 100u);
   extractor.extract(cv::Mat1b(texture(99, 111, 2)), second);
-  extractor.extract(picture(), second);
+  extractor.extract(image(), second);
   EXPECT_EQ(descriptors(first), descriptors(second));
-  EXPECT_EQ(descriptors(first), descriptors(extract(picture())));
+  EXPECT_EQ(descriptors(first), descriptors(extract(image())));
 }
 
-TEST(LocalFeatures, OfGreyPicturesInColourAreTheSame) {
+TEST(LocalFeatures, OfGreyImagesInColourAreTheSame) {
   cv::Mat colour;
-  cv::cvtColor(picture(), colour, cv::COLOR_GRAY2BGR);
-  EXPECT_EQ(descriptors(extract(picture())), descriptors(extract(colour)));
+  cv::cvtColor(image(), colour, cv::COLOR_GRAY2BGR);
+  EXPECT_EQ(descriptors(extract(image())), descriptors(extract(colour)));
 }
 
 TEST(LocalFeatures, AreTheStrongestUpToTheCap) {
   LocalFeatureOptions options;
   options.max_points = 20000;
-  const std::vector<std::uint8_t> all = descriptors(extract(picture(), options));
+  const std::vector<std::uint8_t> all = descriptors(extract(image(), options));
   for (const int cap : {5, 17, 100}) {
     options.max_points = cap;
-    const std::vector<std::uint8_t> some = descriptors(extract(picture(), options));
+    const std::vector<std::uint8_t> some = descriptors(extract(image(), options));
     ASSERT_EQ(some.size(), cap * DescriptorSet::kDimension);
     EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
   }
@@ -76,13 +76,13 @@ TEST(LocalFeatures, AreMissingBelowTheMinimum) {
 TEST(LocalFeatures, UprightGiveOneDescriptorAPoint) {
   LocalFeatureOptions options;
   options.max_points = 20000;
-  const std::size_t turned = std::get<DescriptorSet>(extract(picture(), options)).size();
+  const std::size_t turned = std::get<DescriptorSet>(extract(image(), options)).size();
   options.upright = true;
-  const std::size_t upright = std::get<DescriptorSet>(extract(picture(), options)).size();
+  const std::size_t upright = std::get<DescriptorSet>(extract(image(), options)).size();
   EXPECT_LT(upright, turned);
   HarrisLaplace detector({options.sigma, options.steps, options.octaves, options.alpha,
                           options.cornerness_threshold, options.laplacian_threshold});
-  EXPECT_EQ(upright, detector.detect(cv::Mat1f(picture()), 20000).size());
+  EXPECT_EQ(upright, detector.detect(cv::Mat1f(image()), 20000).size());
 }
 
 TEST(LocalFeatureOptions, RefuseWhatIsOutOfRange) {

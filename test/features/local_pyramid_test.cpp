@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "features/gaussian_pyramid.h"
-#include "features/local_pictures.h"
+#include "features/local_images.h"
 
 namespace place_recognition {
 namespace {

@@ -1,5 +1,5 @@
 // Repeatability of the interest points under rotation, scale, blur and brightness on real
-// pictures, beside that of VLFeat's Harris-Laplace with as many points.
+// images, beside that of VLFeat's Harris-Laplace with as many points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "features/harris_laplace.h"
-#include "features/local_pictures.h"
+#include "features/local_images.h"
 
 #ifdef PLACE_RECOGNITION_HAS_VLFEAT
 extern "C" {
@@ -54,50 +54,49 @@ Points detectVlfeat(const cv::Mat1b& image) {
 }
 #endif
 
-/// A changed picture, and where its pixels were: changed = map * original.
+/// A changed image, and where its pixels were: changed = map * original.
 struct Change {
   std::string name;
-  cv::Mat1b picture;
+  cv::Mat1b image;
   cv::Matx33d map = cv::Matx33d::eye();
 };
 
-Change rotated(const cv::Mat1b& picture, int degrees) {
+Change rotated(const cv::Mat1b& image, int degrees) {
   const double c = std::cos(degrees * CV_PI / 180), s = std::sin(degrees * CV_PI / 180);
-  const cv::Size size(cvRound(picture.cols * std::abs(c) + picture.rows * std::abs(s)),
-                      cvRound(picture.cols * std::abs(s) + picture.rows * std::abs(c)));
-  const double x = (picture.cols - 1) / 2.0, y = (picture.rows - 1) / 2.0;
+  const cv::Size size(cvRound(image.cols * std::abs(c) + image.rows * std::abs(s)),
+                      cvRound(image.cols * std::abs(s) + image.rows * std::abs(c)));
+  const double x = (image.cols - 1) / 2.0, y = (image.rows - 1) / 2.0;
   const cv::Matx33d map(c, s, (size.width - 1) / 2.0 - c * x - s * y,  //
                         -s, c, (size.height - 1) / 2.0 + s * x - c * y, 0, 0, 1);
   cv::Mat1b turned;
-  cv::warpAffine(picture, turned, map.get_minor<2, 3>(0, 0), size, cv::INTER_CUBIC,
+  cv::warpAffine(image, turned, map.get_minor<2, 3>(0, 0), size, cv::INTER_CUBIC,
                  cv::BORDER_REPLICATE);
   return {"rotation " + std::to_string(degrees), turned, map};
 }
 
-Change shrunk(const cv::Mat1b& picture, double factor) {
+Change shrunk(const cv::Mat1b& image, double factor) {
   cv::Mat1b small;
-  cv::resize(picture, small,
-             cv::Size(cvRound(picture.cols / factor), cvRound(picture.rows / factor)), 0, 0,
-             cv::INTER_AREA);
-  const double fx = static_cast<double>(small.cols) / picture.cols;
-  const double fy = static_cast<double>(small.rows) / picture.rows;
+  cv::resize(image, small, cv::Size(cvRound(image.cols / factor), cvRound(image.rows / factor)), 0,
+             0, cv::INTER_AREA);
+  const double fx = static_cast<double>(small.cols) / image.cols;
+  const double fy = static_cast<double>(small.rows) / image.rows;
   return {"scale " + std::to_string(factor).substr(0, 3),
           small,
           {fx, 0, (fx - 1) / 2, 0, fy, (fy - 1) / 2, 0, 0, 1}};
 }
 
-std::vector<Change> changesOf(const cv::Mat1b& picture) {
+std::vector<Change> changesOf(const cv::Mat1b& image) {
   std::vector<Change> changes;
-  for (const int degrees : {10, 30, 45, 60, 90}) changes.push_back(rotated(picture, degrees));
-  for (const double factor : {1.2, 1.4, 1.6, 2.0}) changes.push_back(shrunk(picture, factor));
+  for (const int degrees : {10, 30, 45, 60, 90}) changes.push_back(rotated(image, degrees));
+  for (const double factor : {1.2, 1.4, 1.6, 2.0}) changes.push_back(shrunk(image, factor));
   for (const int sigma : {1, 2, 3}) {
     cv::Mat1b blurred;
-    cv::GaussianBlur(picture, blurred, cv::Size(), sigma);
+    cv::GaussianBlur(image, blurred, cv::Size(), sigma);
     changes.push_back({"blur " + std::to_string(sigma), blurred});
   }
   for (const double gain : {0.5, 0.7, 1.4}) {
     cv::Mat1b brighter;
-    picture.convertTo(brighter, -1, gain, gain > 1 ? 10 : 0);
+    image.convertTo(brighter, -1, gain, gain > 1 ? 10 : 0);
     changes.push_back({"brightness " + std::to_string(gain).substr(0, 3), brighter});
   }
   return changes;
@@ -121,7 +120,7 @@ bool isInside(const cv::Vec3d& p, const cv::Size& size) {
          p[1] < size.height - kMargin;
 }
 
-/// The points of one picture that the other shows too, at their places there.
+/// The points of one image that the other shows too, at their places there.
 Points moved(const Points& points, const cv::Matx33d& map, cv::Size from, cv::Size to) {
   const double scale = std::sqrt(std::abs(cv::determinant(map)));
   Points result;
@@ -138,9 +137,9 @@ Points moved(const Points& points, const cv::Matx33d& map, cv::Size from, cv::Si
 /// Fraction of points with a partner (one to one, best overlap first), of the fewer points.
 double repeatability(const Points& before, const Points& after, const Change& change,
                      cv::Size size) {
-  const Points a = moved(before, change.map, size, change.picture.size());
-  const Points visible = moved(after, change.map.inv(), change.picture.size(), size);
-  const Points b = moved(visible, change.map, size, change.picture.size());
+  const Points a = moved(before, change.map, size, change.image.size());
+  const Points visible = moved(after, change.map.inv(), change.image.size(), size);
+  const Points b = moved(visible, change.map, size, change.image.size());
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
@@ -172,9 +171,9 @@ std::vector<Points> detectEqually(const std::vector<Detector>& detectors, const 
   return points;
 }
 
-TEST(Repeatability, OnRealPictures) {
-  const std::vector<cv::Mat1b> pictures = realPictures(120);
-  if (pictures.empty()) GTEST_SKIP() << "No pictures: set PLACE_RECOGNITION_TEST_DATA.";
+TEST(Repeatability, OnRealImages) {
+  const std::vector<cv::Mat1b> images = realImages(120);
+  if (images.empty()) GTEST_SKIP() << "No images: set PLACE_RECOGNITION_TEST_DATA.";
   std::vector<Detector> detectors = {detectOurs};
 #ifdef PLACE_RECOGNITION_HAS_VLFEAT
   detectors.push_back(detectVlfeat);
@@ -182,24 +181,24 @@ TEST(Repeatability, OnRealPictures) {
   std::printf("Without VLFeat (libvlfeat-dev) there is nothing to compare with.\n");
 #endif
   std::vector<std::vector<double>> table;  // by change and detector
-  for (const cv::Mat1b& picture : pictures) {
-    const std::vector<Points> before = detectEqually(detectors, picture);
-    const std::vector<Change> changes = changesOf(picture);
+  for (const cv::Mat1b& image : images) {
+    const std::vector<Points> before = detectEqually(detectors, image);
+    const std::vector<Change> changes = changesOf(image);
     table.resize(changes.size(), std::vector<double>(detectors.size()));
     for (std::size_t c = 0; c < changes.size(); ++c) {
-      const std::vector<Points> after = detectEqually(detectors, changes[c].picture);
+      const std::vector<Points> after = detectEqually(detectors, changes[c].image);
       for (std::size_t k = 0; k < detectors.size(); ++k) {
-        table[c][k] += repeatability(before[k], after[k], changes[c], picture.size());
+        table[c][k] += repeatability(before[k], after[k], changes[c], image.size());
       }
     }
   }
-  const std::vector<Change> changes = changesOf(pictures[0]);
+  const std::vector<Change> changes = changesOf(images[0]);
   std::vector<double> mean(detectors.size());
   for (std::size_t c = 0; c < table.size(); ++c) {
     std::printf("%-16s", changes[c].name.c_str());
     for (std::size_t k = 0; k < mean.size(); ++k) {
-      std::printf("  %.3f", table[c][k] / pictures.size());
-      mean[k] += table[c][k] / pictures.size() / table.size();
+      std::printf("  %.3f", table[c][k] / images.size());
+      mean[k] += table[c][k] / images.size() / table.size();
       EXPECT_GE(table[c][0], table[c][k]) << "VLFeat's is better at " << changes[c].name;
     }
     std::printf("\n");

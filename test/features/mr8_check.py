@@ -5,7 +5,7 @@ mr8_check.py MR8_DUMP DATA_FOLDER
 
 Filters must be equal to 1e-6 of their largest value; fewer than 0.1 % of the pixels may fall in
 another bin than here (those within float rounding of a level). Exits with 77 (skipped) where the
-pictures are absent.
+images are absent.
 """
 import collections
 import glob
@@ -72,7 +72,7 @@ def main():
             failures += 1
     pictures = sorted(glob.glob(os.path.join(data, "floor_materials/*/*.jpg")))[40::100]
     if not pictures:
-        print("no pictures in " + data + ": skipped")
+        print("no images in " + data + ": skipped")
         return 1 if failures else 77
     for picture in pictures:
         index = bins(cv2.imread(picture, cv2.IMREAD_GRAYSCALE).astype(float)).ravel()

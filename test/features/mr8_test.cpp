@@ -6,7 +6,7 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
-#include "features/local_pictures.h"
+#include "features/local_images.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -133,9 +133,9 @@ TEST(Mr8, IsAJointHistogram) {
   EXPECT_GT(h.size(), 100u);
 }
 
-// Every response to a blank picture is zero: the lowest level of the magnitudes, the third of
+// Every response to a blank image is zero: the lowest level of the magnitudes, the third of
 // four of the Gaussian and its Laplacian.
-TEST(Mr8, OfABlankPictureHasOneBin) {
+TEST(Mr8, OfABlankImageHasOneBin) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(30, 7), cv::Size(200, 100)}) {
     const SparseVector h = extract(cv::Mat1b(size, std::uint8_t{93}));
     ASSERT_EQ(h.size(), 1u);
@@ -163,9 +163,9 @@ TEST(Mr8, IsTheSameEveryTimeAndInColour) {
   cv::cvtColor(image, colour, cv::COLOR_GRAY2BGR);
   Mr8Extractor extractor{Mr8Options()};
   Feature feature;
-  for (const cv::Mat& picture : {cv::Mat(image), cv::Mat(image(cv::Rect(5, 5, 50, 40))), colour}) {
-    extractor.extract(picture, feature);
-    const SparseVector expected = extract(picture);
+  for (const cv::Mat& image : {cv::Mat(image), cv::Mat(image(cv::Rect(5, 5, 50, 40))), colour}) {
+    extractor.extract(image, feature);
+    const SparseVector expected = extract(image);
     EXPECT_EQ(std::get<SparseVector>(feature).indices, expected.indices);
     EXPECT_EQ(std::get<SparseVector>(feature).values, expected.values);
   }

@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "features/harris_laplace.h"
-#include "features/local_pictures.h"
+#include "features/local_images.h"
 
 namespace place_recognition {
 namespace {
@@ -68,7 +68,7 @@ TEST(SiftDescriptor, AgreesWithTheDefinition) {
   const cv::Mat1f level = texture(120, 100, 1);
   cv::RNG random(1);
   for (int i = 0; i < 30; ++i) {
-    // Places beyond the picture's middle, whose patch is cut, too.
+    // Places beyond the image's middle, whose patch is cut, too.
     const double x = random.uniform(0.0, 119.0), y = random.uniform(0.0, 99.0);
     const double sigma = random.uniform(1.6, 3.2), angle = random.uniform(-CV_PI, CV_PI);
     EXPECT_LE(largestDifference(describe(level, x, y, sigma, angle),
@@ -136,24 +136,24 @@ TEST(SiftDescriptor, HasTheLengthOf512) {
 
 /// OpenCV's octaves have the first of every two pixels, ours lie symmetrically. They are the same
 /// where each octave has an odd number of pixels, but for the last one, which OpenCV lacks.
-cv::Mat1b cutToOddOctaves(const cv::Mat1b& picture) {
+cv::Mat1b cutToOddOctaves(const cv::Mat1b& image) {
   constexpr int kCoarsestPixel = 16;
   const auto cut = [](int side) { return (side - 1) / kCoarsestPixel * kCoarsestPixel + 1; };
-  return picture(cv::Rect(0, 0, cut(picture.cols), cut(picture.rows))).clone();
+  return image(cv::Rect(0, 0, cut(image.cols), cut(image.rows))).clone();
 }
 
-/// Descriptors of one picture's Harris-Laplace points, ours and OpenCV's.
+/// Descriptors of one image's Harris-Laplace points, ours and OpenCV's.
 struct Described {
   std::vector<Descriptor> ours, theirs;
   std::vector<bool> whole;  ///< whether the patch ends before the last pixels
 };
 
-Described describeBoth(const cv::Mat1b& picture) {
+Described describeBoth(const cv::Mat1b& image) {
   constexpr double kSigma = 2;
   constexpr int kSteps = 4, kLimit = 300;
   HarrisLaplace detector({kSigma, kSteps, 5, 0.05, 100, 5});
   SiftDescriptor sift;
-  const std::vector<InterestPoint>& points = detector.detect(cv::Mat1f(picture), kLimit);
+  const std::vector<InterestPoint>& points = detector.detect(cv::Mat1f(image), kLimit);
   const GaussianPyramid& pyramid = detector.pyramid();
   Described result;
   std::vector<cv::KeyPoint> keypoints;
@@ -178,7 +178,7 @@ Described describeBoth(const cv::Mat1b& picture) {
     }
   }
   cv::Mat descriptors;
-  cv::SIFT::create(0, kSteps, 0.04, 10, kSigma)->compute(picture, keypoints, descriptors);
+  cv::SIFT::create(0, kSteps, 0.04, 10, kSigma)->compute(image, keypoints, descriptors);
   for (int i = 0; i < descriptors.rows; ++i) {
     const float* row = descriptors.ptr<float>(i);
     std::copy_n(row, SiftDescriptor::kDimension, result.theirs.emplace_back().begin());
@@ -201,17 +201,17 @@ std::size_t nearest(const Descriptor& descriptor, const std::vector<Descriptor>&
 }
 
 TEST(SiftDescriptor, FindsTheNearestNeighboursThatOpenCvFinds) {
-  std::vector<cv::Mat1b> pictures = realPictures(70);
-  for (cv::Mat1b& picture : pictures) picture = cutToOddOctaves(picture);
-  if (pictures.empty()) GTEST_SKIP() << "No pictures: set PLACE_RECOGNITION_TEST_DATA.";
+  std::vector<cv::Mat1b> images = realImages(70);
+  for (cv::Mat1b& image : images) image = cutToOddOctaves(image);
+  if (images.empty()) GTEST_SKIP() << "No images: set PLACE_RECOGNITION_TEST_DATA.";
   int total = 0, agree = 0, whole = 0;
   double distance = 0;
-  for (const cv::Mat1b& picture : pictures) {
+  for (const cv::Mat1b& image : images) {
     cv::Mat1b turned;
-    const cv::Point2f middle(picture.cols / 2.0f, picture.rows / 2.0f);
-    cv::warpAffine(picture, turned, cv::getRotationMatrix2D(middle, 25, 0.8), picture.size(),
+    const cv::Point2f middle(image.cols / 2.0f, image.rows / 2.0f);
+    cv::warpAffine(image, turned, cv::getRotationMatrix2D(middle, 25, 0.8), image.size(),
                    cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-    const Described a = describeBoth(picture);
+    const Described a = describeBoth(image);
     const Described b = describeBoth(turned);
     ASSERT_EQ(a.ours.size(), a.theirs.size());
     for (std::size_t i = 0; i < a.ours.size(); ++i) {

@@ -18,7 +18,7 @@ void write(const std::string& path, std::string_view bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-void writePicture(const std::string& path, const cv::Mat& image, const char* extension) {
+void writeImage(const std::string& path, const cv::Mat& image, const char* extension) {
   std::vector<std::uint8_t> file;
   cv::imencode(extension, image, file);
   write(path, "c" + std::string(file.begin(), file.end()));
@@ -37,12 +37,12 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder + "/network");
   write(folder + "/network/small", SmallNetwork::onnx());
   int number = 0;
-  // Trained on few pictures, because a fuzzer reads small models much faster.
+  // Trained on few images, because a fuzzer reads small models much faster.
   for (const std::string& model : trainPresets(drawFrames(2, 2))) {
     write(folder + "/model/" + std::to_string(number++), model);
   }
   const cv::Mat image = drawRoom(1, 1)(cv::Rect(0, 0, 16, 12));
-  writePicture(folder + "/image/png", image, ".png");
-  writePicture(folder + "/image/jpeg", image, ".jpg");
+  writeImage(folder + "/image/png", image, ".png");
+  writeImage(folder + "/image/jpeg", image, ".jpg");
   write(folder + "/image/raw", std::string("r\x02\0\0\0\x02\0\0\0\x06\0\0\0\0\0abcdefghijkl", 27));
 }

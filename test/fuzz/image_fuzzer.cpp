@@ -1,4 +1,4 @@
-// Any bytes as an image message: the first tells whether they are a compressed picture, or what the
+// Any bytes as an image message: the first tells whether they are a compressed image, or what the
 // fields of a raw image are, then its pixels.
 
 #include <algorithm>

@@ -15,8 +15,8 @@ void use(Model parsed) {
   const std::string bytes = serializeModel(parsed);
   if (serializeModel(parseModel(bytes, "again")) != bytes) abort();
   Recognizer recognizer(std::make_shared<const Model>(std::move(parsed)));
-  static const cv::Mat picture = drawRoom(1, 3)(cv::Rect(0, 0, 40, 32));
-  if (!recognizer.recognize(picture).probabilities.allFinite()) abort();
+  static const cv::Mat image = drawRoom(1, 3)(cv::Rect(0, 0, 40, 32));
+  if (!recognizer.recognize(image).probabilities.allFinite()) abort();
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(Adjacency, IsLearntFromADrive) {
   EXPECT_FALSE(adjacency.joined(0, 2));
 }
 
-TEST(Adjacency, IsNotLearntFromPicturesSortedByRoom) {
+TEST(Adjacency, IsNotLearntFromImagesSortedByRoom) {
   Adjacency adjacency(3);
   EXPECT_FALSE(learnAdjacency({{0, 0}, {1, 0}, {2, 1}, {3, 1}, {4, 2}}, adjacency));
   EXPECT_FALSE(learnAdjacency({}, adjacency));

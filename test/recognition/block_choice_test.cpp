@@ -74,7 +74,7 @@ TEST(BlockChoice, LooksAtEachCameraByItself) {
   EXPECT_NEAR(together.blocks().length, alone.blocks().length, 1e-9);
 }
 
-TEST(BlockChoice, LeavesTheNextPictureOutIfItIsTheMostAlike) {
+TEST(BlockChoice, LeavesTheNextImageOutIfItIsTheMostAlike) {
   const TimeBlocks blocks = circle(0.2).blocks();  // 5 s apart: already less alike than an eighth
   EXPECT_DOUBLE_EQ(blocks.gap, 1.5 * 5);
 }

@@ -42,7 +42,7 @@ struct Moments {
     }
   }
 
-  double learnt(const std::vector<std::string>& cameras = {"/rear", "/front"}) const {
+  double learned(const std::vector<std::string>& cameras = {"/rear", "/front"}) const {
     return learnCameraCorrelation(cameras, samples, held_out, {}).coefficients(0, 1);
   }
 
@@ -69,16 +69,16 @@ struct Moments {
 TEST(CameraCorrelation, IsThatOfTheLogOddsAtTheSameMoments) {
   for (const double offset : {0.0, 0.05, -0.05}) {
     const Moments moments(500, 0.6, offset);
-    EXPECT_NEAR(moments.learnt(), moments.correlation(), 1e-9) << offset;
-    EXPECT_NEAR(moments.learnt(), 0.6, 0.1);
+    EXPECT_NEAR(moments.learned(), moments.correlation(), 1e-9) << offset;
+    EXPECT_NEAR(moments.learned(), 0.6, 0.1);
   }
-  EXPECT_NEAR(Moments(500, 0.0, 0).learnt(), 0, 0.1);
-  EXPECT_EQ(Moments(500, -0.6, 0).learnt(), 0);
+  EXPECT_NEAR(Moments(500, 0.0, 0).learned(), 0, 0.1);
+  EXPECT_EQ(Moments(500, -0.6, 0).learned(), 0);
 }
 
 TEST(CameraCorrelation, IsNotKnownFromFewMomentsOrOneCamera) {
-  EXPECT_EQ(Moments(20, 0.9, 0).learnt(), kUnknownCorrelation);
-  EXPECT_EQ(Moments(500, 0.9, 0.3).learnt(), kUnknownCorrelation);  // they never see the same
+  EXPECT_EQ(Moments(20, 0.9, 0).learned(), kUnknownCorrelation);
+  EXPECT_EQ(Moments(500, 0.9, 0.3).learned(), kUnknownCorrelation);  // they never see the same
   const Moments moments(500, 0.9, 0);
   EXPECT_FALSE(learnCameraCorrelation({"/front"}, moments.samples, moments.held_out, {}).known());
   // As many topics as the runs of several robots have; their model must be one that can be saved.
@@ -94,13 +94,13 @@ TEST(CameraCorrelation, IsNotKnownFromFewMomentsOrOneCamera) {
 }
 
 TEST(CameraCorrelation, IsFoundByNameElseTheMean) {
-  CameraCorrelation learnt;
-  learnt.cameras = {"/front", "/left", "/rear"};
-  learnt.coefficients = (Eigen::Matrix3d() << 1, 0.1, 0.2, 0.1, 1, 0.6, 0.2, 0.6, 1).finished();
+  CameraCorrelation learned;
+  learned.cameras = {"/front", "/left", "/rear"};
+  learned.coefficients = (Eigen::Matrix3d() << 1, 0.1, 0.2, 0.1, 1, 0.6, 0.2, 0.6, 1).finished();
   const Eigen::Matrix2d known = (Eigen::Matrix2d() << 1, 0.2, 0.2, 1).finished();
   const Eigen::Matrix2d mean = (Eigen::Matrix2d() << 1, 0.3, 0.3, 1).finished();
-  EXPECT_EQ(coefficientsFor({"/rear", "/front"}, learnt), known);
-  EXPECT_TRUE(coefficientsFor({"/front", "/new"}, learnt).isApprox(mean));
+  EXPECT_EQ(coefficientsFor({"/rear", "/front"}, learned), known);
+  EXPECT_TRUE(coefficientsFor({"/front", "/new"}, learned).isApprox(mean));
   EXPECT_EQ(coefficientsFor({"/a", "/b"}, {})(0, 1), kUnknownCorrelation);
   EXPECT_EQ(coefficientsFor({"/a"}, {}), Eigen::MatrixXd::Ones(1, 1));
 }

@@ -12,7 +12,7 @@
 
 namespace place_recognition {
 
-/// A picture of a made-up room: blobs whose size and spacing tell the room, their positions the
+/// An image of a made-up room: blobs whose size and spacing tell the room, their positions the
 /// frame. 96 x 72.
 inline cv::Mat drawRoom(int room, unsigned frame) {
   std::mt19937 generator(1000u * static_cast<unsigned>(room) + frame);

@@ -129,7 +129,7 @@ TEST(EvidenceShift, NeedsThreePlacesAndHeldOutFrames) {
   EXPECT_EQ(without.shift(), 0);
 }
 
-TEST(EvidenceShift, HoldsForStreamsNotForPicturesByThemselves) {
+TEST(EvidenceShift, HoldsForStreamsNotForImagesByThemselves) {
   const auto model = std::make_shared<const Model>(
       train(std::vector<RunOpener>{opener(drawFrames(3, 20))}, quickOptions()).model);
   std::vector<cv::Mat> dimmed;

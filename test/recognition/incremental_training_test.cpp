@@ -110,14 +110,14 @@ void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOpti
   }
 }
 
-TEST(TrainIncrementally, OnePictureLeavesTheOtherRoomsAsTheyWere) {
+TEST(TrainIncrementally, OneImageLeavesTheOtherRoomsAsTheyWere) {
   Frame frame;
   frame.image = drawRoom(2, 900);
   frame.place = "room2";
   expectOthersAsTheyWere({frame}, quickOptions());
 }
 
-TEST(TrainIncrementally, ARoomOfManyPicturesLeavesTheOtherRoomsAsTheyWere) {
+TEST(TrainIncrementally, ARoomOfManyImagesLeavesTheOtherRoomsAsTheyWere) {
   expectOthersAsTheyWere(framesOf("room2", 900), twoCueOptions());
 }
 

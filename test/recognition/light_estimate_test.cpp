@@ -9,16 +9,16 @@
 
 #include "place_recognition/recognizer.h"
 #include "recognition/drawn_run.h"
-#include "recognition/frames/color_normalization.h"
-#include "recognition/frames/color_statistics.h"
+#include "recognition/frames/colour_normalization.h"
+#include "recognition/frames/colour_statistics.h"
 
 namespace place_recognition {
 namespace {
 
 constexpr int kPlaces = 4;
 
-ColorStatistics fourRooms() {
-  ColorStatistics rooms;
+ColourStatistics fourRooms() {
+  ColourStatistics rooms;
   rooms.means.resize(kPlaces, 3);
   rooms.means << 4.6, 4.7, 4.8, 4.9, 4.7, 4.5, 4.3, 4.5, 4.4, 4.8, 4.9, 5.0;
   rooms.covariance = 0.02 * Eigen::Matrix3d::Constant(1) + 0.005 * Eigen::Matrix3d::Identity();
@@ -36,15 +36,15 @@ class Stream {
       const int place = static_cast<int>(stamp_ / 60) % kPlaces;
       Eigen::Vector3d noise;
       for (int c = 0; c < 3; ++c) noise[c] = normal_(random_);
-      const Eigen::RowVector3d color =
+      const Eigen::RowVector3d colour =
           rooms_.means.row(place) + gains_ + (root * noise).transpose();
       estimate.beginFrame(stamp_);
-      estimate.add(color, Eigen::RowVectorXd::Unit(kPlaces, place));
+      estimate.add(colour, Eigen::RowVectorXd::Unit(kPlaces, place));
     }
   }
 
  private:
-  const ColorStatistics rooms_ = fourRooms();
+  const ColourStatistics rooms_ = fourRooms();
   Eigen::RowVector3d gains_;
   double stamp_ = 0;
   std::mt19937 random_{1};
@@ -95,15 +95,15 @@ TEST(LightEstimate, DoesNotFollowARobotThatStandsForAnHour) {
 
 TEST(LightEstimate, DependsOnTimeNotOnTheFrameRate) {
   LightEstimate slow(fourRooms()), fast(fourRooms());
-  const Eigen::RowVector3d color = fourRooms().means.row(0).array() - 0.5;
+  const Eigen::RowVector3d colour = fourRooms().means.row(0).array() - 0.5;
   const Eigen::RowVectorXd answer = Eigen::RowVectorXd::Unit(kPlaces, 0);
   for (int i = 0; i <= 60; ++i) {
     slow.beginFrame(i);
-    slow.add(color, answer);
+    slow.add(colour, answer);
   }
   for (int i = 0; i <= 60 * 30; ++i) {
     fast.beginFrame(i / 30.0);
-    fast.add(color, answer);
+    fast.add(colour, answer);
   }
   expectCorrection(fast, slow.correction().red, slow.correction().green, slow.correction().blue,
                    0.01);
@@ -123,42 +123,42 @@ TEST(LightEstimate, BeginsAnewWhenTimeJumpsBackAndForgetsInTime) {
 }
 
 TEST(LightEstimate, OfAModelWithoutStatisticsChangesNothing) {
-  LightEstimate estimate((ColorStatistics()));
+  LightEstimate estimate((ColourStatistics()));
   estimate.beginFrame(1);
   estimate.add({1, 2, 3}, Eigen::RowVectorXd::Unit(kPlaces, 0));
   expectCorrection(estimate, 1, 1, 1, 0);
   EXPECT_EQ(estimate.certainty(), 1);
 }
 
-TEST(ColorStatistics, AreMeansAndPooledCovariance) {
-  std::vector<ColorMoments> places(2);
+TEST(ColourStatistics, AreMeansAndPooledCovariance) {
+  std::vector<ColourMoments> places(2);
   places[0].add(Eigen::RowVector3d(1, 2, 3));
   places[0].add(Eigen::RowVector3d(3, 2, 1));
   places[1].add(Eigen::RowVector3d(5, 5, 5));
-  EXPECT_FALSE(colorStatistics({places[0], {}}).known());
-  const ColorStatistics statistics = colorStatistics(places);
+  EXPECT_FALSE(colourStatistics({places[0], {}}).known());
+  const ColourStatistics statistics = colourStatistics(places);
   EXPECT_EQ(statistics.means.row(0), Eigen::RowVector3d(2, 2, 2));
   EXPECT_EQ(statistics.means.row(1), Eigen::RowVector3d(5, 5, 5));
   EXPECT_NEAR(statistics.covariance(0, 0), 2.0 / 3, 1e-12);
   EXPECT_NEAR(statistics.covariance(0, 2), -2.0 / 3, 1e-12);
-  const ColorStatistics again = colorStatistics(colorMoments(statistics, {2, 1}));
+  const ColourStatistics again = colourStatistics(colourMoments(statistics, {2, 1}));
   EXPECT_TRUE(again.means.isApprox(statistics.means));
   EXPECT_TRUE(again.covariance.isApprox(statistics.covariance));
 }
 
-TEST(ColorNormalization, BringsMeansToTheSameLevel) {
+TEST(ColourNormalization, BringsMeansToTheSameLevel) {
   const cv::Mat image(20, 30, CV_8UC3, cv::Scalar(40, 80, 120));
   NormalizedImage normalized;
-  normalized.set(image, logColor(image), {2, 1, 0.5});
-  EXPECT_EQ(normalized.in(ColorNormalization::kNone).data, image.data);
-  const auto pixel = [&](ColorNormalization kind) {
+  normalized.set(image, logColour(image), {2, 1, 0.5});
+  EXPECT_EQ(normalized.in(ColourNormalization::kNone).data, image.data);
+  const auto pixel = [&](ColourNormalization kind) {
     return normalized.in(kind).at<cv::Vec3b>(7, 9);
   };
-  EXPECT_EQ(pixel(ColorNormalization::kGreyWorld), cv::Vec3b(110, 110, 110));
-  EXPECT_EQ(pixel(ColorNormalization::kBrightness), cv::Vec3b(55, 110, 165));
-  EXPECT_EQ(pixel(ColorNormalization::kRun), cv::Vec3b(20, 80, 240));
-  normalized.set(image, logColor(image), {});
-  EXPECT_EQ(normalized.in(ColorNormalization::kRun).data, image.data);
+  EXPECT_EQ(pixel(ColourNormalization::kGreyWorld), cv::Vec3b(110, 110, 110));
+  EXPECT_EQ(pixel(ColourNormalization::kBrightness), cv::Vec3b(55, 110, 165));
+  EXPECT_EQ(pixel(ColourNormalization::kRun), cv::Vec3b(20, 80, 240));
+  normalized.set(image, logColour(image), {});
+  EXPECT_EQ(normalized.in(ColourNormalization::kRun).data, image.data);
 }
 
 /// Of three drawn rooms, with a cue that follows the light of the run.
@@ -199,7 +199,7 @@ TEST(Recognizer, LearnsNothingOfTheLightFromACameraThatShowsNothing) {
 
 TEST(Recognizer, FollowsTheLightOfAStream) {
   const auto model = modelThatFollowsLight();
-  ASSERT_TRUE(model->colors.known());
+  ASSERT_TRUE(model->colours.known());
 
   const Light evening{1.1, 0.9, 0.6};
   Recognizer recognizer(model);

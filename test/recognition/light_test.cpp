@@ -94,7 +94,7 @@ TEST(LightDraw, GivesEveryLightItsTurnButNoAngleTheSameLight) {
   }
 }
 
-TEST(Light, FoldsKeepAPictureAndItsCopyTogether) {
+TEST(Light, FoldsKeepAImageAndItsCopyTogether) {
   const std::vector<Fold> folds = withCopies({{{0, 1}, {2}}}, {0, 1, 2, 0, 2}, true);
   EXPECT_EQ(folds[0].train, (std::vector<int>{0, 1, 3}));
   EXPECT_EQ(folds[0].test, (std::vector<int>{2, 4}));

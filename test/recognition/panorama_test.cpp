@@ -1,4 +1,4 @@
-// Omnidirectional pictures: rings that are unrolled, found, learnt and recognized.
+// Omnidirectional images: rings that are unrolled, found, learned and recognized.
 
 #include "recognition/frames/panorama.h"
 
@@ -21,7 +21,7 @@
 namespace place_recognition {
 namespace {
 
-/// A picture of `size` whose ring shows what `value(angle, share)` tells: rad anticlockwise from
+/// An image of `size` whose ring shows what `value(angle, share)` tells: rad anticlockwise from
 /// below, 0..1 from the rim to the inner circle.
 template <typename Value>
 cv::Mat drawRing(cv::Size size, const MirrorRing& ring, const Value& value) {
@@ -40,7 +40,7 @@ cv::Mat drawRing(cv::Size size, const MirrorRing& ring, const Value& value) {
   return image;
 }
 
-/// The picture of a mirror in which that panorama is seen.
+/// The image of a mirror in which that panorama is seen.
 cv::Mat rolled(const cv::Mat& panorama, cv::Size size, const MirrorRing& ring) {
   cv::Mat map(size, CV_32FC2);
   for (int y = 0; y < size.height; ++y) {
@@ -151,7 +151,7 @@ TEST(MirrorSearch, FindsRingsOfAnySizeAndPlace) {
   }
 }
 
-TEST(MirrorSearch, FindsNoneInOrdinaryPictures) {
+TEST(MirrorSearch, FindsNoneInOrdinaryImages) {
   for (int room = 0; room < 3; ++room) {
     for (unsigned frame = 0; frame < 5; ++frame) EXPECT_FALSE(findMirror(drawRoom(room, frame)));
   }
@@ -190,7 +190,7 @@ TEST(OmniTraining, FindsTheMirrorOnceAndKeepsIt) {
   }
   EXPECT_GE(right, 14);
 
-  // What is learnt later is unrolled likewise, though no mirror can be found in it.
+  // What is learned later is unrolled likewise, though no mirror can be found in it.
   std::vector<Frame> dark = omniFrames(3, 6, 900);
   for (Frame& frame : dark) frame.image = frame.image * 0.1;
   const Model more = trainIncrementally(*model, {opener(dark)}, 0).model;

@@ -93,7 +93,7 @@ TEST(TrainIncrementally, KeepsTheLightOfTheTraining) {
   const Model model = train({opener(drawFrames(3, 30))}, options).model;
   const Model after =
       trainIncrementally(model, {opener(inDimLight(drawFrames(3, 30, 800)))}, 0).model;
-  EXPECT_LT((after.colors.means - model.colors.means).cwiseAbs().maxCoeff(), 0.1);
+  EXPECT_LT((after.colours.means - model.colours.means).cwiseAbs().maxCoeff(), 0.1);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(Recognizer, SaysWhyThereIsNoAnswer) {
   EXPECT_TRUE(answer.probabilities.isApproxToConstant(1.0 / 3));
 }
 
-TEST(Recognizer, AnswersPicturesThatShowTooLittleWithTheReason) {
+TEST(Recognizer, AnswersImagesThatShowTooLittleWithTheReason) {
   TrainingOptions options = quickOptions();
   options.information.unknown_below = 0.01;
   const std::shared_ptr<const Model> model = modelOf(options);
@@ -129,7 +129,7 @@ TEST(Recognizer, HoldsDecisionValuesOfEmbeddingsAndLetsThemAge) {
   recognizer.recognize(first, start);
   for (const double age : {0.1, 0.3, 0.45}) {
     const cv::Mat image = drawRoom(1, 400);
-    recognizer.recognize(drawRoom(2, 500));  // a picture by itself changes nothing of the stream
+    recognizer.recognize(drawRoom(2, 500));  // an image by itself changes nothing of the stream
     const double held = 0.75 * std::exp(-age / 0.4);
     const Eigen::RowVectorXd expected =
         (0.25 * decisionValues(*model, 0, image) + held * decisionValues(*model, 1, first)) /

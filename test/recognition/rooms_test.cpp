@@ -50,7 +50,7 @@ TEST_P(RealRooms, AreTold) {
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
   const std::string root = std::string(data == nullptr ? "" : data) + "/ie_rooms/";
   if (data == nullptr || !std::filesystem::exists(root)) {
-    GTEST_SKIP() << "No pictures of real rooms: set PLACE_RECOGNITION_TEST_DATA.";
+    GTEST_SKIP() << "No images of real rooms: set PLACE_RECOGNITION_TEST_DATA.";
   }
   EXPECT_GE(rate(root + "clip1", root + "clip2"), GetParam().forward);
   EXPECT_GE(rate(root + "clip2", root + "clip1"), GetParam().backward);

@@ -169,14 +169,14 @@ TEST(Sampling, LearnsNoMoreThanItMayAndSaysSo) {
   EXPECT_EQ(trainFast(options).images, 20u);  // and the same in other light
 }
 
-TEST(Sampling, OfALongRunFewerAndFewerPicturesAreLookedAt) {
+TEST(Sampling, OfALongRunFewerAndFewerImagesAreLookedAt) {
   const std::vector<Frame> frames = drawFrames(2, 400);
   TrainingOptions options = quickOptions();
   options.sampling.most = 40;  // 20, and the same changed
   int looked_at = 0;
   const auto change = [&](const cv::Mat& image, const std::string&) {
     ++looked_at;
-    return ChangedPicture{image, {}};
+    return ChangedImage{image, {}};
   };
   const Samples samples = collectSamples({opener(frames)}, options, 2, {}, 2, {}, change);
   EXPECT_EQ(samples.recorded, 20u);
@@ -185,7 +185,7 @@ TEST(Sampling, OfALongRunFewerAndFewerPicturesAreLookedAt) {
   // 40 until frames are dropped for the first time, 20 between any two times.
   EXPECT_LE(looked_at, 40 + 20 * 6);
   ASSERT_EQ(samples.warnings.size(), 1u);
-  EXPECT_NE(samples.warnings[0].find("Of 800 pictures 20 are learned"), std::string::npos)
+  EXPECT_NE(samples.warnings[0].find("Of 800 images 20 are learned"), std::string::npos)
       << samples.warnings[0];
   std::array<int, 4> quarters{};  // of each room, by the order of its frames
   for (std::size_t i = 0; i < samples.recorded; ++i) {
@@ -195,7 +195,7 @@ TEST(Sampling, OfALongRunFewerAndFewerPicturesAreLookedAt) {
   for (const int count : quarters) EXPECT_NEAR(count, 5, 2);
 }
 
-TEST(Sampling, TheSeedSaysWhichPicturesAreLearned) {
+TEST(Sampling, TheSeedSaysWhichImagesAreLearned) {
   TrainingOptions options = quickOptions();
   options.sampling.most = 40;
   const std::string model = serializeModel(trainFast(options).model);

@@ -24,7 +24,7 @@ std::string refusal(const std::vector<Frame>& frames) {
   return "";
 }
 
-/// Fraction of right answers on new pictures of the drawn rooms.
+/// Fraction of right answers on new images of the drawn rooms.
 double rateOn(Training training, int rooms) {
   Recognizer recognizer(std::make_shared<const Model>(std::move(training.model)));
   int right = 0;
@@ -89,7 +89,7 @@ TEST(Training, LeavesOutWhatItCannotUse) {
   EXPECT_EQ(training.model.provenance.skipped_images, 4u);
   EXPECT_EQ(training.model.provenance.place_images, (std::vector<std::uint64_t>{9, 11}));
   EXPECT_EQ(std::count(training.warnings.begin(), training.warnings.end(),
-                       "drawn: left out are 2 pictures without label and 2 pictures that cannot be "
+                       "drawn: left out are 2 images without label and 2 images that cannot be "
                        "used (frame5: it is damaged and cannot be decoded)."),
             1);
 }
@@ -128,7 +128,7 @@ TEST(Training, LearnsOnAtTheSizeOfTheModel) {
 }
 
 TEST(Training, SaysWhyItRefuses) {
-  EXPECT_NE(refusal({}).find("no pictures in walk.bag"), std::string::npos) << refusal({});
+  EXPECT_NE(refusal({}).find("no images in walk.bag"), std::string::npos) << refusal({});
   EXPECT_NE(refusal(drawFrames(1, 5)).find("'room0'"), std::string::npos);
 
   std::vector<Frame> unlabelled = drawFrames(2, 3);
@@ -216,9 +216,9 @@ std::vector<Frame> driveOf(bool returns) {
 }
 
 TEST(Training, LearnsFromADriveWhichRoomsAdjoin) {
-  const Adjacency learnt = train({opener(driveOf(true))}, quickOptions()).model.adjacency;
-  ASSERT_EQ(learnt.places(), 3u);
-  EXPECT_TRUE(learnt.joined(0, 1) && learnt.joined(1, 2) && learnt.joined(2, 0));
+  const Adjacency learned = train({opener(driveOf(true))}, quickOptions()).model.adjacency;
+  ASSERT_EQ(learned.places(), 3u);
+  EXPECT_TRUE(learned.joined(0, 1) && learned.joined(1, 2) && learned.joined(2, 0));
 
   // Unlabelled frames while a door is passed are part of the drive.
   std::vector<Frame> frames = driveOf(true);
@@ -295,7 +295,7 @@ TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   EXPECT_NE(complaint(options).find("'cues'"), std::string::npos);
 }
 
-TEST(Training, RefusesANetworkThatIsNotThereBeforeItReadsAPicture) {
+TEST(Training, RefusesANetworkThatIsNotThereBeforeItReadsAImage) {
   TrainingOptions options = quickOptions();
   options.cues[0].kernel.type = "gaussian";
   EmbeddingOptions embedding;

@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(DegenerateTraining, EveryPreset,
                          testing::Range(0, static_cast<int>(presets().size())));
 
 TEST(DegenerateTraining, TwoHundredRooms) {
-  std::vector<Frame> frames = drawFrames(3, 200);  // three kinds of picture, 200 names
+  std::vector<Frame> frames = drawFrames(3, 200);  // three kinds of image, 200 names
   for (std::size_t i = 0; i < frames.size(); ++i)
     frames[i].place = "room" + std::to_string(i % 200);
   EXPECT_TRUE(trains(frames, quickOptions()));

@@ -1,4 +1,4 @@
-// Images as they arrive at the node, damaged or made to harm: each is refused, or a picture.
+// Images as they arrive at the node, damaged or made to harm: each is refused, or an image.
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@ namespace {
 
 /// A decoder's own tables.
 constexpr std::size_t kConstant = 4 << 20;
-/// Memory of a picture that announces 64 million pixels, the most that a decoder may be given.
-constexpr std::size_t kLargestPicture = 64'000'000 * std::size_t{8};
+/// Memory of an image that announces 64 million pixels, the most that a decoder may be given.
+constexpr std::size_t kLargestImage = 64'000'000 * std::size_t{8};
 
-/// Whether `message` gives a picture, which must be one that extractors take, or one of 16 bits
+/// Whether `message` gives an image, which must be one that extractors take, or one of 16 bits
 /// for DepthScale.
 template <typename Message>
-bool givesPicture(const Message& message) {
+bool givesImage(const Message& message) {
   try {
     const cv::Mat image = toImage(message);
     EXPECT_TRUE(image.depth() == CV_8U || image.depth() == CV_16U);
@@ -33,32 +33,32 @@ bool givesPicture(const Message& message) {
   }
 }
 
-TEST(ImageDamage, RawImagesAreRefusedOrPictures) {
+TEST(ImageDamage, RawImagesAreRefusedOrImages) {
   ImageMessages messages(1);
-  int pictures = 0;
+  int images = 0;
   const int count = rounds(20000, 1000000);
   for (int i = 0; i < count; ++i) {
     const sensor_msgs::Image message = messages.raw();
     const AllocationMeter meter;
-    pictures += givesPicture(message);
+    images += givesImage(message);
     EXPECT_LE(meter.peak(), 4 * message.data.size() + kConstant);
   }
-  EXPECT_GT(pictures, count / 10);
-  EXPECT_LT(pictures, count * 9 / 10);
+  EXPECT_GT(images, count / 10);
+  EXPECT_LT(images, count * 9 / 10);
 }
 
-TEST(ImageDamage, CompressedImagesAreRefusedOrPictures) {
+TEST(ImageDamage, CompressedImagesAreRefusedOrImages) {
   ImageMessages messages(2);
-  int pictures = 0;
+  int images = 0;
   const int count = rounds(2000, 100000);
   for (int i = 0; i < count; ++i) {
     const sensor_msgs::CompressedImage message = messages.compressed();
     const AllocationMeter meter;
-    pictures += givesPicture(message);
-    EXPECT_LE(meter.peak(), kLargestPicture);
+    images += givesImage(message);
+    EXPECT_LE(meter.peak(), kLargestImage);
   }
-  EXPECT_GT(pictures, count / 100);
-  EXPECT_LT(pictures, count * 9 / 10);
+  EXPECT_GT(images, count / 100);
+  EXPECT_LT(images, count * 9 / 10);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace place_recognition {
 /// Images as an honest camera never sends them. The same seed gives the same ones.
 class ImageMessages {
  public:
-  explicit ImageMessages(unsigned seed) : damage_(pictures(), seed) {}
+  explicit ImageMessages(unsigned seed) : damage_(images(), seed) {}
 
   /// Sizes that wrap, wrong steps, short data, encodings known or not, floats that are no numbers.
   sensor_msgs::Image raw() {
@@ -34,7 +34,7 @@ class ImageMessages {
     return message;
   }
 
-  /// Pictures in every format that OpenCV writes, damaged, and some that announce huge sizes.
+  /// Images in every format that OpenCV writes, damaged, and some that announce huge sizes.
   sensor_msgs::CompressedImage compressed() {
     sensor_msgs::CompressedImage message;
     message.format = "jpeg";
@@ -47,7 +47,7 @@ class ImageMessages {
  private:
   static constexpr std::uint32_t kLargestPixel = 16;
 
-  static std::vector<std::string> pictures() {
+  static std::vector<std::string> images() {
     cv::Mat image(18, 24, CV_8UC3);
     cv::randu(image, 0, 255);
     std::vector<std::string> files;

@@ -64,7 +64,7 @@ class RoscoreRestartTest(ToolCase):
             time.sleep(0.05)
 
     def expect_answer(self):
-        """Sends pictures until one is answered."""
+        """Sends images until one is answered."""
         self.sent += 1
         picture = paint("kitchen", 1)
         image = Image(height=96, width=128, encoding="bgr8", step=384, data=picture.tobytes())

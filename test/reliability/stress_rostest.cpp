@@ -131,20 +131,20 @@ class Stress : public testing::Test {
     right_.publish(compress(image, headerAt(stamp)));
   }
 
-  /// Sends pictures, one in ten of them damaged, at 200 Hz until the time is over. Stamps are those
+  /// Sends images, one in ten of them damaged, at 200 Hz until the time is over. Stamps are those
   /// of a clock that jumps now and then, and sometimes missing.
   void sendFor(double seconds) {
     ImageMessages bad(3);
     std::mt19937 random(4);
-    std::vector<cv::Mat> pictures;
-    for (unsigned i = 0; i < 30; ++i) pictures.push_back(drawRoom(static_cast<int>(i % 3), i));
+    std::vector<cv::Mat> images;
+    for (unsigned i = 0; i < 30; ++i) images.push_back(drawRoom(static_cast<int>(i % 3), i));
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
     double stamp = 1e6;
     ros::WallRate rate(200);
     for (std::size_t i = 0; ros::WallTime::now() < end; ++i, rate.sleep()) {
       stamp += 0.005;
       if (random() % 500 == 0) stamp = 1 + static_cast<double>(random() % 4000000000u);
-      send(pictures[i % pictures.size()], random() % 100 == 0 ? 0 : stamp);
+      send(images[i % images.size()], random() % 100 == 0 ? 0 : stamp);
       if (i % 10 == 0) {
         left_.publish(bad.raw());
         right_.publish(bad.compressed());
@@ -152,7 +152,7 @@ class Stress : public testing::Test {
     }
   }
 
-  /// That both recognizers answer a new picture, and have never answered anything unsound.
+  /// That both recognizers answer a new image, and have never answered anything unsound.
   void expectAnswers() {
     static double stamp = 2e9;
     for (std::size_t i = 0; i < kNames.size(); ++i) {
@@ -200,7 +200,7 @@ TEST_F(Stress, OrdersFromAllSidesAtOnce) {
     ros::WallDuration(0.05).sleep();
   });
   repeat([this](const std::string& name, int) {  // comes and goes
-    const Inbox<sensor_msgs::Image> pictures(node_, "/" + name + "/debug_image");
+    const Inbox<sensor_msgs::Image> images(node_, "/" + name + "/debug_image");
     ros::WallDuration(0.1).sleep();
   });
   sendFor(rounds(5, 60));

@@ -1,4 +1,4 @@
-// What the node publishes: pictures, answers and what is known about the model.
+// What the node publishes: images, answers and what is known about the model.
 
 #include <gtest/gtest.h>
 

@@ -38,7 +38,7 @@ TEST_P(BagFormats, ComeBackAsWritten) {
     EXPECT_DOUBLE_EQ(frames[i].stamp, options.base_time + static_cast<double>(i));
     EXPECT_EQ(frames[i].problem, "");
     ASSERT_EQ(frames[i].image.type(), CV_8UC3);
-    EXPECT_LE(cv::norm(frames[i].image, picture(static_cast<int>(i)), cv::NORM_INF),
+    EXPECT_LE(cv::norm(frames[i].image, image(static_cast<int>(i)), cv::NORM_INF),
               options.jpeg ? 3 : 0);
   }
   EXPECT_EQ(frames[1].name,
@@ -80,12 +80,12 @@ TEST_F(Bags, SlashesBeforeTopicsDoNotMatter) {
   EXPECT_EQ(places(readAll(path_, bare)), kRooms);
 }
 
-/// Writes one picture on each topic.
+/// Writes one image on each topic.
 void writeTopics(const std::string& path, const std::vector<std::string>& raw,
                  const std::vector<std::string>& compressed) {
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   for (const std::string& topic : raw) {
-    bag.write(topic, ros::Time(1), toImageMessage(picture(0), std_msgs::Header()));
+    bag.write(topic, ros::Time(1), toImageMessage(image(0), std_msgs::Header()));
   }
   for (const std::string& topic : compressed) {
     bag.write(topic, ros::Time(1), sensor_msgs::CompressedImage());
@@ -115,10 +115,10 @@ TEST_F(Bags, AClockThatWasNotSetDoesNotCount) {
       rosbag::Bag bag(path_, rosbag::bagmode::Write);
       std_msgs::String label;
       bag.write("/rosout", ros::Time(odd), label);
-      bag.write("/image", ros::Time(odd), toImageMessage(picture(0), std_msgs::Header()));
+      bag.write("/image", ros::Time(odd), toImageMessage(image(0), std_msgs::Header()));
       bag.write("/clock_is_set", ros::Time(1.5e9 - 1), label);
       for (int i = 0; i < 3; ++i) {
-        bag.write("/image", ros::Time(1.5e9 + i), toImageMessage(picture(i), std_msgs::Header()));
+        bag.write("/image", ros::Time(1.5e9 + i), toImageMessage(image(i), std_msgs::Header()));
       }
     }
     const BagInfo info = bagInfo(path_);
@@ -133,11 +133,11 @@ TEST_F(Bags, AMessageLongBeforeOrAfterDoesNotCount) {
     {
       rosbag::Bag bag(path_, rosbag::bagmode::Write);
       for (int i = 0; i < 3; ++i) {
-        bag.write("/image", ros::Time(1.5e9 + i), toImageMessage(picture(i), std_msgs::Header()));
+        bag.write("/image", ros::Time(1.5e9 + i), toImageMessage(image(i), std_msgs::Header()));
       }
       bag.write("/rosout", ros::Time(odd), std_msgs::String());
       if (odd > 2e9) {
-        bag.write("/image", ros::Time(odd), toImageMessage(picture(0), std_msgs::Header()));
+        bag.write("/image", ros::Time(odd), toImageMessage(image(0), std_msgs::Header()));
       }
     }
     const BagInfo info = bagInfo(path_);
@@ -154,7 +154,7 @@ TEST_F(Bags, ACameraThatStartsLateOrPausesDoesNotCutTheRecording) {
     }
     for (const double minute : {40.0, 100.0}) {  // a lunch break
       bag.write("/image", ros::Time(1.5e9 + 60 * minute),
-                toImageMessage(picture(0), std_msgs::Header()));
+                toImageMessage(image(0), std_msgs::Header()));
     }
   }
   EXPECT_DOUBLE_EQ(bagInfo(path_).start, 1.5e9 + 40 * 60);  // 11 minutes after the last message
@@ -177,7 +177,7 @@ TEST_F(Bags, ALabelThatNoImageShowsIsNamed) {
     };
     say(100, "kitchen");
     for (int i = 0; i < 3; ++i) {
-      bag.write("/image", ros::Time(100.0 + i), toImageMessage(picture(i), std_msgs::Header()));
+      bag.write("/image", ros::Time(100.0 + i), toImageMessage(image(i), std_msgs::Header()));
     }
     say(101.1, "attic");
     say(101.2, "kitchen");
@@ -239,7 +239,7 @@ TEST_F(Bags, ALabelMayHaveBeenSaidBefore) {
   EXPECT_EQ(places(readAll(path_, options)), kRooms);  // its first label is of its start
   {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);
-    bag.write("/image", ros::Time(1), toImageMessage(picture(0), std_msgs::Header()));
+    bag.write("/image", ros::Time(1), toImageMessage(image(0), std_msgs::Header()));
   }
   EXPECT_EQ(places(readAll(path_, options)), std::vector<std::string>{"attic"});
   EXPECT_EQ(bagInfo(path_, options).last_label, "attic");
@@ -257,7 +257,7 @@ TEST_F(Bags, LabelsHoldFromTheirTimeOn) {
     for (int i = 0; i < 6; ++i) {
       std_msgs::Header header;
       header.stamp = ros::Time(90.0 + i);  // stamps are of the camera; labels go by bag time
-      bag.write("/image", ros::Time(100.0 + i), toImageMessage(picture(i), header));
+      bag.write("/image", ros::Time(100.0 + i), toImageMessage(image(i), header));
     }
     label(102, "b");  // written after the images: the order of time counts, not that of the file
     label(101, "a");
@@ -284,8 +284,8 @@ TEST_F(Bags, ALabelsFileBesideTheBagComesBeforeTheTopic) {
 TEST_F(Bags, WithTwoCamerasAskForOne) {
   {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);
-    bag.write("/left", ros::Time(1), toImageMessage(picture(1), std_msgs::Header()));
-    bag.write("/right", ros::Time(1), toImageMessage(picture(2), std_msgs::Header()));
+    bag.write("/left", ros::Time(1), toImageMessage(image(1), std_msgs::Header()));
+    bag.write("/right", ros::Time(1), toImageMessage(image(2), std_msgs::Header()));
   }
   EXPECT_NE(errorOf(path_).find("/left (sensor_msgs/Image), /right (sensor_msgs/Image)"),
             std::string::npos);
@@ -301,11 +301,11 @@ TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
     LabelledBagOptions raw;
     raw.jpeg = false;
     LabelledBagWriter writer(path_, raw);
-    writer.write(picture(1), "hall", 0, "front");
-    writer.write(picture(2), "hall", 0.5, "rear");
-    writer.write(picture(3), "lab", 1, "rear");
-    writer.write(picture(4), "lab", 1, "left");
-    writer.write(picture(5), "lab", 2, "front");
+    writer.write(image(1), "hall", 0, "front");
+    writer.write(image(2), "hall", 0.5, "rear");
+    writer.write(image(3), "lab", 1, "rear");
+    writer.write(image(4), "lab", 1, "left");
+    writer.write(image(5), "lab", 2, "front");
     writer.close();
   }
   BagRunOptions options;
@@ -313,10 +313,10 @@ TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
   const std::vector<Frame> frames = readAll(path_, options);
   ASSERT_EQ(frames.size(), 4u);
   const std::vector<int> cameras{1, 0, 0, 1};
-  const std::vector<int> pictures{1, 2, 3, 5};
+  const std::vector<int> images{1, 2, 3, 5};
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_EQ(frames[i].camera, cameras[i]);
-    EXPECT_EQ(cv::norm(frames[i].image, picture(pictures[i]), cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(frames[i].image, image(images[i]), cv::NORM_INF), 0);
   }
   EXPECT_EQ(frames[1].name, "/rear/image_raw #1");
   EXPECT_EQ(openBagRun(path_, options)->cameras(),
@@ -363,13 +363,13 @@ TEST_F(Bags, InfoTellsTopicsSizesAndLabels) {
 TEST_F(Bags, ABagWithoutNameYetIsLeftByNoOne) {
   {
     LabelledBagWriter writer(path_);
-    writer.write(picture(0), "a", 0);
+    writer.write(image(0), "a", 0);
   }
   EXPECT_TRUE(std::filesystem::is_empty(scratch_ / "."));
   EXPECT_THROW(LabelledBagWriter(scratch_ / "no/such/folder/run.bag"), Error);
 }
 
-TEST(RealBag, ItsOnePictureIsRead) {
+TEST(RealBag, ItsOneImageIsRead) {
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
   const std::string path = std::string(data ? data : "") + "/real_bag/aruco_images.bag";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;

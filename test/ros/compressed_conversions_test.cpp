@@ -1,4 +1,4 @@
-// JPEG and PNG pictures in messages, whole, cut and made by an enemy.
+// JPEG and PNG images in messages, whole, cut and made by an enemy.
 
 #include <gtest/gtest.h>
 
@@ -48,10 +48,10 @@ TEST(CompressedConversions, DeepPngKeepsItsBits) {
   EXPECT_EQ(decoded.at<std::uint16_t>(1, 1), 1023);
 }
 
-/// A red picture, BGR.
+/// A red image, BGR.
 const cv::Mat kRed(16, 16, CV_8UC3, cv::Scalar(20, 40, 200));
 
-/// The channel of the picture in a message that is strongest, 0 to 2 for blue, green, red.
+/// The channel of the image in a message that is strongest, 0 to 2 for blue, green, red.
 int strongestChannel(const cv::Mat& stored, const std::string& format) {
   sensor_msgs::CompressedImage message =
       compressed(stored, format.find("png") != std::string::npos ? ".png" : ".jpg");
@@ -133,7 +133,7 @@ TEST(CompressedConversions, MarkersWithoutLengthDoNotHideTheSize) {
   EXPECT_THROW(toImage(message), Error);
 }
 
-TEST(CompressedConversions, CutOrChangedPicturesDoNotCrash) {
+TEST(CompressedConversions, CutOrChangedImagesDoNotCrash) {
   std::mt19937 random(3);
   for (const std::string extension : {".png", ".jpg"}) {
     const sensor_msgs::CompressedImage good = compressed(gradient(CV_8UC3), extension);

@@ -42,7 +42,7 @@ std::string errorOf(const sensor_msgs::Image& message) {
   return "";
 }
 
-/// Bytes of one pixel (of two pixels in yuv422) whose picture is blue 10, green 20, red 30, or grey
+/// Bytes of one pixel (of two pixels in yuv422) whose image is blue 10, green 20, red 30, or grey
 /// 40.
 struct Case {
   std::string encoding;
@@ -66,9 +66,9 @@ cv::Mat upperBytes(const cv::Mat& image) {
   return upper;
 }
 
-class ColorEncoding : public testing::TestWithParam<Case> {};
+class ColourEncoding : public testing::TestWithParam<Case> {};
 
-TEST_P(ColorEncoding, GivesBlueGreenRed) {
+TEST_P(ColourEncoding, GivesBlueGreenRed) {
   sensor_msgs::Image message =
       imageMessage(GetParam().encoding, 4, 3, repeat(GetParam().bytes, 12));
   message.is_bigendian = GetParam().big_endian;
@@ -80,7 +80,7 @@ TEST_P(ColorEncoding, GivesBlueGreenRed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Conversions, ColorEncoding,
+INSTANTIATE_TEST_SUITE_P(Conversions, ColourEncoding,
                          testing::Values(Case{"bgr8", {10, 20, 30}}, Case{"8UC3", {10, 20, 30}},
                                          Case{"rgb8", {30, 20, 10}},
                                          Case{"bgra8", {10, 20, 30, 77}},
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Conversions, GreyEncoding,
 /// The colour at each site of the upper left 2 x 2 pixels.
 class BayerEncoding : public testing::TestWithParam<std::string> {};
 
-TEST_P(BayerEncoding, GivesTheColorOfAUniformField) {
+TEST_P(BayerEncoding, GivesTheColourOfAUniformField) {
   const std::string pattern = GetParam().substr(6, 4);
   const bool deep = GetParam().substr(10) == "16";
   std::vector<std::uint8_t> data;
@@ -176,8 +176,8 @@ TEST(Conversions, PlainEncodingsShareTheMemoryOfTheMessage) {
 }
 
 TEST(Conversions, OnePixelIsAnImage) {
-  const sensor_msgs::Image color = imageMessage("rgb8", 1, 1, {3, 2, 1});
-  EXPECT_EQ(toImage(color).at<cv::Vec3b>(0, 0), cv::Vec3b(1, 2, 3));
+  const sensor_msgs::Image colour = imageMessage("rgb8", 1, 1, {3, 2, 1});
+  EXPECT_EQ(toImage(colour).at<cv::Vec3b>(0, 0), cv::Vec3b(1, 2, 3));
   const sensor_msgs::Image bayer = imageMessage("bayer_rggb8", 1, 1, {3});
   EXPECT_EQ(toImage(bayer).size(), cv::Size(1, 1));
 }

@@ -24,7 +24,7 @@ TEST_F(Bags, BadLabelsAreRefused) {
       std_msgs::String message;
       message.data = bad;
       bag.write("/place_label", ros::Time(1), message);
-      bag.write("/image", ros::Time(2), toImageMessage(picture(0), std_msgs::Header()));
+      bag.write("/image", ros::Time(2), toImageMessage(image(0), std_msgs::Header()));
     }
     EXPECT_NE(errorOf(path_).find("/place_label at 0 s: the label"), std::string::npos);
     EXPECT_LT(errorOf(path_).size(), 400u);
@@ -41,14 +41,14 @@ TEST_F(Bags, WithoutImagesTellTheirTopics) {
       << errorOf(path_);
 }
 
-TEST_F(Bags, PicturesThatCannotBeUsedAreFramesWithAProblem) {
+TEST_F(Bags, ImagesThatCannotBeUsedAreFramesWithAProblem) {
   {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);
-    sensor_msgs::Image message = toImageMessage(picture(0), std_msgs::Header());
+    sensor_msgs::Image message = toImageMessage(image(0), std_msgs::Header());
     bag.write("/image", ros::Time(1), message);
     message.height = 65537;
     bag.write("/image", ros::Time(2), message);
-    message = toImageMessage(picture(2).rowRange(0, 5), std_msgs::Header());
+    message = toImageMessage(image(2).rowRange(0, 5), std_msgs::Header());
     bag.write("/image", ros::Time(3), message);
   }
   const std::vector<Frame> frames = readAll(path_);

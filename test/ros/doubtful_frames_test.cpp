@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 ImageMessage message(int number, int width = 16) {
   std_msgs::Header header;
   header.stamp = ros::Time::now();
-  cv::Mat image;
-  cv::resize(picture(number), image, {width, 12});
-  return ImageMessage(boost::make_shared<const sensor_msgs::Image>(toImageMessage(image, header)));
+  cv::Mat small;
+  cv::resize(image(number), small, {width, 12});
+  return ImageMessage(boost::make_shared<const sensor_msgs::Image>(toImageMessage(small, header)));
 }
 
 Recognition answer(int place, bool known) {

@@ -77,7 +77,7 @@ TEST_P(FullDisk, LeavesNothingOfALabelledRun) {
   EXPECT_THROW(
       {
         LabelledBagWriter writer(path_, raw);
-        for (int i = 0; i < 2000; ++i) writer.write(picture(0), "a", i);
+        for (int i = 0; i < 2000; ++i) writer.write(image(0), "a", i);
         writer.close();
       },
       Error);

@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-/// A picture of `type`, CV_8UC3 or CV_8UC1, without sharp edges.
+/// An image of `type`, CV_8UC3 or CV_8UC1, without sharp edges.
 inline cv::Mat gradient(int type) {
   cv::Mat image(24, 32, type);
   for (int y = 0; y < image.rows; ++y) {

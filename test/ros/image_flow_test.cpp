@@ -120,7 +120,7 @@ TEST(RateLimit, StartsAnewAfterAReset) {
   EXPECT_TRUE(rate_limit.admits(50, 1));
 }
 
-TEST(DebugImage, HasABarAPlaceAndFitsAnyPicture) {
+TEST(DebugImage, HasABarAPlaceAndFitsAnyImage) {
   Model model;
   model.places = {"corridor", "kitchen"};
   Recognition recognition;

@@ -60,7 +60,7 @@ class PlaceLabelers : public testing::Test {
     ASSERT_TRUE(ros::service::waitForService("/place_labeler/say", 15000));
   }
 
-  /// Pictures of a room, after `label` has been heard; none is under way when it returns.
+  /// Images of a room, after `label` has been heard; none is under way when it returns.
   void drive(int room, const std::string& label) {
     ASSERT_TRUE(
         labels_.find([&](const std_msgs::String& message) { return message.data == label; }));
@@ -132,10 +132,10 @@ class AutoLabelers : public testing::Test {
     ASSERT_TRUE(eventually([this] { return pose_.getNumSubscribers() > 0; }));
   }
 
-  /// Sends a picture that the robot takes at (x, 2) and, as robots do, a little later where it was.
+  /// Sends an image that the robot takes at (x, 2) and, as robots do, a little later where it was.
   void visit(double x, int room, unsigned number) {
     geometry_msgs::TransformStamped transform;
-    transform.header = headerAt(ros::Time::now().toSec());  // rounded as the picture's stamp is
+    transform.header = headerAt(ros::Time::now().toSec());  // rounded as the image's stamp is
     transform.header.frame_id = "map";
     transform.child_frame_id = "base_link";
     transform.transform.translation.x = x;

@@ -123,7 +123,7 @@ class NodeCase(unittest.TestCase):
 
 
 class Camera:
-    """Publishes pictures of a room on `topic` as Image or, with "/compressed" after it, JPEG."""
+    """Publishes images of a room on `topic` as Image or, with "/compressed" after it, JPEG."""
 
     def __init__(self, topic="/camera/image_raw", compressed=True, queue_size=100):
         self.compressed = compressed

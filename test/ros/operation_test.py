@@ -34,7 +34,7 @@ class OperationTest(NodeCase):
                 cv2.imwrite(str(path), paint(room, view, seed))
 
     def show(self, rooms):
-        """One picture after the other, ten a second."""
+        """One image after the other, ten a second."""
         publisher = rospy.Publisher(TOPIC, CompressedImage, queue_size=10)
         self.wait_for(lambda: publisher.get_num_connections() > 0, "the node does not listen")
         for i, room in enumerate(rooms):

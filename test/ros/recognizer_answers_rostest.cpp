@@ -131,15 +131,15 @@ TEST_F(RecognizerNode, MarksThePlaceForRviz) {
 }
 
 TEST_F(RecognizerNode, DrawsItsAnswer) {
-  Inbox<sensor_msgs::Image> pictures(node_, name_ + "/debug_image");
+  Inbox<sensor_msgs::Image> images(node_, name_ + "/debug_image");
   ASSERT_TRUE(eventually([this] { return listeners() > 0; }));
   const ros::Time stamp = nextStamp();
   camera_.send(drawRoom(0, 1), stamp.toSec());
-  const auto picture = pictures.find([](const sensor_msgs::Image&) { return true; });
-  ASSERT_TRUE(picture);
-  EXPECT_EQ(picture->header.stamp, stamp);
-  EXPECT_EQ(picture->width, 96u);
-  EXPECT_GT(picture->height, 72u);
+  const auto image = images.find([](const sensor_msgs::Image&) { return true; });
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->header.stamp, stamp);
+  EXPECT_EQ(image->width, 96u);
+  EXPECT_GT(image->height, 72u);
 }
 
 TEST_F(RecognizerNode, KeepsToItsRateAndStartsAnewWhenTimeJumpsBack) {

@@ -32,7 +32,7 @@ TEST_F(RecognizerNode, UnusableImagesAreReportedAndSurvived) {
   EXPECT_NE(valueOf(*report, "last problem").find("32FC1"), std::string::npos);
 }
 
-TEST_F(RecognizerNode, AnswersOnePictureWhenAskedAndPublishesNothing) {
+TEST_F(RecognizerNode, AnswersOneImageWhenAskedAndPublishesNothing) {
   Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
   Inbox<std_msgs::String> places(node_, name_ + "/place");
   reconfigure("smoothing", 0);
@@ -58,7 +58,7 @@ TEST_F(RecognizerNode, AnswersOnePictureWhenAskedAndPublishesNothing) {
   for (Recognize* call : {&both, &none}) {
     ASSERT_TRUE(ros::service::call(name_ + "/recognize", *call));
     EXPECT_FALSE(call->response.success);
-    EXPECT_NE(call->response.message.find("one picture"), std::string::npos);
+    EXPECT_NE(call->response.message.find("one image"), std::string::npos);
   }
   raw.request.image.encoding = "32FC1";
   ASSERT_TRUE(ros::service::call(name_ + "/recognize", raw));

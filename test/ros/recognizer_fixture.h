@@ -60,7 +60,7 @@ class RecognizerNode : public testing::Test {
                                              : camera_.rawListeners();
   }
 
-  /// Sends a picture until its answer has come; nothing if none comes.
+  /// Sends an image until its answer has come; nothing if none comes.
   std::optional<PlaceRecognition> answerTo(Inbox<PlaceRecognition>& answers, const cv::Mat& image) {
     if (!eventually([this] { return listeners() > 0; })) return std::nullopt;
     const ros::Time stamp = nextStamp();

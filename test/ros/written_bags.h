@@ -16,18 +16,18 @@
 
 namespace place_recognition {
 
-/// A picture that tells its number by its grey level.
-inline cv::Mat picture(int number) {
+/// An image that tells its number by its grey level.
+inline cv::Mat image(int number) {
   return cv::Mat(12, 16, CV_8UC3, cv::Scalar::all(10 + 10 * number));
 }
 
-/// Rooms of the pictures of writeRun(): one a second.
+/// Rooms of the images of writeRun(): one a second.
 inline const std::vector<std::string> kRooms = {"kitchen", "kitchen", "", "corridor", "corridor"};
 
 inline void writeRun(const std::string& path, const LabelledBagOptions& options = {}) {
   LabelledBagWriter writer(path, options);
   for (std::size_t i = 0; i < kRooms.size(); ++i) {
-    writer.write(picture(static_cast<int>(i)), kRooms[i], static_cast<double>(i));
+    writer.write(image(static_cast<int>(i)), kRooms[i], static_cast<double>(i));
   }
   writer.close();
 }

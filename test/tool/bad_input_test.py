@@ -100,14 +100,14 @@ class BadInputToModelTest(ToolCase):
 
     def test_pictures_that_do_not_decode(self):
         whole = self.picture.read_bytes()
-        for content in (b"", b"no picture", whole[:60], whole[:-9], whole[:200] + b"?" + whole[201:]):
+        for content in (b"", b"no image", whole[:60], whole[:-9], whole[:200] + b"?" + whole[201:]):
             (self.folder / "bad.png").write_bytes(content)
             self.assert_fails(["bad.png"], "recognize", "bad.png", *MODEL)
             self.assert_fails(["bad.png"], "features", "bad.png")
         self.assert_fails(["absent.png"], "recognize", "absent.png", *MODEL)
 
     def test_damaged_picture_among_good_ones_is_skipped_in_training(self):
-        (self.folder / "monday/kitchen/007.png").write_bytes(b"no picture")
+        (self.folder / "monday/kitchen/007.png").write_bytes(b"no image")
         result = self.run_tool("train", "monday", "--model", "./b.places", "--json", "figures")
         self.assertEqual(result.returncode, 0)
         self.assertIn("warning", result.stderr)

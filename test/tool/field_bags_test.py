@@ -59,7 +59,7 @@ class BagTest(FieldCase):
         self.assertIn("empty", answers[10]["reason"])
         self.assertIn("cut short", answers[11]["reason"])
         self.assertEqual((answers[11]["known"], answers[11]["place"]), (False, ""))
-        self.assert_names(result.stderr, "2 pictures cannot be used")
+        self.assert_names(result.stderr, "2 images cannot be used")
         for verb in ("train", "evaluate"):
             self.assert_names(self.run_tool(verb, "run.bag", *(MODEL if verb == "train" else
                                                               MODEL[:2])).stderr, "empty")
@@ -74,9 +74,9 @@ class BagTest(FieldCase):
                           rospy.Time(1000 + i))
         for verb in (("train", "film.bag", "--model", "./other.places"),
                      ("evaluate", "film.bag", *MODEL[:2])):
-            self.assert_names(self.refuse(*verb), "can be used", "#1", "no picture")
+            self.assert_names(self.refuse(*verb), "can be used", "#1", "no image")
         self.assert_names(self.run_tool("recognize", "film.bag", *MODEL[:2]).stderr, "#1",
-                          "no picture")
+                          "no image")
 
     def test_a_labels_file_may_end_in_yml_and_a_topic_in_a_slash(self):
         self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Folders of pictures of the kinds that public reports tell of."""
+"""Folders of images of the kinds that public reports tell of."""
 import os
 import unicodedata
 import unittest
@@ -79,7 +79,7 @@ class FolderTest(FieldCase):
         self.write_picture("runs/monday/map.png", paint("office", 1))
         figures, said = self.train("runs/monday")
         self.assertEqual(sorted(figures["rooms"]), sorted(ROOMS))
-        self.assertIn("1 picture without label", said)
+        self.assertIn("1 image without label", said)
 
     def test_folders_that_give_nothing_are_named(self):
         self.write_run("run")
@@ -93,9 +93,9 @@ class FolderTest(FieldCase):
             self.assert_names(said, "run/attic: it holds 1 .heic file", "run/cellar: it is empty",
                               "run/loft/1.jpg: it is empty")
         self.assert_names(self.train("run")[1],
-                          "'loft' is not learned: its 1 picture cannot be used (run/loft/1.jpg: it")
+                          "'loft' is not learned: its 1 image cannot be used (run/loft/1.jpg: it")
         self.assert_names(self.run_tool("import", "run", "--out", "run2.bag").stderr,
-                          "'loft' is not in the bag: its pictures cannot be used (run/loft/1.jpg")
+                          "'loft' is not in the bag: its images cannot be used (run/loft/1.jpg")
 
     def test_a_model_of_any_name_is_told_from_other_files(self):
         self.write_run("run")

@@ -54,7 +54,7 @@ class InfraredTest(FieldCase):
         for verb in ("evaluate", "calibrate"):
             result = self.run_tool(verb, "dark.bag", "--model", "./home.places")
             self.assertIn("as in training", result.stderr)
-        # A single picture, and a folder.
+        # A single image, and a folder.
         dark_grey = (cv2.cvtColor(paint("kitchen", 0), cv2.COLOR_BGR2GRAY) * 1.6).astype(np.uint16)
         picture = self.write_picture("runs/kitchen/0.png", dark_grey)
         single = self.answers(picture)[0]

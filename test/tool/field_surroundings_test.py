@@ -99,7 +99,7 @@ class SharedCasesTest(FieldCase):
         self.train(self.cases / "base.bag")
         result = self.run_tool("recognize", self.cases / "emptyframe.bag", *MODEL[:2])
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("1 picture cannot be used", result.stderr)
+        self.assertIn("1 image cannot be used", result.stderr)
 
 
 if __name__ == "__main__":

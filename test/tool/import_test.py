@@ -79,7 +79,7 @@ class ImportTest(ToolCase):
 
     def test_pictures_that_cannot_be_used(self):
         self.write_picture("data/kitchen/1.png", paint("kitchen", 0))
-        (self.folder / "data/kitchen/2.png").write_bytes(b"no picture")
+        (self.folder / "data/kitchen/2.png").write_bytes(b"no image")
         result = self.run_tool("import", "data", "--out", "run.bag")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("2.png", result.stderr)

@@ -18,7 +18,7 @@ TOPIC = "/camera/image_raw/compressed"
 
 
 def jpeg(number, size=(48, 64)):
-    """A picture whose brightness tells its number."""
+    """An image whose brightness tells its number."""
     image = np.full((*size, 3), number % 200 + 28, np.uint8)
     message = CompressedImage(format="bgr8; jpeg compressed bgr8")
     message.data = cv2.imencode(".jpg", image)[1].tobytes()
@@ -97,7 +97,7 @@ class LabelCase(ToolCase):
         return page
 
     def record(self, name, frames=40, rate=10, start=START, topics=(TOPIC,), labels=()):
-        """A bag of `frames` pictures on each topic; `labels`: (frame, text) said at that frame."""
+        """A bag of `frames` images on each topic; `labels`: (frame, text) said at that frame."""
         said = dict(labels)
         with rosbag.Bag(str(self.folder / name), "w") as bag:
             for i in range(frames):

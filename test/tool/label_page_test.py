@@ -238,7 +238,7 @@ class LabellingTest(PageCase):
         self.assertIn("frame 100 of 100", self.text("caption"))
         self.control(Keys.ARROW_LEFT)
         self.assertIn("frame 51 of 100", self.text("caption"))
-        self.wait(lambda: "frame=50&" in self.script("return document.getElementById('picture').src"))
+        self.wait(lambda: "frame=50&" in self.script("return document.getElementById('image').src"))
         self.press("?")
         self.assertTrue(self.element("keys").is_displayed())
         self.press(Keys.ESCAPE)
@@ -361,7 +361,7 @@ class TopicsTest(PageCase):
         self.script("""const topic = document.getElementById("topic");
             topic.value = "/rear/compressed";
             topic.dispatchEvent(new Event("change"));""")
-        self.wait(lambda: "rear" in self.script("return document.getElementById('picture').src"))
+        self.wait(lambda: "rear" in self.script("return document.getElementById('image').src"))
         self.assertEqual(self.rooms_shown(), {"kitchen": "1", "corridor": "2", "no room": "0"})
 
     def test_split_bags_are_one_strip(self):

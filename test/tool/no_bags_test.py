@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool built without ROS: every verb on folders of pictures, and one line about a bag."""
+"""place_tool built without ROS: every verb on folders of images, and one line about a bag."""
 import unittest
 
 from tool_case import ROOMS, ToolCase, paint

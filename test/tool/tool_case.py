@@ -20,7 +20,7 @@ ROOMS = {"kitchen": ((60, 200, 220), (90, 60, 40)),
 
 
 def paint(room, view, seed=0):
-    """A picture of a room, CV_8UC3: wall, floor, a few things, noise."""
+    """An image of a room, CV_8UC3: wall, floor, a few things, noise."""
     wall, floor = ROOMS[room]
     random = np.random.default_rng([seed, view, sorted(ROOMS).index(room)])
     image = np.zeros((96, 128, 3), np.float64)
@@ -109,7 +109,7 @@ class ToolCase(unittest.TestCase):
         return path
 
     def write_run(self, name, views=8, seed=0, rooms=tuple(ROOMS)):
-        """A folder of room/picture."""
+        """A folder of room/image."""
         for room in rooms:
             for view in range(views):
                 self.write_picture(f"{name}/{room}/{view:03d}.png", paint(room, view, seed))

@@ -322,7 +322,7 @@ class ReduceTest(TrainedCase):
         arguments = ("reduce", "--model", "./home.places", "--out", "./small.places",
                      "--no-normalise")
         self.assertIn("support vectors", self.succeed(*arguments))
-        self.assertIn("24 pictures", self.succeed(*arguments, "--train", "monday"))
+        self.assertIn("24 images", self.succeed(*arguments, "--train", "monday"))
 
 
 class FeaturesTest(ToolCase):

@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// Three recorded pictures of two rooms and one of the first of them changed.
+/// Three recorded images of two rooms and one of the first of them changed.
 TuningSamples fourSamples() {
   TuningSamples samples;
   samples.places = {"a", "b"};

@@ -26,7 +26,7 @@ std::set<int> runsOf(const TuningSamples& samples, const std::vector<int>& indic
   return runs;
 }
 
-TEST(TuningSamples, EveryPictureIsThereAsRecordedAndChanged) {
+TEST(TuningSamples, EveryImageIsThereAsRecordedAndChanged) {
   const TuningSamples samples = collect({opener(drawFrames(2, 10))}, kNone);
   ASSERT_EQ(samples.recorded, 20u);
   ASSERT_EQ(samples.origins.size(), 40u);
@@ -81,12 +81,12 @@ TEST(NextRun, ChangesFramingAndSharpnessAndLightIfAsked) {
   NextRun other_light(1, true);
   bool any_light = false;
   for (int i = 0; i < 8; ++i) {
-    const ChangedPicture still = same_light.change(image, "room1");
+    const ChangedImage still = same_light.change(image, "room1");
     EXPECT_EQ(still.image.size(), image.size());
     EXPECT_GT(cv::norm(still.image, image, cv::NORM_L1), 0);
     EXPECT_NEAR(levelOf(still.image) / levelOf(image), 1, 0.1);
     EXPECT_EQ(still.correction.red, 1);
-    const ChangedPicture lit = other_light.change(image, "room1");
+    const ChangedImage lit = other_light.change(image, "room1");
     cv::Mat corrected;
     changeLight(lit.image, lit.correction, corrected);
     EXPECT_NEAR(levelOf(corrected) / levelOf(image), 1, 0.2) << "the light is known to a twentieth";

@@ -36,7 +36,7 @@ TEST(Tune, FindsWhatTrainTakes) {
   const std::vector<RunOpener> runs{opener(drawFrames(3, 12))};
   const Tuning tuning = tune(runs, kNone, greyCue(), smallSpace());
   EXPECT_TRUE(tuning.complete);
-  EXPECT_EQ(tuning.pictures, 36u);
+  EXPECT_EQ(tuning.images, 36u);
   tuning.options.check();
   EXPECT_NO_THROW(train(runs, tuning.options));
   EXPECT_GT(tuning.best.rate, 0.9) << "drawn rooms are easily told apart";
@@ -53,7 +53,7 @@ TEST(Tune, ColourIsChosenWhereOnlyColourTells) {
     frames[i].image = drawRoom(0, static_cast<unsigned>(i));
     std::vector<cv::Mat> channels;
     cv::split(frames[i].image, channels);
-    if (red) std::swap(channels[0], channels[2]);  // the grey picture stays the same
+    if (red) std::swap(channels[0], channels[2]);  // the grey image stays the same
     cv::merge(channels, frames[i].image);
   }
   SearchSpace space = smallSpace();
@@ -88,31 +88,31 @@ TEST(Tune, DoesNotDependOnThreads) {
 
 TEST(Tune, StoppedEarlyItGivesTheBestSoFar) {
   const std::vector<RunOpener> runs{opener(drawFrames(3, 12))};
-  for (const char* last : {"Comparing pictures", "Combining cues"}) {
+  for (const char* last : {"Comparing images", "Combining cues"}) {
     const Progress stop = [last](const std::string& stage, double) { return stage != last; };
     const Tuning tuning = tune(runs, kNone, greyCue(), smallSpace(), 2, stop);
     EXPECT_FALSE(tuning.complete);
     EXPECT_EQ(writeOptions(tuning.options), writeOptions(greyCue()));
-    EXPECT_EQ(tuning.best.pictures > 0, std::string(last) == "Combining cues");
+    EXPECT_EQ(tuning.best.images > 0, std::string(last) == "Combining cues");
   }
   const Progress stop_at_once = [](const std::string&, double) { return false; };
   EXPECT_THROW(tune(runs, kNone, greyCue(), smallSpace(), 2, stop_at_once), Cancelled);
 }
 
-TEST(Tune, LaterRoundsLookAtMorePicturesAndFewerCandidates) {
+TEST(Tune, LaterRoundsLookAtMoreImagesAndFewerCandidates) {
   const Tuning tuning = tune({opener(drawFrames(2, 40))}, kNone, greyCue(), smallSpace());
   std::size_t first = 0;
   std::size_t second = 0;
   for (const TuningTrial& trial : tuning.trials) {
     if (trial.stage == "round 1 of 2") {
       ++first;
-      EXPECT_LE(trial.pictures, 20u);
+      EXPECT_LE(trial.images, 20u);
     }
     second += trial.stage == "round 2 of 2" ? 1 : 0;
   }
   EXPECT_EQ(first, 20u) << "two sets of colours each run and grey-world, one of derivatives";
   EXPECT_LT(second, first);
-  EXPECT_EQ(tuning.trials.back().pictures, 40u);
+  EXPECT_EQ(tuning.trials.back().images, 40u);
 }
 
 }  // namespace

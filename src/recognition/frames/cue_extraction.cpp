@@ -23,9 +23,9 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
       panorama_(options.image.panorama) {
   for (const CueOptions& cue : options.cues) {
     extractors_.push_back(makeFeatureExtractor(cue.feature));
-    normalizations_.push_back(colorNormalization(cue.normalize));
+    normalizations_.push_back(colourNormalization(cue.normalize));
     is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
-    normalizes_ = normalizes_ || normalizations_.back() != ColorNormalization::kNone;
+    normalizes_ = normalizes_ || normalizations_.back() != ColourNormalization::kNone;
   }
 }
 
@@ -33,7 +33,7 @@ bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features
                             const Light& light, bool with_embeddings) {
   assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
   const cv::Mat& prepared = panorama_.unrolled(scaler_.scaled(image));
-  if (normalizes_) color_ = logColor(prepared);
+  if (normalizes_) colour_ = logColour(prepared);
   features.resize(extractors_.size());
   reason_.clear();
   judge(prepared);
@@ -41,7 +41,7 @@ bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features
     std::fill(features.begin(), features.end(), Feature());
     return false;
   }
-  normalized_.set(prepared, color_, light);
+  normalized_.set(prepared, colour_, light);
   bool any = false;
   for (std::size_t c = 0; c < extractors_.size(); ++c) {
     if (!extractors_[c] || (is_embedding_[c] && !with_embeddings)) continue;

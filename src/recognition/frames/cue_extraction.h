@@ -9,7 +9,7 @@
 #include "features/feature_extractor.h"
 #include "place_recognition/model.h"
 #include "place_recognition/training_options.h"
-#include "recognition/frames/color_normalization.h"
+#include "recognition/frames/colour_normalization.h"
 #include "recognition/frames/image_scaling.h"
 #include "recognition/frames/panorama.h"
 
@@ -35,7 +35,7 @@ class CueExtraction {
                bool with_embeddings = true);
 
   /// logColor() of the last image, before any normalization; zero if no cue normalizes.
-  const Eigen::RowVector3d& color() const { return color_; }
+  const Eigen::RowVector3d& colour() const { return colour_; }
 
   const std::string& reason() const { return reason_; }
 
@@ -54,10 +54,10 @@ class CueExtraction {
   ImageScaler scaler_;
   Panorama panorama_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
-  std::vector<ColorNormalization> normalizations_;             // of each cue
+  std::vector<ColourNormalization> normalizations_;            // of each cue
   std::vector<bool> is_embedding_;                             // of each cue
   bool normalizes_ = false;
-  Eigen::RowVector3d color_ = Eigen::RowVector3d::Zero();
+  Eigen::RowVector3d colour_ = Eigen::RowVector3d::Zero();
   NormalizedImage normalized_;
   std::string reason_;
 };

@@ -38,7 +38,7 @@ void ExtractionPool::work(const TrainingOptions& options, const ImageProfile& im
       if (!extraction.extract(job.image, job.result->features, job.light)) {
         job.result->problem = extraction.reason();
       }
-      job.result->color = extraction.color() + logGains(job.light);
+      job.result->colour = extraction.colour() + logGains(job.light);
       const std::lock_guard<std::mutex> lock(mutex_);
       --unfinished_;
       changed_.notify_all();

@@ -20,13 +20,13 @@ inline Light operator*(const Light& a, const Light& b) {
 /// leave over.
 const std::vector<Light>& otherLights();
 
-/// Draws the light of each picture at random: of every so many pictures of a room as there are
+/// Draws the light of each image at random: of every so many images of a room as there are
 /// otherLights(), one gets each of them.
 class LightDraw {
  public:
   explicit LightDraw(std::uint64_t seed) : random_(seed) {}
 
-  /// For the next picture of `room`.
+  /// For the next image of `room`.
   Light next(const std::string& room);
 
  private:

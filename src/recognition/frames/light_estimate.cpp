@@ -19,7 +19,7 @@ Eigen::Matrix3d changesOfLight() {
 
 }  // namespace
 
-LightEstimate::LightEstimate(const ColorStatistics& training)
+LightEstimate::LightEstimate(const ColourStatistics& training)
     : training_(training), views_(training.means.rows(), 3) {
   if (!training_.known()) return;
   precision_ = (training_.covariance + kNoise * kNoise * Eigen::Matrix3d::Identity()).inverse();
@@ -37,9 +37,9 @@ void LightEstimate::beginFrame(double stamp) {
   estimate();
 }
 
-void LightEstimate::add(const Eigen::RowVector3d& color, const Eigen::RowVectorXd& probabilities) {
+void LightEstimate::add(const Eigen::RowVector3d& colour, const Eigen::RowVectorXd& probabilities) {
   if (!training_.known()) return;
-  views_.add(probabilities, (-training_.means).rowwise() + color);
+  views_.add(probabilities, (-training_.means).rowwise() + colour);
   estimate();
 }
 

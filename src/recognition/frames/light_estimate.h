@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "place_recognition/color_statistics.h"
+#include "place_recognition/colour_statistics.h"
 #include "recognition/frames/fading_views.h"
 #include "recognition/frames/light.h"
 
@@ -22,13 +22,13 @@ namespace place_recognition {
 /// Not thread-safe: one per stream.
 class LightEstimate {
  public:
-  explicit LightEstimate(const ColorStatistics& training);
+  explicit LightEstimate(const ColourStatistics& training);
 
   /// Lets older frames fade until `stamp` (s), that of the next frame, see FadingViews.
   void beginFrame(double stamp);
 
   /// Takes that frame: its logColor() as it came, and what the recognizer answered to it.
-  void add(const Eigen::RowVector3d& color, const Eigen::RowVectorXd& probabilities);
+  void add(const Eigen::RowVector3d& colour, const Eigen::RowVectorXd& probabilities);
 
   /// Forgets all frames.
   void reset();
@@ -43,7 +43,7 @@ class LightEstimate {
  private:
   void estimate();
 
-  ColorStatistics training_;
+  ColourStatistics training_;
   Eigen::Matrix3d precision_;  // S^-1
   FadingViews views_;          // of r_k
   Light correction_;

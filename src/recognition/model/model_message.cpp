@@ -209,37 +209,37 @@ void readAdjacency(const proto::Model& message, Model& model) {
   }
 }
 
-void writeColors(const ColorStatistics& colors, proto::Model& message) {
-  for (Eigen::Index k = 0; k < colors.means.rows(); ++k) {
-    for (int c = 0; c < 3; ++c) message.add_color_means(colors.means(k, c));
+void writeColours(const ColourStatistics& colours, proto::Model& message) {
+  for (Eigen::Index k = 0; k < colours.means.rows(); ++k) {
+    for (int c = 0; c < 3; ++c) message.add_colour_means(colours.means(k, c));
   }
-  if (!colors.known()) return;
+  if (!colours.known()) return;
   for (int c = 0; c < 3; ++c) {
-    for (int d = c; d < 3; ++d) message.add_color_covariance(colors.covariance(c, d));
+    for (int d = c; d < 3; ++d) message.add_colour_covariance(colours.covariance(c, d));
   }
 }
 
-void readColors(const proto::Model& message, Model& model) {
-  if (message.color_means_size() == 0) return;
+void readColours(const proto::Model& message, Model& model) {
+  if (message.colour_means_size() == 0) return;
   const auto places = static_cast<Eigen::Index>(model.places.size());
-  require(message.color_means_size() == 3 * places && message.color_covariance_size() == 6,
+  require(message.colour_means_size() == 3 * places && message.colour_covariance_size() == 6,
           "its statistics of colours are not complete");
-  requireFinite(message.color_means(), "a colour is not finite");
-  requireFinite(message.color_covariance(), "a variance of colours is not finite");
-  ColorStatistics& colors = model.colors;
-  colors.means.resize(places, 3);
+  requireFinite(message.colour_means(), "a colour is not finite");
+  requireFinite(message.colour_covariance(), "a variance of colours is not finite");
+  ColourStatistics& colours = model.colours;
+  colours.means.resize(places, 3);
   for (Eigen::Index k = 0; k < places; ++k) {
     for (int c = 0; c < 3; ++c) {
-      colors.means(k, c) = message.color_means(static_cast<int>(3 * k + c));
+      colours.means(k, c) = message.colour_means(static_cast<int>(3 * k + c));
     }
   }
   int next = 0;
   for (int c = 0; c < 3; ++c) {
     for (int d = c; d < 3; ++d) {
-      colors.covariance(c, d) = colors.covariance(d, c) = message.color_covariance(next++);
+      colours.covariance(c, d) = colours.covariance(d, c) = message.colour_covariance(next++);
     }
   }
-  require(isSoundCovariance(colors.covariance), "its statistics of colours contradict themselves");
+  require(isSoundCovariance(colours.covariance), "its statistics of colours contradict themselves");
 }
 
 void writeCameras(const CameraCorrelation& cameras, proto::Model& message) {
@@ -331,7 +331,7 @@ proto::Model toMessage(const Model& model) {
   message.set_unknown_threshold(model.unknown_threshold);
   message.set_validation_average_rate(model.validation.average_rate);
   message.set_validation_calibration_error(model.validation.calibration_error);
-  writeColors(model.colors, message);
+  writeColours(model.colours, message);
   writeHeldOut(model.held_out, message);
   writeAdjacency(model.adjacency, message);
   writeImages(model.images, message);
@@ -356,7 +356,7 @@ Model fromMessage(const proto::Model& message) {
   readNames(message, model);
   readCueWeights(message, model);
   readCalibration(message, model);
-  readColors(message, model);
+  readColours(message, model);
   readHeldOut(message, model);
   readAdjacency(message, model);
   readImages(message, model);

@@ -25,14 +25,14 @@ bool isBlank(const cv::Mat& image) {
 Recognizer::Recognizer(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
       extraction_(std::make_unique<CueExtraction>(*model_)),
-      light_(std::make_unique<LightEstimate>(model_->colors)),
+      light_(std::make_unique<LightEstimate>(model_->colours)),
       unknown_light_(light_->certainty()),
       evidence_shift_(std::make_unique<EvidenceShift>(*model_)),
       embedding_limit_(std::make_unique<RateLimit>()),
       unknown_threshold_(model_->unknown_threshold),
       mean_(std::make_unique<CueMean>()) {
   for (const CueOptions& cue : model_->options.cues) {
-    follows_run_.push_back(colorNormalization(cue.normalize) == ColorNormalization::kRun);
+    follows_run_.push_back(colourNormalization(cue.normalize) == ColourNormalization::kRun);
     is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
   }
   const Eigen::Index places = static_cast<Eigen::Index>(model_->places.size());
@@ -60,7 +60,7 @@ const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
   askCues(light_->correction(), image, compute, stream_answers_);
   combine(stream_answers_, light_->certainty(), !compute, evidence_shift_->value());
   if (isBlank(image)) return recognition_;
-  light_->add(extraction_->color(), recognition_.probabilities);
+  light_->add(extraction_->colour(), recognition_.probabilities);
   if (recognition_.place >= 0) {
     evidence_shift_->add(recognition_.probabilities, recognition_.decision_values, log_odds_);
   }

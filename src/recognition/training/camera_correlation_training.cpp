@@ -87,27 +87,27 @@ CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return cameras[a] < cameras[b]; });
 
-  CameraCorrelation learnt;
+  CameraCorrelation learned;
   std::vector<double> found;
   const auto count = static_cast<Eigen::Index>(cameras.size());
-  learnt.coefficients.setConstant(count, count, -1);
+  learned.coefficients.setConstant(count, count, -1);
   for (Eigen::Index a = 0; a < count; ++a) {
-    learnt.cameras.push_back(cameras[order[static_cast<std::size_t>(a)]]);
-    learnt.coefficients(a, a) = 1;
+    learned.cameras.push_back(cameras[order[static_cast<std::size_t>(a)]]);
+    learned.coefficients(a, a) = 1;
     for (Eigen::Index b = 0; b < a; ++b) {
       const std::optional<double> correlation =
           correlationOver(commonMoments(sayings[order[static_cast<std::size_t>(a)]],
                                         sayings[order[static_cast<std::size_t>(b)]]));
       if (!correlation) continue;
-      learnt.coefficients(a, b) = learnt.coefficients(b, a) = *correlation;
+      learned.coefficients(a, b) = learned.coefficients(b, a) = *correlation;
       found.push_back(*correlation);
     }
   }
   const double mean = found.empty() ? kUnknownCorrelation
                                     : std::accumulate(found.begin(), found.end(), 0.0) /
                                           static_cast<double>(found.size());
-  learnt.coefficients = (learnt.coefficients.array() < 0).select(mean, learnt.coefficients);
-  return learnt;
+  learned.coefficients = (learned.coefficients.array() < 0).select(mean, learned.coefficients);
+  return learned;
 }
 
 }  // namespace place_recognition

@@ -89,7 +89,7 @@ class CueTrainer {
       for (Eigen::Index j = 0; j < gram.columns(); ++j) {
         if (std::abs(gram(i, j)) <= kLargest) continue;
         throw Error("The kernel of cue '" + cue_.name + "' (" + cue_.kernel.type +
-                    ") has values beyond 1e30 on these pictures; choose smaller parameters, for "
+                    ") has values beyond 1e30 on these images; choose smaller parameters, for "
                     "the polynomial one cues." +
                     cue_.name + ".kernel.p and d.");
       }

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "recognition/frames/color_normalization.h"
+#include "recognition/frames/colour_normalization.h"
 
 namespace place_recognition {
 
 LabelledLight::LabelledLight(const Model* model)
-    : model_(model), estimate_(model ? model->colors : ColorStatistics{}) {}
+    : model_(model), estimate_(model ? model->colours : ColourStatistics{}) {}
 
 Light LabelledLight::next(const Frame& frame) {
-  if (!model_ || !model_->colors.known()) return {};
+  if (!model_ || !model_->colours.known()) return {};
   estimate_.beginFrame(frame.stamp);
   const Light light = estimate_.correction();
   const auto& places = model_->places;
@@ -18,7 +18,7 @@ Light LabelledLight::next(const Frame& frame) {
   if (place != places.end() && *place == frame.place) {
     certain_.setZero(static_cast<Eigen::Index>(places.size()));
     certain_[place - places.begin()] = 1;
-    estimate_.add(logColor(frame.image), certain_);
+    estimate_.add(logColour(frame.image), certain_);
   }
   return light;
 }

@@ -185,12 +185,12 @@ Model withMachines(Model model, std::vector<BinarySvms> machines, const Reductio
 
 double comparisonMilliseconds(const Model& model,
                               const std::vector<std::vector<Feature>>& features) {
-  constexpr std::size_t kPictures = 200;
+  constexpr std::size_t kImages = 200;
   using Clock = std::chrono::steady_clock;
   Eigen::VectorXd kernel_values;
   Eigen::RowVectorXd decision_values;
   std::vector<double> milliseconds;
-  for (std::size_t i = 0; i < std::min(kPictures, features[0].size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kImages, features[0].size()); ++i) {
     const Clock::time_point start = Clock::now();
     for (std::size_t c = 0; c < features.size(); ++c) {
       if (i >= features[c].size() || isMissing(features[c][i])) continue;

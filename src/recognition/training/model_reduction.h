@@ -64,8 +64,8 @@ std::vector<BinarySvms> machinesOf(const Model& model);
 /// vectors: the evidence is shifted by what the support vectors themselves lose on average.
 Model withMachines(Model model, std::vector<BinarySvms> machines, const ReductionOptions& options);
 
-/// Milliseconds to compare the features of one picture with all support vectors of all cues: the
-/// median over some of the pictures of `features` ([cue][picture]). What remains of a frame's time,
+/// Milliseconds to compare the features of one image with all support vectors of all cues: the
+/// median over some of the images of `features` ([cue][image]). What remains of a frame's time,
 /// the extraction of features, does not depend on the support vectors.
 double comparisonMilliseconds(const Model& model,
                               const std::vector<std::vector<Feature>>& features);

@@ -33,7 +33,7 @@ KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::st
     place_of.push_back(known ? static_cast<int>(place - model.places.begin()) : -1);
     if (known) continue;
     warnings.push_back("The model does not know the place '" + samples.places[k] + "', of which " +
-                       counted(samples.images[k], "picture") + " are left out.");
+                       counted(samples.images[k], "image") + " are left out.");
   }
   KnownFrames known;
   known.features.resize(samples.features.size());

@@ -39,7 +39,7 @@ void append(Samples part, int first_run, Samples& samples) {
   }
   for (std::size_t k = 0; k < places.size(); ++k) {
     samples.images[static_cast<std::size_t>(places[k])] += part.images[k];
-    samples.colors[static_cast<std::size_t>(places[k])].add(part.colors[k]);
+    samples.colours[static_cast<std::size_t>(places[k])].add(part.colours[k]);
   }
   for (std::size_t a = 0; a < places.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
@@ -59,7 +59,7 @@ Samples rememberedSamples(const Model& model) {
   Samples samples;
   samples.places = model.places;
   samples.images = model.provenance.place_images;
-  samples.colors = colorMoments(model.colors, samples.images);
+  samples.colours = colourMoments(model.colours, samples.images);
   samples.inputs = model.provenance.inputs;
   samples.skipped = model.provenance.skipped_images;
   samples.adjacency = model.adjacency;
@@ -85,7 +85,7 @@ Samples joinSamples(Samples remembered, Samples fresh) {
   std::set_union(remembered.places.begin(), remembered.places.end(), fresh.places.begin(),
                  fresh.places.end(), std::back_inserter(all.places));
   all.images.assign(all.places.size(), 0);
-  all.colors.assign(all.places.size(), {});
+  all.colours.assign(all.places.size(), {});
   all.adjacency = Adjacency(all.places.size());
   all.remembered = remembered.remembered;
   all.image_profile = fresh.image_profile;

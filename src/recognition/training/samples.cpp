@@ -56,11 +56,11 @@ struct Skipped {
 
 std::string warningOf(const std::string& run, const Skipped& skipped) {
   std::string text = run + ": left out are ";
-  if (skipped.unlabelled > 0) text += counted(skipped.unlabelled, "picture") + " without label";
+  if (skipped.unlabelled > 0) text += counted(skipped.unlabelled, "image") + " without label";
   if (skipped.unlabelled > 0 && skipped.problems > 0) text += " and ";
   if (skipped.problems > 0) {
-    text += counted(skipped.problems, "picture") + " that cannot be used (" +
-            skipped.first_problem + ")";
+    text +=
+        counted(skipped.problems, "image") + " that cannot be used (" + skipped.first_problem + ")";
   }
   return text + ".";
 }
@@ -74,11 +74,11 @@ struct CameraStream {
 };
 
 /// Other light, if that is to be learned.
-PictureChange changeOfLight(const TrainingOptions& options) {
+ImageChange changeOfLight(const TrainingOptions& options) {
   if (!options.augmentation.other_light) return {};
   const auto draw = std::make_shared<LightDraw>(options.seed);
   return [draw](const cv::Mat& image, const std::string& place) {
-    return ChangedPicture{inLight(image, draw->next(place)), {}};
+    return ChangedImage{inLight(image, draw->next(place)), {}};
   };
 }
 
@@ -86,7 +86,7 @@ PictureChange changeOfLight(const TrainingOptions& options) {
 class Collector {
  public:
   Collector(const TrainingOptions& options, const ImageProfile& profile, const Model* model,
-            PictureChange change, unsigned threads)
+            ImageChange change, unsigned threads)
       : image_options_(options.image),
         expected_(profile),
         profile_(profile),
@@ -169,7 +169,7 @@ class Collector {
     } else if (frame.place == kUnknownPlace) {
       throw Error("The label of " + frame.name +
                   " is 'unknown', which is the answer for places that are not known; rename the "
-                  "place, or leave its pictures unlabelled.");
+                  "place, or leave its images unlabelled.");
     } else if (frame.image.empty()) {
       leaveOut(skipped_.back(), frame.place, frame.name, frame.problem);
     } else if (!camera.rate.admits(frame.stamp)) {
@@ -185,7 +185,7 @@ class Collector {
       const Light light = camera.light.next(frame);
       pool_.submit(frame.image, records_.back().extracted, light);
       if (change_) {
-        const ChangedPicture changed = change_(frame.image, frame.place);
+        const ChangedImage changed = change_(frame.image, frame.place);
         pool_.submit(changed.image, records_.back().changed, light * changed.correction);
       }
       if (records_.size() > 2 * most_) dropHalf();
@@ -230,7 +230,7 @@ class Collector {
     }
   }
 
-  /// Names the places that were labelled but have no picture that can be used.
+  /// Names the places that were labelled but have no image that can be used.
   void warnOfPlaces(Samples& samples) const {
     std::map<std::string, std::uint64_t> labelled;
     for (const std::vector<Seen>& run : seen_) {
@@ -241,7 +241,7 @@ class Collector {
       if (places_.count(place) > 0) continue;
       const auto problem = first_problem_of_.find(place);
       samples.warnings.push_back(
-          "'" + place + "' is not learned: its " + counted(count, "picture") + " cannot be used" +
+          "'" + place + "' is not learned: its " + counted(count, "image") + " cannot be used" +
           (problem == first_problem_of_.end() ? "" : " (" + problem->second + ")") + ".");
     }
   }
@@ -249,17 +249,17 @@ class Collector {
   std::string whyTooFewPlaces() const {
     std::string runs;
     for (const std::string& input : inputs_) runs += (runs.empty() ? "" : ", ") + input;
-    if (frames_ == 0) return "There are no pictures in " + runs + "; give a run that has some.";
+    if (frames_ == 0) return "There are no images in " + runs + "; give a run that has some.";
     if (places_.size() == 1) {
-      return "All pictures in " + runs + " show one place, '" + *places_.begin() +
+      return "All images in " + runs + " show one place, '" + *places_.begin() +
              "'; a model needs two places or more to tell apart.";
     }
     for (const Skipped& skipped : skipped_) {
       if (skipped.problems == 0) continue;
-      return "None of the pictures in " + runs + " can be used (" + skipped.first_problem +
+      return "None of the images in " + runs + " can be used (" + skipped.first_problem +
              "); give a run that has some.";
     }
-    return "None of the " + std::to_string(frames_) + " pictures in " + runs +
+    return "None of the " + std::to_string(frames_) + " images in " + runs +
            " has a label; say which place each of them shows.";
   }
 
@@ -283,7 +283,7 @@ class Collector {
     samples.passed_over = passed_over_ + left_out;
     if (left_out == 0) return;
     samples.warnings.push_back(
-        "Of " + std::to_string(left_out + next) + " pictures " + std::to_string(next) +
+        "Of " + std::to_string(left_out + next) + " images " + std::to_string(next) +
         " are learned, the same fraction of each room (sampling.most); of a fast "
         "camera sampling.rate=5 passes over more as it is read.");
   }
@@ -302,13 +302,13 @@ class Collector {
 
   void fill(Samples& samples) {
     samples.images.assign(samples.places.size(), 0);
-    samples.colors.assign(samples.places.size(), {});
+    samples.colours.assign(samples.places.size(), {});
     samples.features.resize(cues_);
     for (Record& record : records_) {
       const SampleOrigin origin{placeOf(record, samples.places), record.run, record.stamp,
                                 record.camera};
       ++samples.images[static_cast<std::size_t>(origin.place)];
-      samples.colors[static_cast<std::size_t>(origin.place)].add(record.extracted.color);
+      samples.colours[static_cast<std::size_t>(origin.place)].add(record.extracted.colour);
       append(origin, static_cast<int>(samples.origins.size()), record.extracted, samples);
     }
     samples.recorded = samples.origins.size();
@@ -357,7 +357,7 @@ class Collector {
   const Model* model_;           // null: none
   SamplingOptions sampling_;
   std::uint64_t passed_over_ = 0;  // by sampling.rate
-  PictureChange change_;
+  ImageChange change_;
   std::size_t most_;  // records that may be learned
   std::uint64_t seed_;
   HalvingSample fraction_;
@@ -369,7 +369,7 @@ class Collector {
 
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                        unsigned threads, const Progress& progress, std::size_t least_places,
-                       const std::optional<ImageProfile>& profile, const PictureChange& change) {
+                       const std::optional<ImageProfile>& profile, const ImageChange& change) {
   Collector collector(options, profile ? *profile : commonSize(runs, progress), nullptr,
                       change ? change : changeOfLight(options), threads);
   return collector.readAll(runs, progress, least_places);

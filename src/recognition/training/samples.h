@@ -11,17 +11,17 @@
 #include "place_recognition/feature.h"
 #include "place_recognition/model.h"
 #include "place_recognition/training.h"
-#include "recognition/frames/color_statistics.h"
+#include "recognition/frames/colour_statistics.h"
 #include "recognition/frames/light.h"
 
 namespace place_recognition {
 
-/// A picture as it might look another time.
-struct ChangedPicture {
+/// An image as it might look another time.
+struct ChangedImage {
   cv::Mat image;
   Light correction;  ///< what cues that follow the light of the run multiply it by
 };
-using PictureChange = std::function<ChangedPicture(const cv::Mat& image, const std::string& place)>;
+using ImageChange = std::function<ChangedImage(const cv::Mat& image, const std::string& place)>;
 
 /// What training keeps of the labelled frames of its runs: first those as they were recorded, in
 /// the order of the runs, then the same frames changed, if that is asked for.
@@ -31,18 +31,18 @@ struct Samples {
   std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
   std::vector<int> source;                     ///< of each sample: the recorded one that it shows
   std::size_t recorded = 0;                    ///< how many show the light of the recording
-  std::size_t remembered = 0;         ///< the first of these, from a model, not from these runs
-  std::vector<std::uint64_t> images;  ///< of each place, that it was learnt from in all
-  std::vector<ColorMoments> colors;   ///< of each place, of the recorded images
-  std::vector<std::string> inputs;    ///< names of the runs
-  std::vector<std::string> cameras;   ///< of `origins`, by topics; of several runs together
-  ImageProfile image_profile;         ///< of `profile`'s images and those learnt from
-  Adjacency adjacency{0};             ///< of `places`, from the runs that are drives
-  std::uint64_t skipped = 0;          ///< frames without label, picture or any feature
-  std::uint64_t passed_over = 0;      ///< usable ones, see SamplingOptions
-  HeldOutFrames judged_before;        ///< of the model that the remembered ones are from
-  std::vector<int> place_before;      ///< for each place of that model, its index in `places`
-  std::vector<std::string> warnings;  ///< what was skipped and why, a sentence per run
+  std::size_t remembered = 0;          ///< the first of these, from a model, not from these runs
+  std::vector<std::uint64_t> images;   ///< of each place, that it was learned from in all
+  std::vector<ColourMoments> colours;  ///< of each place, of the recorded images
+  std::vector<std::string> inputs;     ///< names of the runs
+  std::vector<std::string> cameras;    ///< of `origins`, by topics; of several runs together
+  ImageProfile image_profile;          ///< of `profile`'s images and those learned from
+  Adjacency adjacency{0};              ///< of `places`, from the runs that are drives
+  std::uint64_t skipped = 0;           ///< frames without label, image or any feature
+  std::uint64_t passed_over = 0;       ///< usable ones, see SamplingOptions
+  HeldOutFrames judged_before;         ///< of the model that the remembered ones are from
+  std::vector<int> place_before;       ///< for each place of that model, its index in `places`
+  std::vector<std::string> warnings;   ///< what was skipped and why, a sentence per run
 
   std::vector<SampleOrigin> recordedOrigins() const {
     return {origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(recorded)};
@@ -50,15 +50,15 @@ struct Samples {
 };
 
 /// Reads the runs one after the other in this thread and extracts features in `threads` others (0:
-/// one per core); a few frames at most wait in between. Throws Error if there is no picture, no
+/// one per core); a few frames at most wait in between. Throws Error if there is no image, no
 /// label, a label that cannot name a place, or if fewer than `least_places` have samples; Cancelled
 /// if `progress` asks for it. Images are brought to the size of `profile`; without one to
-/// commonSize(runs). Each picture is there a second time as `change` makes it, or, if there is
+/// commonSize(runs). Each image is there a second time as `change` makes it, or, if there is
 /// none, in other light if `options` say so.
 Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
                        unsigned threads, const Progress& progress, std::size_t least_places = 2,
                        const std::optional<ImageProfile>& profile = {},
-                       const PictureChange& change = {});
+                       const ImageChange& change = {});
 
 /// The same for a model that learns on or is to be judged: images are brought to the size of those
 /// it was trained on, and cues that follow the light of a run see them in the light of its

@@ -7,7 +7,7 @@
 #include "base/place_name.h"
 #include "base/text.h"
 #include "learning/classifier_parts.h"
-#include "recognition/frames/color_normalization.h"
+#include "recognition/frames/colour_normalization.h"
 #include "recognition/frames/mirror_search.h"
 #include "recognition/model/embeddings.h"
 #include "recognition/training/block_choice.h"
@@ -30,7 +30,7 @@ Provenance provenanceOf(const Samples& samples) {
 /// Whether the light of a run is to be held against that of the training.
 bool followsLight(const TrainingOptions& options) {
   return std::any_of(options.cues.begin(), options.cues.end(), [](const CueOptions& cue) {
-    return colorNormalization(cue.normalize) == ColorNormalization::kRun;
+    return colourNormalization(cue.normalize) == ColourNormalization::kRun;
   });
 }
 
@@ -58,7 +58,7 @@ void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>
   for (std::size_t k = 0; k < samples.images.size(); ++k) {
     if (samples.images[k] >= enough) continue;
     warnings.push_back("The place '" + samples.places[k] + "' has only " +
-                       counted(samples.images[k], "picture") +
+                       counted(samples.images[k], "image") +
                        "; its answers and their confidence will be poor.");
   }
 }
@@ -72,7 +72,7 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
     warnings.push_back("'" + places[static_cast<std::size_t>(pair.a)] + "' and '" +
                        places[static_cast<std::size_t>(pair.b)] +
                        "' look alike: " + percent(pair.rate, 0) +
-                       " of their held-out pictures are taken for the other place.");
+                       " of their held-out images are taken for the other place.");
   }
 }
 
@@ -146,7 +146,7 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
   model.validation = calibrated.validation;
   model.places = samples.places;
   model.images = samples.image_profile;
-  if (followsLight(options)) model.colors = colorStatistics(samples.colors);
+  if (followsLight(options)) model.colours = colourStatistics(samples.colours);
   model.adjacency = samples.adjacency;
   model.cameras = learnCameraCorrelation(samples.cameras, samples.recordedOrigins(),
                                          held_out[chosen], model.calibration);

@@ -7,7 +7,7 @@
 #include "learning/folds.h"
 #include "learning/kernel_type.h"
 #include "place_recognition/error.h"
-#include "recognition/frames/color_normalization.h"
+#include "recognition/frames/colour_normalization.h"
 
 namespace place_recognition {
 namespace {
@@ -19,7 +19,7 @@ void checkCue(const CueOptions& cue) {
                 "'; give 1 to 64 letters, digits, '_' or '-'.");
   }
   try {
-    colorNormalization(cue.normalize);
+    colourNormalization(cue.normalize);
     if (!(cue.weight >= 0.01 && cue.weight <= 100)) {
       throw Error("option 'weight' is " + std::to_string(cue.weight) + "; give 0.01 to 100.");
     }
@@ -93,11 +93,10 @@ void ImageOptions::check() const {
 void SamplingOptions::check() const {
   if (!(rate >= 0 && rate <= 1000)) {
     throw Error("Option 'sampling.rate' is " + std::to_string(rate) +
-                "; give 0 to 1000 pictures a second.");
+                "; give 0 to 1000 images a second.");
   }
   if (most < 10) {
-    throw Error("Option 'sampling.most' is " + std::to_string(most) +
-                "; give 10 pictures or more.");
+    throw Error("Option 'sampling.most' is " + std::to_string(most) + "; give 10 images or more.");
   }
 }
 

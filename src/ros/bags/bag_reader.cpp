@@ -51,7 +51,7 @@ std::string bareName(const std::string& topic) {
                                     : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
 }
 
-/// Whether the pictures are distances, which no camera's picture can be taken for.
+/// Whether the images are distances, which no camera's image can be taken for.
 bool isCompressedDepth(const std::string& topic) {
   const std::string ending = "compressedDepth";
   return topic.size() >= ending.size() &&
@@ -88,8 +88,8 @@ void decode(const rosbag::MessageInstance& instance, cv::Mat& image, BagRecord& 
   owner = message;
 }
 
-/// The picture of a message; `record` tells of it, or of the problem with it. `owner` keeps the
-/// memory of the picture.
+/// The image of a message; `record` tells of it, or of the problem with it. `owner` keeps the
+/// memory of the image.
 cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
                   boost::shared_ptr<void>& owner) {
   record.time = instance.getTime().toSec();

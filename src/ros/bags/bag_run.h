@@ -9,7 +9,7 @@
 
 namespace place_recognition {
 
-/// Which pictures of a bag are read and where their labels come from. Labels are looked for in this
+/// Which images of a bag are read and where their labels come from. Labels are looked for in this
 /// order: `label`, `labels_file`, a file beside the bag, `label_topic`.
 struct BagRunOptions {
   std::vector<std::string> image_topics;  ///< one per camera; empty: the only topic of images
@@ -33,7 +33,7 @@ struct BagTopic {
   std::string name;
   std::string type;  ///< as in std_msgs/String
   std::uint64_t messages = 0;
-  int width = 0;  ///< pixels of its first picture; 0: not images, or none that can be decoded
+  int width = 0;  ///< pixels of its first image; 0: not images, or none that can be decoded
   int height = 0;
 };
 

@@ -9,7 +9,7 @@ namespace {
 [[noreturn]] void refuse(const std::string& path) {
   throw Error(path +
               " is a bag, and this program was built without ROS; build it with "
-              "-DPLACE_RECOGNITION_ROS=ON, or take folders of room/picture files.");
+              "-DPLACE_RECOGNITION_ROS=ON, or take folders of room/image files.");
 }
 
 }  // namespace

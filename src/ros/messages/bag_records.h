@@ -13,12 +13,12 @@ namespace place_recognition {
 
 enum class BagRecordKind : std::uint32_t {
   kSpan,     ///< time and stamp: first and last bag time
-  kTopic,    ///< text: name; detail: type; number: messages; rows and cols of the first picture
+  kTopic,    ///< text: name; detail: type; number: messages; rows and cols of the first image
   kLabel,    ///< text: label; time
   kDepth,    ///< rows and cols: the lowest and highest value of images of 16 bits, see DepthExtent
   kCamera,   ///< text: the topic without /compressed
   kImage,    ///< text: name; time; stamp; number: of its camera; rows, cols, type; pixels follow
-  kProblem,  ///< a picture that cannot be decoded: as kImage, but detail: why, and no pixels
+  kProblem,  ///< an image that cannot be decoded: as kImage, but detail: why, and no pixels
   kError,    ///< detail: why the bag cannot be read, for a person; text: what to do, unless that
              ///< says it; number: byte offset
   kCrash,    ///< number: byte offset that had been read to
@@ -29,7 +29,7 @@ struct BagRecordNumbers {
   BagRecordKind kind = BagRecordKind::kEnd;
   std::int32_t type = 0;  ///< of cv::Mat: one or three channels of CV_8U or CV_16U
   double time = 0;        ///< bag time, s
-  double stamp = 0;       ///< of the picture's header, s
+  double stamp = 0;       ///< of the image's header, s
   std::uint64_t number = 0;
   std::uint32_t rows = 0;
   std::uint32_t cols = 0;

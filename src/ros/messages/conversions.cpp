@@ -102,7 +102,7 @@ sensor_msgs::Image littleEndian(sensor_msgs::Image message) {
 }
 
 cv::Mat fromYuy2(const sensor_msgs::Image& message) {
-  // The const_cast is safe: the picture is only read.
+  // The const_cast is safe: the image is only read.
   const cv::Mat image(static_cast<int>(message.height), static_cast<int>(message.width), CV_8UC2,
                       const_cast<std::uint8_t*>(message.data.data()), message.step);
   cv::Mat converted;

@@ -15,13 +15,13 @@
 
 namespace place_recognition {
 
-/// Larger pictures are refused before any memory is taken for them.
+/// Larger images are refused before any memory is taken for them.
 constexpr std::uint32_t kMaxImageSide = 8192;
 
 /// Throws Error for an image of no pixels or of more than kMaxImageSide on a side.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
-/// The picture of a message, BGR or grey, of 8 or 16 bits a channel (see DepthScale). Of encodings
+/// The image of a message, BGR or grey, of 8 or 16 bits a channel (see DepthScale). Of encodings
 /// that are so already it shares the message's memory, so the message must outlive it. Understands
 /// rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1.
 /// Throws Error for other encodings and for sizes that do not agree; nothing else, whatever the
@@ -29,7 +29,7 @@ void checkImageSize(std::uint64_t width, std::uint64_t height);
 cv::Mat toImage(const sensor_msgs::Image& message);
 cv::Mat toImage(sensor_msgs::Image&& message) = delete;
 
-/// The same for a picture that decodeImage() takes. Its `format` tells, as image_transport has it,
+/// The same for an image that decodeImage() takes. Its `format` tells, as image_transport has it,
 /// the encoding of the image that was compressed and how that was stored: "rgb8; jpeg compressed
 /// bgr8" holds BGR, "rgb8; jpeg compressed rgb8" has red and blue swapped, "bayer_rggb8; png
 /// compressed" is a mosaic. Without a semicolon ("jpeg") it is BGR or grey.
@@ -45,7 +45,7 @@ void revise(const FilteredAnswer& answer, PlaceRecognition& message);
 
 ModelInfo toModelInfo(const Model& model);
 
-/// The message of a CV_8UC3 or CV_8UC1 picture: bgr8 or mono8.
+/// The message of a CV_8UC3 or CV_8UC1 image: bgr8 or mono8.
 sensor_msgs::Image toImageMessage(const cv::Mat& image, const std_msgs::Header& header);
 
 }  // namespace place_recognition

@@ -24,7 +24,7 @@ class ImageMessage {
       : message_(std::move(message)) {}
 
   const std_msgs::Header& header() const;
-  /// The picture, which may share the message's memory. Throws Error if it cannot be used.
+  /// The image, which may share the message's memory. Throws Error if it cannot be used.
   cv::Mat image() const;
 
   /// What its topic has after the name without a transport.

@@ -23,7 +23,7 @@ struct ArrivedImage {
   std::size_t camera;  ///< that it is of
 };
 
-/// A picture that somebody asks about, and where the answer goes.
+/// An image that somebody asks about, and where the answer goes.
 struct Question {
   ImageMessage message;
   std::promise<PlaceRecognition> answer;

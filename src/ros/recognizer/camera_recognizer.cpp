@@ -104,7 +104,7 @@ const Recognition& CameraRecognizer::recognize(const cv::Mat& image, double stam
   return recognition;
 }
 
-Recognition CameraRecognizer::recognizePicture(const ImageMessage& message) {
+Recognition CameraRecognizer::recognizeImage(const ImageMessage& message) {
   DepthScale scale = depth_scale_;
   const cv::Mat arrived = message.image();
   const cv::Mat image = arrived.depth() == CV_16U ? scale.toEightBits(arrived) : arrived;

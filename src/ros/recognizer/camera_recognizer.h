@@ -60,8 +60,8 @@ class CameraRecognizer {
                                ImageStatus::Clock::time_point arrival);
   /// Whether the image answered last shows anything.
   bool blind() const { return guard_->blind(); }
-  /// The answer to a picture, which changes nothing of the answers to images.
-  Recognition recognizePicture(const ImageMessage& message);
+  /// The answer to an image, which changes nothing of the answers to images.
+  Recognition recognizeImage(const ImageMessage& message);
 
   /// If somebody listens.
   void publishDebugImage(const cv::Mat& image, const Recognition& recognition,

@@ -15,7 +15,7 @@ const cv::Scalar kWhite(255, 255, 255);
 const cv::Scalar kGreen(80, 175, 40);
 const cv::Scalar kGrey(150, 150, 150);
 
-/// Sizes that follow the height of the picture.
+/// Sizes that follow the height of the image.
 struct Layout {
   explicit Layout(const cv::Size& image)
       : line(std::max(12, image.height / 22)),
@@ -36,11 +36,11 @@ cv::Mat drawAnswer(const cv::Mat& image, const Recognition& recognition, const M
   const int places = static_cast<int>(model.places.size());
   cv::Mat canvas(image.rows + (places + 1) * layout.line, image.cols, CV_8UC3,
                  cv::Scalar(40, 40, 40));
-  cv::Mat picture = canvas.rowRange(0, image.rows);
+  cv::Mat frame = canvas.rowRange(0, image.rows);
   if (image.channels() == 1) {
-    cv::cvtColor(image, picture, cv::COLOR_GRAY2BGR);
+    cv::cvtColor(image, frame, cv::COLOR_GRAY2BGR);
   } else {
-    image.copyTo(picture);
+    image.copyTo(frame);
   }
 
   std::string answer = kUnknownPlace;

@@ -52,9 +52,9 @@ KeepOptions readKeepOptions(Parameters& parameters, const ros::NodeHandle& node)
   return options;
 }
 
-ImageMessage pictureOf(const Recognize::Request& request) {
+ImageMessage imageOf(const Recognize::Request& request) {
   if (request.image.data.empty() == request.compressed.data.empty()) {
-    throw Error("Give one picture, either as image or as compressed.");
+    throw Error("Give one image, either as image or as compressed.");
   }
   if (request.image.data.empty()) {
     return ImageMessage(boost::make_shared<const sensor_msgs::CompressedImage>(request.compressed));
@@ -267,7 +267,7 @@ bool PlaceRecognizer::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Re
 
 bool PlaceRecognizer::onRecognize(Recognize::Request& request, Recognize::Response& response) {
   try {
-    response.recognition = newest_.ask(pictureOf(request)).get();
+    response.recognition = newest_.ask(imageOf(request)).get();
     response.success = true;
   } catch (const std::exception& e) {
     response.message = e.what();
@@ -288,7 +288,7 @@ void PlaceRecognizer::answer(Question& question) {
     CameraRecognizer& camera = *cameras_.front();
     if (!camera.model()) throw Error("There is no model to recognize with; call ~load_model.");
     const auto start = ImageStatus::Clock::now();
-    const Recognition recognition = camera.recognizePicture(question.message);
+    const Recognition recognition = camera.recognizeImage(question.message);
     const std::chrono::duration<double> spent = ImageStatus::Clock::now() - start;
     question.answer.set_value(
         toPlaceRecognition(recognition, *camera.model(), question.message.header(), spent.count()));

@@ -17,10 +17,10 @@ namespace place_recognition {
 
 /// What the answers to single frames of all cameras amount to over time: a TemporalFilter with what
 /// the node knows beside them, how alike the cameras err (`~camera_correlation`, else what the
-/// model has learnt), which rooms adjoin (the file that the parameter `~adjacency` names, else what
-/// the model has learnt) and how far the robot has driven (the topic `odom`, if `~use_odometry`);
-/// and what they amount to when one waits a little (SmoothedAnswers). Not thread-safe, but for
-/// odometry, which may come at any time.
+/// model has learned), which rooms adjoin (the file that the parameter `~adjacency` names, else
+/// what the model has learned) and how far the robot has driven (the topic `odom`, if
+/// `~use_odometry`); and what they amount to when one waits a little (SmoothedAnswers). Not
+/// thread-safe, but for odometry, which may come at any time.
 class PlaceTracker {
  public:
   /// `cameras`: the topics of their images, one at least.
@@ -66,7 +66,7 @@ class PlaceTracker {
   void makeFilter();
 
   const std::vector<std::string> cameras_;
-  const Eigen::MatrixXd given_correlation_;           // empty: as learnt
+  const Eigen::MatrixXd given_correlation_;           // empty: as learned
   const std::string adjacency_path_;                  // empty: none
   std::vector<std::shared_ptr<const Model>> models_;  // one per camera; null: none yet
   std::shared_ptr<const Model> model_;                // the first of them, whose places count

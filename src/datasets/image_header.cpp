@@ -1,4 +1,4 @@
-#include "datasets/picture_header.h"
+#include "datasets/image_header.h"
 
 #include <zlib.h>
 
@@ -61,13 +61,13 @@ bool isWholePng(const Bytes& file) {
   return false;
 }
 
-PictureHeader readPng(const Bytes& file) {
-  return {PictureFormat::kPng, file.big(16, 4), file.big(20, 4), isWholePng(file)};
+ImageHeader readPng(const Bytes& file) {
+  return {ImageFormat::kPng, file.big(16, 4), file.big(20, 4), isWholePng(file)};
 }
 
 /// Walks the segments of a JPEG file up to the start of frame (SOF), which has height and width.
-PictureHeader readJpeg(const Bytes& file) {
-  PictureHeader header{PictureFormat::kJpeg, 0, 0, true};
+ImageHeader readJpeg(const Bytes& file) {
+  ImageHeader header{ImageFormat::kJpeg, 0, 0, true};
   for (std::uint64_t i = 2; i + 9 <= file.size();) {
     if (file.at(i) != 0xff) break;
     const std::uint8_t marker = file.at(i + 1);
@@ -91,7 +91,7 @@ PictureHeader readJpeg(const Bytes& file) {
 }
 
 /// Whether the first `size` bytes end in a buffer that was not filled: more than a quarter are
-/// zeros, where pictures of one colour have a twentieth.
+/// zeros, where images of one colour have a twentieth.
 bool endsInZeros(const Bytes& file, std::uint64_t size) {
   std::uint64_t end = size;
   while (end > 0 && file.at(end - 1) == 0) --end;
@@ -99,9 +99,9 @@ bool endsInZeros(const Bytes& file, std::uint64_t size) {
 }
 
 /// RIFF, its length, WEBP, then a chunk of one of three kinds.
-PictureHeader readWebp(const Bytes& file) {
+ImageHeader readWebp(const Bytes& file) {
   const std::uint64_t size = file.little(4, 4) + 8;
-  PictureHeader header{PictureFormat::kWebp, 0, 0, size <= file.size() && !endsInZeros(file, size)};
+  ImageHeader header{ImageFormat::kWebp, 0, 0, size <= file.size() && !endsInZeros(file, size)};
   if (file.startsWith("VP8 ", 12)) {
     header.width = file.little(26, 2) & 0x3fff;
     header.height = file.little(28, 2) & 0x3fff;
@@ -116,8 +116,8 @@ PictureHeader readWebp(const Bytes& file) {
   return header;
 }
 
-PictureHeader readBmp(const Bytes& file) {
-  PictureHeader header{PictureFormat::kBmp, 0, 0, false};
+ImageHeader readBmp(const Bytes& file) {
+  ImageHeader header{ImageFormat::kBmp, 0, 0, false};
   const std::uint64_t pixels = file.little(10, 4);
   std::uint64_t bits, compression = 0;
   if (file.little(14, 4) == 12) {  // OS/2
@@ -199,11 +199,11 @@ class TiffDirectory {
   std::uint64_t count_;
 };
 
-PictureHeader readTiff(const Bytes& file) {
+ImageHeader readTiff(const Bytes& file) {
   constexpr std::uint64_t kWidth = 256, kHeight = 257, kStrips = 273, kStripBytes = 279;
   constexpr std::uint64_t kTileWidth = 322, kTileHeight = 323, kTiles = 324, kTileBytes = 325;
   const TiffDirectory directory(file);
-  return {PictureFormat::kTiff, std::max(directory.value(kWidth), directory.value(kTileWidth)),
+  return {ImageFormat::kTiff, std::max(directory.value(kWidth), directory.value(kTileWidth)),
           std::max(directory.value(kHeight), directory.value(kTileHeight)),
           directory.hasParts(kStrips, kStripBytes) || directory.hasParts(kTiles, kTileBytes)};
 }
@@ -221,7 +221,7 @@ std::uint64_t countNumbers(const Bytes& file, std::uint64_t i, bool each_digit) 
 
 /// The netpbm formats in text, P1 to P3, and in bytes, P4 to P6: numbers as text, with comments,
 /// then pixels.
-PictureHeader readPnm(const Bytes& file) {
+ImageHeader readPnm(const Bytes& file) {
   std::uint64_t i = 2;
   const auto number = [&file, &i] {
     for (; std::isspace(file.at(i)) || file.at(i) == '#'; ++i) {
@@ -241,18 +241,18 @@ PictureHeader readPnm(const Bytes& file) {
   const std::uint64_t largest = bitmap ? 1 : number();
   if (kind <= '3') {
     const std::uint64_t needed = width * height * (kind == '3' ? 3 : 1);
-    return {PictureFormat::kPnm, width, height, countNumbers(file, i, bitmap) >= needed};
+    return {ImageFormat::kPnm, width, height, countNumbers(file, i, bitmap) >= needed};
   }
   const std::uint64_t row =
       bitmap ? (width + 7) / 8 : width * (kind == '6' ? 3 : 1) * (largest > 255 ? 2 : 1);
   // Both below 10^9, so the product fits.
-  return {PictureFormat::kPnm, width, height, i + 1 + row * height <= file.size()};
+  return {ImageFormat::kPnm, width, height, i + 1 + row * height <= file.size()};
 }
 
 /// A bare codestream, or one in boxes: length, type, data. It starts with SOC and SIZ, which has
-/// the corners of the picture, and ends with EOC.
-PictureHeader readJpeg2000(const Bytes& file) {
-  PictureHeader header{PictureFormat::kJpeg2000, 0, 0, false};
+/// the corners of the image, and ends with EOC.
+ImageHeader readJpeg2000(const Bytes& file) {
+  ImageHeader header{ImageFormat::kJpeg2000, 0, 0, false};
   std::uint64_t start = 0, end = file.size();
   if (!file.startsWith("\xff\x4f\xff\x51"sv)) {
     while (start + 8 <= file.size() && !file.startsWith("jp2c", start + 4)) {
@@ -277,20 +277,20 @@ PictureHeader readJpeg2000(const Bytes& file) {
 
 /// Eight numbers, then colours and rows of pixels; a length of the pixels is given if they are
 /// compressed.
-PictureHeader readSunRaster(const Bytes& file) {
+ImageHeader readSunRaster(const Bytes& file) {
   const std::uint64_t width = file.big(4, 4), height = file.big(8, 4), bits = file.big(12, 4);
   const std::uint64_t row = (width * bits + 15) / 16 * 2;
   const bool compressed = file.big(20, 4) == 2;
   const std::uint64_t pixels = compressed ? file.big(16, 4) : row * height;
   // All below 2^32, and `row` below 2^62 with a sound number of bits.
   const bool sound = bits <= 32 && width <= 1 << 16 && height <= 1 << 16;
-  return {PictureFormat::kSunRaster, width, height,
+  return {ImageFormat::kSunRaster, width, height,
           sound && 32 + file.big(28, 4) + pixels <= file.size()};
 }
 
 struct Signature {
   std::string_view start;
-  PictureHeader (*read)(const Bytes&);
+  ImageHeader (*read)(const Bytes&);
 };
 
 constexpr std::array<Signature, 15> kSignatures{{
@@ -313,7 +313,7 @@ constexpr std::array<Signature, 15> kSignatures{{
 
 }  // namespace
 
-PictureHeader readPictureHeader(const std::uint8_t* bytes, std::size_t size) {
+ImageHeader readImageHeader(const std::uint8_t* bytes, std::size_t size) {
   const Bytes file(bytes, size);
   const auto found =
       std::find_if(kSignatures.begin(), kSignatures.end(),

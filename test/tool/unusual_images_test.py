@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures of kinds that are rare and sound: each is named as its room, so its colours are right."""
+"""Images of kinds that are rare and sound: each is named as its room, so its colours are right."""
 import base64
 import json
 import struct
@@ -82,7 +82,7 @@ def png(rows, bits, color_type, *extra):
 
 
 def pngs(image):
-    """The picture in kinds of PNG that OpenCV does not write; `image` is BGR."""
+    """The image in kinds of PNG that OpenCV does not write; `image` is BGR."""
     rgb = image[..., ::-1]
     levels = (rgb // 64).astype(np.uint8)  # 64 colours of a palette
     indices = levels[..., 0] * 16 + levels[..., 1] * 4 + levels[..., 2]
@@ -121,7 +121,7 @@ class UnusualPicturesTest(ToolCase):
                                  ("coarse", [cv2.IMWRITE_JPEG_QUALITY, 8])):
             files[kind] = cv2.imencode(".jpg", image, parameters)[1].tobytes()
         whole = files["progressive"]
-        files["a picture behind it"] = whole + files["coarse"]
+        files["an image behind it"] = whole + files["coarse"]
         files["no end marker"] = whole[:-2]
         comment = b"\xff\xfe\xff\xff" + b"x" * 65533
         files["long comments"] = whole[:2] + comment * 2 + whole[2:]

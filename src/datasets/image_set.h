@@ -9,28 +9,28 @@
 
 namespace place_recognition {
 
-/// A picture of a data set on disk.
-struct LabelledPicture {
+/// An image of a data set on disk.
+struct LabelledImage {
   std::string path;
   std::string place;
   double stamp = 0;  ///< s
 };
 
-/// Pictures that are trained or tested on together: one condition of light (chapter 8), or one
+/// Images that are trained or tested on together: one condition of light (chapter 8), or one
 /// sample of every material (chapter 7). Neighbours in time are neighbours in the list.
-struct PictureSet {
+struct ImageSet {
   std::string name;
-  std::vector<LabelledPicture> pictures;
+  std::vector<LabelledImage> images;
 };
 
-/// Every `step`-th picture of each place, from the first.
-PictureSet thinnedOut(const PictureSet& set, int step);
+/// Every `step`-th image of each place, from the first.
+ImageSet thinnedOut(const ImageSet& set, int step);
 
 /// A SHA-256 that depends on names, places and contents, not on where the files lie. Throws Error
 /// if a file cannot be read.
-std::string digestOf(const std::vector<PictureSet>& sets);
+std::string digestOf(const std::vector<ImageSet>& sets);
 
 /// The set as a recording; `set` must outlive it.
-std::unique_ptr<Run> openPictureSet(const PictureSet& set);
+std::unique_ptr<Run> openImageSet(const ImageSet& set);
 
 }  // namespace place_recognition

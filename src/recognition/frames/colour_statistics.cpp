@@ -1,25 +1,25 @@
-#include "recognition/frames/color_statistics.h"
+#include "recognition/frames/colour_statistics.h"
 
 #include <algorithm>
 
 namespace place_recognition {
 
-void ColorMoments::add(const Eigen::RowVector3d& color) {
+void ColourMoments::add(const Eigen::RowVector3d& colour) {
   count += 1;
-  sum += color;
-  squares += color.transpose() * color;
+  sum += colour;
+  squares += colour.transpose() * colour;
 }
 
-void ColorMoments::add(const ColorMoments& other) {
+void ColourMoments::add(const ColourMoments& other) {
   count += other.count;
   sum += other.sum;
   squares += other.squares;
 }
 
-ColorStatistics colorStatistics(const std::vector<ColorMoments>& places) {
-  ColorStatistics statistics;
+ColourStatistics colourStatistics(const std::vector<ColourMoments>& places) {
+  ColourStatistics statistics;
   const bool complete = std::all_of(places.begin(), places.end(),
-                                    [](const ColorMoments& place) { return place.count > 0; });
+                                    [](const ColourMoments& place) { return place.count > 0; });
   if (!complete) return statistics;
   statistics.means.resize(static_cast<Eigen::Index>(places.size()), 3);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -34,9 +34,9 @@ ColorStatistics colorStatistics(const std::vector<ColorMoments>& places) {
   return statistics;
 }
 
-std::vector<ColorMoments> colorMoments(const ColorStatistics& statistics,
-                                       const std::vector<std::uint64_t>& images) {
-  std::vector<ColorMoments> places(images.size());
+std::vector<ColourMoments> colourMoments(const ColourStatistics& statistics,
+                                         const std::vector<std::uint64_t>& images) {
+  std::vector<ColourMoments> places(images.size());
   if (!statistics.known()) return places;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto count = static_cast<double>(images[k]);

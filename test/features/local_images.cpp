@@ -1,4 +1,4 @@
-#include "features/local_pictures.h"
+#include "features/local_images.h"
 
 #include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
@@ -6,10 +6,10 @@
 
 namespace place_recognition {
 
-std::vector<cv::Mat1b> realPictures(int every) {
-  std::vector<cv::Mat1b> pictures;
+std::vector<cv::Mat1b> realImages(int every) {
+  std::vector<cv::Mat1b> images;
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
-  if (!data) return pictures;
+  if (!data) return images;
   for (const char* pattern : {"/ie_rooms/clip1/*.jpg", "/nao_canteen/*.jpg"}) {
     std::vector<cv::String> files;
     try {
@@ -18,10 +18,10 @@ std::vector<cv::Mat1b> realPictures(int every) {
       continue;  // no such folder
     }
     for (std::size_t i = every / 2; i < files.size(); i += every) {
-      pictures.push_back(cv::imread(files[i], cv::IMREAD_GRAYSCALE));
+      images.push_back(cv::imread(files[i], cv::IMREAD_GRAYSCALE));
     }
   }
-  return pictures;
+  return images;
 }
 
 cv::Mat1f texture(int width, int height, int seed) {

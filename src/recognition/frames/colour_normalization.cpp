@@ -1,4 +1,4 @@
-#include "recognition/frames/color_normalization.h"
+#include "recognition/frames/colour_normalization.h"
 
 #include <cassert>
 #include <cmath>
@@ -10,17 +10,17 @@
 namespace place_recognition {
 namespace {
 
-/// The mean that pictures are brought to: about that of a well exposed room.
+/// The mean that images are brought to: about that of a well exposed room.
 constexpr double kMeanLevel = 110;
 
 }  // namespace
 
-ColorNormalization colorNormalization(const std::string& name) {
-  static const std::map<std::string, ColorNormalization> kNames{
-      {"none", ColorNormalization::kNone},
-      {"brightness", ColorNormalization::kBrightness},
-      {"grey-world", ColorNormalization::kGreyWorld},
-      {"run", ColorNormalization::kRun}};
+ColourNormalization colourNormalization(const std::string& name) {
+  static const std::map<std::string, ColourNormalization> kNames{
+      {"none", ColourNormalization::kNone},
+      {"brightness", ColourNormalization::kBrightness},
+      {"grey-world", ColourNormalization::kGreyWorld},
+      {"run", ColourNormalization::kRun}};
   const auto found = kNames.find(name);
   if (found == kNames.end()) {
     throw Error("Option 'normalize' of a cue is '" + name +
@@ -29,29 +29,29 @@ ColorNormalization colorNormalization(const std::string& name) {
   return found->second;
 }
 
-Eigen::RowVector3d logColor(const cv::Mat& image) {
+Eigen::RowVector3d logColour(const cv::Mat& image) {
   assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
   const cv::Scalar mean = cv::mean(image);
-  Eigen::RowVector3d color;
+  Eigen::RowVector3d colour;
   for (int c = 0; c < 3; ++c)
-    color[c] = std::log(std::max(1.0, mean[image.channels() == 3 ? c : 0]));
-  return color;
+    colour[c] = std::log(std::max(1.0, mean[image.channels() == 3 ? c : 0]));
+  return colour;
 }
 
 Eigen::RowVector3d logGains(const Light& light) {
   return Eigen::Array3d(light.blue, light.green, light.red).log().matrix().transpose();
 }
 
-void NormalizedImage::set(const cv::Mat& image, const Eigen::RowVector3d& color,
+void NormalizedImage::set(const cv::Mat& image, const Eigen::RowVector3d& colour,
                           const Light& correction) {
   image_ = &image;
-  color_ = color;
+  colour_ = colour;
   correction_ = correction;
   is_made_.fill(false);
 }
 
-const cv::Mat& NormalizedImage::in(ColorNormalization normalization) {
-  if (normalization == ColorNormalization::kNone) return *image_;
+const cv::Mat& NormalizedImage::in(ColourNormalization normalization) {
+  if (normalization == ColourNormalization::kNone) return *image_;
   const auto index = static_cast<std::size_t>(normalization);
   const Light light = gains(normalization);
   if (light.red == 1 && light.green == 1 && light.blue == 1) return *image_;
@@ -62,16 +62,16 @@ const cv::Mat& NormalizedImage::in(ColorNormalization normalization) {
   return made_[index];
 }
 
-Light NormalizedImage::gains(ColorNormalization normalization) const {
-  const Eigen::RowVector3d means = color_.array().exp();
+Light NormalizedImage::gains(ColourNormalization normalization) const {
+  const Eigen::RowVector3d means = colour_.array().exp();
   switch (normalization) {
-    case ColorNormalization::kBrightness: {
+    case ColourNormalization::kBrightness: {
       const double gain = kMeanLevel / means.mean();
       return {gain, gain, gain};
     }
-    case ColorNormalization::kGreyWorld:
+    case ColourNormalization::kGreyWorld:
       return {kMeanLevel / means[2], kMeanLevel / means[1], kMeanLevel / means[0]};
-    case ColorNormalization::kRun:
+    case ColourNormalization::kRun:
       return correction_;
     default:
       return {};

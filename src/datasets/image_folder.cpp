@@ -1,4 +1,4 @@
-#include "datasets/picture_folder.h"
+#include "datasets/image_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 17> kPictures{"png", "jpg", "jpeg", "jpe",  "jfif", "webp",
-                                                     "bmp", "dib", "tif",  "tiff", "pgm",  "ppm",
-                                                     "pbm", "pnm", "jp2",  "ras",  "sr"};
+constexpr std::array<std::string_view, 17> kImages{"png", "jpg", "jpeg", "jpe",  "jfif", "webp",
+                                                   "bmp", "dib", "tif",  "tiff", "pgm",  "ppm",
+                                                   "pbm", "pnm", "jp2",  "ras",  "sr"};
 
-/// Endings of pictures and videos that are not read, and are told when they lie among others.
+/// Endings of images and videos that are not read, and are told when they lie among others.
 constexpr std::array<std::string_view, 20> kUnread{
     "gif", "heic", "heif", "avif", "jxl", "svg", "psd", "dng", "cr2", "nef",
     "arw", "raw",  "exr",  "mp4",  "mov", "avi", "mkv", "zip", "tar", "gz"};
@@ -70,11 +70,11 @@ bool isDate(const std::string& name) {
   return name.size() < 40 && std::regex_match(name, date);
 }
 
-bool hasPicturesOrDatesOfThem(const fs::path& folder) {
+bool hasImagesOrDatesOfThem(const fs::path& folder) {
   const FolderEntries entries = entriesOf(folder.string());
-  if (!entries.pictures.empty()) return true;
+  if (!entries.images.empty()) return true;
   return std::any_of(entries.folders.begin(), entries.folders.end(), [&](const std::string& name) {
-    return isDate(name) && !entriesOf((folder / name).string()).pictures.empty();
+    return isDate(name) && !entriesOf((folder / name).string()).images.empty();
   });
 }
 
@@ -93,13 +93,13 @@ std::string countedByEnding(const std::vector<std::string>& names, Told told) {
   return text;
 }
 
-/// Collects pictures below a folder, and what hinders.
+/// Collects images below a folder, and what hinders.
 class Search {
  public:
-  explicit Search(FoundPictures& found) : found_(found) {}
+  explicit Search(FoundImages& found) : found_(found) {}
 
   /// For folders below `folder`, to which no link may lead back.
-  Search(FoundPictures& found, const fs::path& folder) : found_(found) {
+  Search(FoundImages& found, const fs::path& folder) : found_(found) {
     std::error_code ignored;
     open_.push_back(fs::canonical(folder, ignored));
   }
@@ -114,26 +114,26 @@ class Search {
       return "it is a link that leads back to " + real.string();
     }
     open_.push_back(real);
-    const std::size_t before = found_.pictures.size();
-    addPictures(folder, entries, place);
+    const std::size_t before = found_.images.size();
+    addImages(folder, entries, place);
     for (const std::string& inner : entries.folders) {
       const std::string why_not = add(folder / inner, place);
       if (!why_not.empty()) warn(folder / inner, why_not);
     }
     open_.pop_back();
-    return found_.pictures.size() > before ? "" : whyNothing(entries);
+    return found_.images.size() > before ? "" : whyNothing(entries);
   }
 
-  void addPictures(const fs::path& folder, const FolderEntries& entries, const std::string& place) {
-    for (const std::string& name : entries.pictures) {
-      found_.pictures.push_back({(folder / name).string(), place});
+  void addImages(const fs::path& folder, const FolderEntries& entries, const std::string& place) {
+    for (const std::string& name : entries.images) {
+      found_.images.push_back({(folder / name).string(), place});
     }
     for (const std::string& name : entries.dead) {
       warn(folder / name, "it is a link that leads nowhere");
     }
     const std::string unread = countedByEnding(
         entries.others, [](const std::string& ending) { return isOneOf(ending, kUnread); });
-    if (!unread.empty() && !entries.pictures.empty()) {
+    if (!unread.empty() && !entries.images.empty()) {
       found_.warnings.push_back(folder.string() + ": " + unread +
                                 " cannot be read; convert them to PNG or JPEG.");
     }
@@ -147,11 +147,11 @@ class Search {
   static std::string whyNothing(const FolderEntries& entries) {
     const std::string others =
         countedByEnding(entries.others, [](const std::string&) { return true; });
-    if (!others.empty()) return "it holds " + others + ", which cannot be read as pictures";
-    return entries.folders.empty() && entries.dead.empty() ? "it is empty" : "it holds no pictures";
+    if (!others.empty()) return "it holds " + others + ", which cannot be read as images";
+    return entries.folders.empty() && entries.dead.empty() ? "it is empty" : "it holds no images";
   }
 
-  FoundPictures& found_;
+  FoundImages& found_;
   std::vector<fs::path> open_;  // the folder at hand and those above it
 };
 
@@ -165,7 +165,7 @@ FolderEntries openFolder(const std::string& folder) {
 
 }  // namespace
 
-bool isPictureName(const std::string& name) { return isOneOf(endingOf(name), kPictures); }
+bool isImageName(const std::string& name) { return isOneOf(endingOf(name), kImages); }
 
 bool cameAlong(const std::string& name) {
   return name.empty() || name[0] == '.' || isOneOf(lowerCase(name), kCameAlong);
@@ -199,25 +199,25 @@ FolderEntries entriesOf(const std::string& folder) {
     if (fs::is_directory(status)) {
       entries.folders.push_back(name);
     } else if (fs::is_regular_file(status)) {
-      const bool is_picture =
-          isPictureName(name) || (lacksEnding(name) && startsAsPicture(entry->path().string()));
-      (is_picture ? entries.pictures : entries.others).push_back(name);
+      const bool is_image =
+          isImageName(name) || (lacksEnding(name) && startsAsImage(entry->path().string()));
+      (is_image ? entries.images : entries.others).push_back(name);
     } else if (entry->is_symlink(ignored)) {
       entries.dead.push_back(name);
     }
   }
   if (failure) entries.problem = failure.message();
-  for (auto* names : {&entries.pictures, &entries.folders, &entries.others, &entries.dead}) {
+  for (auto* names : {&entries.images, &entries.folders, &entries.others, &entries.dead}) {
     std::sort(names->begin(), names->end(), naturalLess);
   }
   return entries;
 }
 
-FoundPictures findRoomPictures(const std::string& folder) {
+FoundImages findRoomImages(const std::string& folder) {
   const FolderEntries entries = openFolder(folder);
-  FoundPictures found;
+  FoundImages found;
   Search search(found, folder);
-  search.addPictures(folder, entries, "");
+  search.addImages(folder, entries, "");
   for (const std::string& room : entries.folders) {
     const std::string why_not = search.add(fs::path(folder) / room, placeName(room));
     if (!why_not.empty()) search.warn(fs::path(folder) / room, why_not);
@@ -225,22 +225,22 @@ FoundPictures findRoomPictures(const std::string& folder) {
   return found;
 }
 
-FoundPictures findPicturesBelow(const std::string& folder) {
+FoundImages findImagesBelow(const std::string& folder) {
   openFolder(folder);
-  FoundPictures found;
+  FoundImages found;
   Search(found).add(folder, "");
   return found;
 }
 
-bool holdsRoomPictures(const std::string& folder) {
+bool holdsRoomImages(const std::string& folder) {
   const FolderEntries entries = entriesOf(folder);
   const auto anyFolder = [&](auto is) {
     return std::any_of(entries.folders.begin(), entries.folders.end(),
                        [&](const std::string& name) { return is(fs::path(folder) / name); });
   };
-  if (anyFolder(hasPicturesOrDatesOfThem)) return true;
-  return !entries.pictures.empty() &&
-         !anyFolder([](const fs::path& inner) { return holdsRoomPictures(inner.string()); });
+  if (anyFolder(hasImagesOrDatesOfThem)) return true;
+  return !entries.images.empty() &&
+         !anyFolder([](const fs::path& inner) { return holdsRoomImages(inner.string()); });
 }
 
 }  // namespace place_recognition

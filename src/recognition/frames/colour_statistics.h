@@ -4,26 +4,26 @@
 #include <cstdint>
 #include <vector>
 
-#include "place_recognition/color_statistics.h"
+#include "place_recognition/colour_statistics.h"
 
 namespace place_recognition {
 
 /// Moments of the colours of the images of one place.
-struct ColorMoments {
+struct ColourMoments {
   double count = 0;
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
 
-  void add(const Eigen::RowVector3d& color);
-  void add(const ColorMoments& other);
+  void add(const Eigen::RowVector3d& colour);
+  void add(const ColourMoments& other);
 };
 
 /// Not known() if a place has no image.
-ColorStatistics colorStatistics(const std::vector<ColorMoments>& places);
+ColourStatistics colourStatistics(const std::vector<ColourMoments>& places);
 
 /// What colorStatistics() was given, but that every place has the same covariance. `images`: their
 /// number, of each place. No images if the statistics are not known.
-std::vector<ColorMoments> colorMoments(const ColorStatistics& statistics,
-                                       const std::vector<std::uint64_t>& images);
+std::vector<ColourMoments> colourMoments(const ColourStatistics& statistics,
+                                         const std::vector<std::uint64_t>& images);
 
 }  // namespace place_recognition

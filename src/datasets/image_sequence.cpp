@@ -1,10 +1,10 @@
-#include "datasets/picture_sequence.h"
+#include "datasets/image_sequence.h"
 
 #include <algorithm>
 
 namespace place_recognition {
 
-DecodedImage PictureSequence::read(std::size_t i) {
+DecodedImage ImageSequence::read(std::size_t i) {
   DecodedImage decoded = readDeepImageFile(paths_[i]);
   if (decoded.image.depth() != CV_16U) return decoded;
   is_deep_ = true;
@@ -20,8 +20,8 @@ DecodedImage PictureSequence::read(std::size_t i) {
   return decoded;
 }
 
-std::string PictureSequence::note() const {
-  return is_deep_ ? "pictures of 16 bits are shown in 8, " + scale_.text() + "." : "";
+std::string ImageSequence::note() const {
+  return is_deep_ ? "images of 16 bits are shown in 8, " + scale_.text() + "." : "";
 }
 
 }  // namespace place_recognition

@@ -1,4 +1,4 @@
-// Pictures as files: formats, damage, and what is taken for a picture and is none.
+// Images as files: formats, damage, and what is taken for an image and is none.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A picture with something to lose in each of its blocks.
+/// An image with something to lose in each of its blocks.
 cv::Mat noisyRoom() {
   cv::Mat image = drawRoom(1, 1), noise(image.size(), image.type());
   cv::resize(image, image, {}, 2, 2);
@@ -138,16 +138,16 @@ TEST(JpegOfOneColour, IsWhole) {
   }
 }
 
-/// Formats of files, with how far a decoded picture may be off.
+/// Formats of files, with how far a decoded image may be off.
 struct FileFormat {
   const char* extension;
   std::vector<int> parameters;
   double largest_error;
 };
 
-class PictureFiles : public testing::TestWithParam<FileFormat> {};
+class ImageFiles : public testing::TestWithParam<FileFormat> {};
 
-TEST_P(PictureFiles, AreReadAndCutOnesAreNot) {
+TEST_P(ImageFiles, AreReadAndCutOnesAreNot) {
   if (!cv::haveImageWriter(GetParam().extension)) {
     GTEST_SKIP() << "This OpenCV has no " << GetParam().extension << "; 4.2 has no JPEG 2000.";
   }
@@ -169,7 +169,7 @@ TEST_P(PictureFiles, AreReadAndCutOnesAreNot) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, PictureFiles,
+    All, ImageFiles,
     testing::Values(FileFormat{".png", {}, 0}, FileFormat{".jpg", {}, 12},
                     FileFormat{".webp", {cv::IMWRITE_WEBP_QUALITY, 101}, 0},
                     FileFormat{".webp", {cv::IMWRITE_WEBP_QUALITY, 90}, 20},
@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FileFormat{".ras", {}, 0},
                     FileFormat{".jp2", {cv::IMWRITE_JPEG2000_COMPRESSION_X1000, 1000}, 3}));
 
-TEST(GreyPictureFiles, AreRead) {
+TEST(GreyImageFiles, AreRead) {
   const ScratchFolder scratch;
   const std::vector<int> text = {cv::IMWRITE_PXM_BINARY, 0};
   for (const auto& [name, parameters] :
@@ -202,7 +202,7 @@ TEST(GreyPictureFiles, AreRead) {
   }
 }
 
-TEST(PictureFilesThatAreNone, AreNamedForWhatTheyAre) {
+TEST(ImageFilesThatAreNone, AreNamedForWhatTheyAre) {
   const ScratchFolder scratch;
   const auto problem = [&](const std::string& bytes) {
     return readImageFile(scratch.write("x.jpg", bytes)).problem;
@@ -215,10 +215,10 @@ TEST(PictureFilesThatAreNone, AreNamedForWhatTheyAre) {
   EXPECT_NE(problem("version https://git-lfs.github.com/spec/v1\n").find("git lfs pull"),
             std::string::npos);
   EXPECT_NE(problem("<!DOCTYPE html><html>").find("web page"), std::string::npos);
-  EXPECT_NE(problem("notes").find("no picture"), std::string::npos);
+  EXPECT_NE(problem("notes").find("no image"), std::string::npos);
 }
 
-TEST(PictureFilesThatAreBombs, AreRefusedByTheirHeader) {
+TEST(ImageFilesThatAreBombs, AreRefusedByTheirHeader) {
   const ScratchFolder scratch;
   const auto problem = [&](std::string bytes, std::size_t offset, const std::string& patch) {
     bytes.replace(offset, patch.size(), patch);

@@ -6,15 +6,15 @@
 
 namespace place_recognition::tool {
 
-/// Pictures that a verb passes over, because one bad picture is no reason to stop.
-class UnusablePictures {
+/// Images that a verb passes over, because one bad image is no reason to stop.
+class UnusableImages {
  public:
   void add(const std::string& name, const std::string& problem);
 
   std::size_t count() const { return count_; }
 
-  /// Throws Error if all `pictures` were of no use.
-  void requireOthers(std::size_t pictures) const;
+  /// Throws Error if all `images` were of no use.
+  void requireOthers(std::size_t images) const;
 
   /// A line with their number and the reason for the first, if there are any.
   void warn(std::ostream& out) const;

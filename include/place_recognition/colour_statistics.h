@@ -6,7 +6,7 @@ namespace place_recognition {
 
 /// The colours of the images that a model was trained on, as the logarithms of the mean levels of
 /// blue, green and red: what the light of a run is held against.
-struct ColorStatistics {
+struct ColourStatistics {
   Eigen::Matrix<double, Eigen::Dynamic, 3> means;  ///< one row per place
   Eigen::Matrix3d covariance;                      ///< of the images of a place, about its mean
 
