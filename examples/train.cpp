@@ -19,14 +19,14 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const std::string folder = argv[1];
-  const std::vector<pr::RunOpener> runs = {[&] { return pr::openFolderRun(folder); }};
+  const std::vector<pr::RecordingOpener> recordings = {[&] { return pr::openFolderRecording(folder); }};
 
   pr::TrainingOptions options;
   if (argc > 3 && argv[3] == std::string("--tune")) {
     pr::SearchSpace space;
-    options = pr::tune(runs, {}, options, space).options;
+    options = pr::tune(recordings, {}, options, space).options;
   }
-  const pr::Training training = pr::train(runs, options);
+  const pr::Training training = pr::train(recordings, options);
   pr::saveModel(training.model, argv[2]);
   std::cout << training.model.places.size() << " rooms from " << training.images << " images, "
             << 100 * training.model.validation.average_rate << " % right on held-out ones\n";

@@ -44,17 +44,17 @@ Adjacency readAdjacency(const std::string& path, const std::vector<std::string>&
 /// A map as YAML text, each pair at both of its rooms.
 std::string writeAdjacency(const Adjacency& adjacency, const std::vector<std::string>& places);
 
-/// The room of one frame of a run.
+/// The room of one frame of a recording.
 struct PlaceAt {
   double stamp = 0;  ///< s
   int place = -1;    ///< -1: unlabelled
 };
 
-/// Joins the rooms that follow each other in `run`, which is in order of time, within `longest_gap`
-/// seconds; between them frames may be unlabelled. Only a drive tells which rooms adjoin. Images
-/// sorted by room never come back to one, so a run that does not is passed over, and false
-/// returned.
-bool learnAdjacency(const std::vector<PlaceAt>& run, Adjacency& adjacency,
+/// Joins the rooms that follow each other in `recording`, which is in order of time, within
+/// `longest_gap` seconds; between them frames may be unlabelled. Only a drive tells which rooms
+/// adjoin. Images sorted by room never come back to one, so a run that does not is passed over, and
+/// false returned.
+bool learnAdjacency(const std::vector<PlaceAt>& recording, Adjacency& adjacency,
                     double longest_gap = 3.0);
 
 }  // namespace place_recognition

@@ -70,7 +70,7 @@ struct Model {
   Validation validation;
   HeldOutFrames held_out;     ///< what the three above rest on; empty in files of earlier versions
   ColourStatistics colours;   ///< of the images that it was trained on
-  Adjacency adjacency{0};     ///< of `places`; learned from the runs that are drives
+  Adjacency adjacency{0};     ///< of `places`; learned from the recordings that are drives
   CameraCorrelation cameras;  ///< that it was trained with, if they are several
   Provenance provenance;
 

@@ -27,12 +27,12 @@ struct Recalibration {
 };
 
 /// Fits the weights of the cues, the slope of the probabilities, the weights of evidence and the
-/// threshold of 'unknown' anew to labelled `runs` that the model was not trained on; its machines
-/// stay as they are. The threshold leaves the wanted fraction of these frames 'unknown' as a
-/// recognizer sees them, in the order of each run. Frames of places that the model does not know
-/// are left out. From then on these frames are the ones that judge the model when it learns on.
-/// Throws Error if no frame is left; Cancelled if `progress` asks for it.
-Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsigned threads = 0,
-                          const Progress& progress = {});
+/// threshold of 'unknown' anew to labelled `recordings` that the model was not trained on; its
+/// machines stay as they are. The threshold leaves the wanted fraction of these frames 'unknown' as
+/// a recognizer sees them, in the order of each recording. Frames of places that the model does not
+/// know are left out. From then on these frames are the ones that judge the model when it learns
+/// on. Throws Error if no frame is left; Cancelled if `progress` asks for it.
+Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recordings,
+                          unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace place_recognition

@@ -8,7 +8,7 @@
 
 #include "place_recognition/model.h"
 #include "place_recognition/progress.h"
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 
 namespace place_recognition {
 
@@ -22,25 +22,25 @@ struct Training {
   double seconds = 0;
 };
 
-/// Opens a run when its turn has come.
-using RunOpener = std::function<std::unique_ptr<Run>()>;
+/// Opens a recording when its turn has come.
+using RecordingOpener = std::function<std::unique_ptr<Recording>()>;
 
-/// Learns a model from labelled runs: features of every frame (memory is bounded by them, not by
-/// the runs), Gram matrix, gamma by cross-validation where it is not given, machines, reduction
+/// Learns a model from labelled recordings: features of every frame (memory is bounded by them, not
+/// by the runs), Gram matrix, gamma by cross-validation where it is not given, machines, reduction
 /// (for `auto` chosen by cross-validation), calibration on held-out blocks of time. Throws Error if
 /// fewer than two places have images; Cancelled if `progress` asks for it. The model's bytes depend
 /// on inputs and options only, not on `threads` (0: one per core).
-Training train(const std::vector<RunOpener>& runs, const TrainingOptions& options,
+Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,
                unsigned threads = 0, const Progress& progress = {});
 
 /// Learns on (thesis section 9.1): trains on what `model` remembers, its support vectors, and on
-/// the labelled frames of new `runs`, which may hold known places or new ones; features, kernels
-/// and gammas stay those of the model. No cue keeps more than `vector_limit` support vectors:
-/// shared-greedy reduction forgets what matters least to all decision values together (0: as many
-/// as it needs, or the reduction that was asked for if that has a number or a tau). Held-out frames
-/// of the new runs and those that judged the model decide together on the weights of the cues and
-/// on the calibration. Errors as train(), but one new place is enough.
-Training trainIncrementally(const Model& model, const std::vector<RunOpener>& runs,
+/// the labelled frames of new `recordings`, which may hold known places or new ones; features,
+/// kernels and gammas stay those of the model. No cue keeps more than `vector_limit` support
+/// vectors: shared-greedy reduction forgets what matters least to all decision values together (0:
+/// as many as it needs, or the reduction that was asked for if that has a number or a tau).
+/// Held-out frames of the new runs and those that judged the model decide together on the weights
+/// of the cues and on the calibration. Errors as train(), but one new place is enough.
+Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             int vector_limit, unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace place_recognition

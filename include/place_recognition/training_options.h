@@ -48,8 +48,8 @@ struct ImageOptions {
   void check() const;
 };
 
-/// Which images of the runs are learned: neighbouring ones are nearly copies of one another, and
-/// memory grows with the square of their number.
+/// Which images of the recordings are learned: neighbouring ones are nearly copies of one another,
+/// and memory grows with the square of their number.
 struct SamplingOptions {
   double rate = 0;
   int most = 10000;
@@ -115,7 +115,7 @@ struct CueOptions {
 /// that serves while the light stays and one that does when it changes (doc/experiments.md).
 std::vector<CueOptions> defaultCues();
 
-/// Further images to learn from, made of those of the runs.
+/// Further images to learn from, made of those of the recordings.
 struct AugmentationOptions {
   bool other_light = false;
 

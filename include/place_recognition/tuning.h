@@ -71,16 +71,16 @@ struct Tuning {
   TuningTrial best;                 ///< how they fared
   std::vector<TuningTrial> trials;  ///< everything that was tried, in order
   bool complete = true;             ///< false: stopped early, and the best so far
-  std::uint64_t images = 0;         ///< labelled ones in the runs
+  std::uint64_t images = 0;         ///< labelled ones in the recordings
   double seconds = 0;
 };
 
-/// Finds features and C for `runs` by cross-validation within them, starting from `base`, which
-/// also gives everything else. `base` is left only for good reason: it was found on other sites,
-/// and a few hundred images of one run cannot tell much.
+/// Finds features and C for `recordings` by cross-validation within them, starting from `base`,
+/// which also gives everything else. `base` is left only for good reason: it was found on other
+/// sites, and a few hundred images of one recording cannot tell much.
 ///
 /// Folds are whole runs if two or more of them hold every place, else the blocks of time that
-/// training holds out; if `hold_out` is not empty, one split: trained on `runs`, tested on
+/// training holds out; if `hold_out` is not empty, one split: trained on `recordings`, tested on
 /// `hold_out`. A tested image is judged as it was recorded and as the next run might show it: in
 /// other light, nearer, to the side, less sharp. The criterion is the log loss of the calibrated
 /// probabilities: it uses how sure the answers are, where a rate of a few hundred frames only
@@ -97,8 +97,8 @@ struct Tuning {
 /// Throws Error if the runs cannot be learned from, or a network cannot be used. If `progress` asks
 /// for a stop, what was found by then is returned, at first `base`; Cancelled if it does so before
 /// the images are counted. Independent of `threads`.
-Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& hold_out,
-            const TrainingOptions& base, const SearchSpace& space, unsigned threads = 0,
-            const Progress& progress = {});
+Tuning tune(const std::vector<RecordingOpener>& recordings,
+            const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
+            const SearchSpace& space, unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace place_recognition

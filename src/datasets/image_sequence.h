@@ -15,7 +15,7 @@ class ImageSequence {
   ImageSequence() = default;
   explicit ImageSequence(std::vector<std::string> paths) : paths_(std::move(paths)) {}
 
-  /// To be called before read(), see Run::setDepthExtent().
+  /// To be called before read(), see Recording::setDepthExtent().
   void setDepthExtent(const DepthExtent& extent) { scale_ = DepthScale(extent); }
   const DepthExtent& depthExtent() const { return scale_.extent(); }
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kMaxImageBytes = 256 << 20;
 
-class ImageSetRun : public Run {
+class ImageSetRecording : public Recording {
  public:
-  explicit ImageSetRun(const ImageSet& set) : Run(set.name), set_(set) {
+  explicit ImageSetRecording(const ImageSet& set) : Recording(set.name), set_(set) {
     std::vector<std::string> paths;
     for (const LabelledImage& image : set.images) paths.push_back(image.path);
     images_ = ImageSequence(std::move(paths));
@@ -68,8 +68,8 @@ std::string digestOf(const std::vector<ImageSet>& sets) {
   return sha256(lines);
 }
 
-std::unique_ptr<Run> openImageSet(const ImageSet& set) {
-  return std::make_unique<ImageSetRun>(set);
+std::unique_ptr<Recording> openImageSet(const ImageSet& set) {
+  return std::make_unique<ImageSetRecording>(set);
 }
 
 }  // namespace place_recognition

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 
 namespace place_recognition {
 
@@ -31,6 +31,6 @@ ImageSet thinnedOut(const ImageSet& set, int step);
 std::string digestOf(const std::vector<ImageSet>& sets);
 
 /// The set as a recording; `set` must outlive it.
-std::unique_ptr<Run> openImageSet(const ImageSet& set);
+std::unique_ptr<Recording> openImageSet(const ImageSet& set);
 
 }  // namespace place_recognition

@@ -50,18 +50,18 @@ class Evaluator {
     evaluation_.model_bytes = serializeModel(*model).size();
   }
 
-  void read(Run& run, const Progress& progress) {
-    evaluation_.runs.push_back(run.name());
-    recognizer_.begin(run);
+  void read(Recording& recording, const Progress& progress) {
+    evaluation_.recordings.push_back(recording.name());
+    recognizer_.begin(recording);
     camera_of_.clear();
-    for (const std::string& camera : run.cameras()) {
+    for (const std::string& camera : recording.cameras()) {
       camera_of_.push_back(indexIn(evaluation_.cameras, camera));
     }
-    const std::string stage = "Recognizing " + run.name();
+    const std::string stage = "Recognizing " + recording.name();
     report(progress, stage, 0);
     std::uint64_t unlabelled = 0, unreadable = 0;
     std::string first_problem;
-    for (Frame frame; run.next(frame);) {
+    for (Frame frame; recording.next(frame);) {
       ++images_;
       if (frame.place.empty()) {
         ++unlabelled;
@@ -70,18 +70,18 @@ class Evaluator {
         if (first_problem_.empty()) first_problem_ = first_problem;
       } else {
         for (const std::string& warning : recognizer_.judge(frame)) {
-          evaluation_.warnings.push_back(run.name() + ": " + warning);
+          evaluation_.warnings.push_back(recording.name() + ": " + warning);
         }
         add(frame);
       }
-      report(progress, stage, run.fraction());
+      report(progress, stage, recording.fraction());
     }
     recognizer_.smoother().finish();
     takeSmoothed();
-    evaluation_.warnings.insert(evaluation_.warnings.end(), run.warnings().begin(),
-                                run.warnings().end());
-    warn(run.name(), unlabelled, "without label");
-    warn(run.name(), unreadable, "that cannot be used (" + first_problem + ")");
+    evaluation_.warnings.insert(evaluation_.warnings.end(), recording.warnings().begin(),
+                                recording.warnings().end());
+    warn(recording.name(), unlabelled, "without label");
+    warn(recording.name(), unreadable, "that cannot be used (" + first_problem + ")");
   }
 
   Evaluation finish() {
@@ -106,7 +106,7 @@ class Evaluator {
 
     FrameResult result;
     result.name = frame.name;
-    result.run = static_cast<int>(evaluation_.runs.size()) - 1;
+    result.recording = static_cast<int>(evaluation_.recordings.size()) - 1;
     result.camera = camera_of_[static_cast<std::size_t>(frame.camera)];
     result.stamp = frame.stamp;
     result.truth = indexIn(evaluation_.places, frame.place);
@@ -139,33 +139,34 @@ class Evaluator {
     if (wrong.size() > wrong_images_) wrong.pop_back();
   }
 
-  void warn(const std::string& run, std::uint64_t count, const std::string& why) {
+  void warn(const std::string& recording, std::uint64_t count, const std::string& why) {
     if (count == 0) return;
-    evaluation_.warnings.push_back(run + ": left out are " + counted(count, "image") + " " + why +
-                                   ".");
+    evaluation_.warnings.push_back(recording + ": left out are " + counted(count, "image") + " " +
+                                   why + ".");
   }
 
   void requireLearnedPlaces() const {
-    const std::string runs = joined(evaluation_.runs, 0, evaluation_.runs.size());
-    if (images_ == 0) throw Error("There are no images in " + runs + "; give a run that has some.");
+    const std::string recordings = joined(evaluation_.recordings, 0, evaluation_.recordings.size());
+    if (images_ == 0)
+      throw Error("There are no images in " + recordings + "; give a run that has some.");
     if (evaluation_.frames.empty() && !first_problem_.empty()) {
-      throw Error("None of the images in " + runs + " that have a label can be used (" +
+      throw Error("None of the images in " + recordings + " that have a label can be used (" +
                   first_problem_ + "); give a run that has some.");
     }
     if (evaluation_.frames.empty()) {
-      throw Error("None of the " + std::to_string(images_) + " images in " + runs +
+      throw Error("None of the " + std::to_string(images_) + " images in " + recordings +
                   " has a label; say which place each of them shows.");
     }
     const bool any = std::any_of(evaluation_.frames.begin(), evaluation_.frames.end(),
                                  [this](const FrameResult& f) { return evaluation_.learned(f); });
     if (any) return;
-    throw Error("The model has learned none of the places in " + runs + " (" +
+    throw Error("The model has learned none of the places in " + recordings + " (" +
                 joined(evaluation_.places, evaluation_.model_places, evaluation_.places.size()) +
                 ") but only " + joined(evaluation_.places, 0, evaluation_.model_places) +
                 "; give a run of these.");
   }
 
-  RunRecognizer recognizer_;
+  RecordingRecognizer recognizer_;
   std::vector<int> camera_of_;  // of each camera of the current run: index into evaluation_.cameras
   std::size_t smoothed_ = 0;    // frames that have their smoothed answer
   std::size_t wrong_images_;
@@ -176,18 +177,19 @@ class Evaluator {
 
 }  // namespace
 
-std::vector<const FrameResult*> Evaluation::framesOf(int run) const {
-  std::vector<const FrameResult*> of_run;
+std::vector<const FrameResult*> Evaluation::framesOf(int recording) const {
+  std::vector<const FrameResult*> of_recording;
   for (const FrameResult& frame : frames) {
-    if (frame.run == run) of_run.push_back(&frame);
+    if (frame.recording == recording) of_recording.push_back(&frame);
   }
-  return of_run;
+  return of_recording;
 }
 
-Evaluation evaluate(const std::shared_ptr<const Model>& model, const std::vector<RunOpener>& runs,
-                    std::size_t wrong_images, const Progress& progress) {
+Evaluation evaluate(const std::shared_ptr<const Model>& model,
+                    const std::vector<RecordingOpener>& recordings, std::size_t wrong_images,
+                    const Progress& progress) {
   Evaluator evaluator(model, wrong_images);
-  for (const RunOpener& open : runs) evaluator.read(*open(), progress);
+  for (const RecordingOpener& open : recordings) evaluator.read(*open(), progress);
   return evaluator.finish();
 }
 

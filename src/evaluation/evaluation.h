@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/run_recognizer.h"
+#include "evaluation/recording_recognizer.h"
 #include "place_recognition/model.h"
 #include "place_recognition/progress.h"
 #include "place_recognition/training.h"
@@ -15,7 +15,7 @@ namespace place_recognition {
 /// The answer to one labelled image.
 struct FrameResult {
   std::string name;       ///< of the image
-  int run = 0;            ///< index into Evaluation::runs
+  int recording = 0;      ///< index into Evaluation::runs
   int camera = 0;         ///< index into Evaluation::cameras
   double stamp = 0;       ///< s
   int truth = 0;          ///< index into Evaluation::places
@@ -36,13 +36,13 @@ struct WrongImage {
   std::string jpeg;       ///< at most 320 pixels wide
 };
 
-/// What a model answered to labelled runs.
+/// What a model answered to labelled recordings.
 struct Evaluation {
-  std::string model;                 ///< its name
-  std::vector<std::string> places;   ///< those of the model, in its order, then others that occur
-  std::size_t model_places = 0;      ///< how many of them are the model's
-  std::vector<std::string> runs;     ///< names; a run is one condition
-  std::vector<std::string> cameras;  ///< of all runs, by the topics of their images
+  std::string model;                ///< its name
+  std::vector<std::string> places;  ///< those of the model, in its order, then others that occur
+  std::size_t model_places = 0;     ///< how many of them are the model's
+  std::vector<std::string> recordings;  ///< names; a run is one condition
+  std::vector<std::string> cameras;     ///< of all recordings, by the topics of their images
   std::vector<FrameResult> frames;
   std::vector<WrongImage> wrong;  ///< the most confidently wrong ones, worst first
   std::size_t support_vectors = 0;
@@ -54,14 +54,15 @@ struct Evaluation {
     return static_cast<std::size_t>(frame.truth) < model_places;
   }
 
-  /// Those of one run, in their order.
-  std::vector<const FrameResult*> framesOf(int run) const;
+  /// Those of one recording, in their order.
+  std::vector<const FrameResult*> framesOf(int recording) const;
 };
 
-/// Shows every labelled image of the runs to the model, one at a time in this thread, and keeps
-/// the answers and the `wrong_images` most confident mistakes. Throws Error if there are no
+/// Shows every labelled image of the recordings to the model, one at a time in this thread, and
+/// keeps the answers and the `wrong_images` most confident mistakes. Throws Error if there are no
 /// images, no labels, or none of a place that the model has learned; Cancelled.
-Evaluation evaluate(const std::shared_ptr<const Model>& model, const std::vector<RunOpener>& runs,
-                    std::size_t wrong_images = 12, const Progress& progress = {});
+Evaluation evaluate(const std::shared_ptr<const Model>& model,
+                    const std::vector<RecordingOpener>& recordings, std::size_t wrong_images = 12,
+                    const Progress& progress = {});
 
 }  // namespace place_recognition

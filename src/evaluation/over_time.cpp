@@ -19,10 +19,10 @@ void count(const FrameResult& frame, AnswersOverTime& answers) {
 }
 
 /// Stamps of the first frames after a change of room, ascending.
-std::vector<double> changesIn(const std::vector<const FrameResult*>& run) {
+std::vector<double> changesIn(const std::vector<const FrameResult*>& recording) {
   std::vector<double> stamps;
-  for (std::size_t i = 1; i < run.size(); ++i) {
-    if (run[i]->truth != run[i - 1]->truth) stamps.push_back(run[i]->stamp);
+  for (std::size_t i = 1; i < recording.size(); ++i) {
+    if (recording[i]->truth != recording[i - 1]->truth) stamps.push_back(recording[i]->stamp);
   }
   return stamps;
 }
@@ -33,7 +33,7 @@ bool inDoorway(double stamp, const std::vector<double>& changes) {
   return before || (next != changes.begin() && stamp - *std::prev(next) < OverTime::kAfter);
 }
 
-/// Follows the changes from one learned room to another in a run.
+/// Follows the changes from one learned room to another in a recording.
 class Followed {
  public:
   explicit Followed(OverTime& result) : result_(result) {}
@@ -61,11 +61,11 @@ class Followed {
   bool waiting_ = false;
 };
 
-void addDrive(const std::vector<const FrameResult*>& run, const Evaluation& evaluation,
+void addDrive(const std::vector<const FrameResult*>& recording, const Evaluation& evaluation,
               OverTime& result) {
-  const std::vector<double> changes = changesIn(run);
+  const std::vector<double> changes = changesIn(recording);
   Followed followed(result);
-  for (const FrameResult* frame : run) {
+  for (const FrameResult* frame : recording) {
     const bool learned = evaluation.learned(*frame);
     followed.add(*frame, learned);
     if (!learned) continue;
@@ -77,9 +77,9 @@ void addDrive(const std::vector<const FrameResult*>& run, const Evaluation& eval
 
 }  // namespace
 
-bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places) {
+bool isDrive(const std::vector<const FrameResult*>& recording, std::size_t places) {
   std::vector<PlaceAt> way;
-  for (const FrameResult* frame : run) way.push_back({frame->stamp, frame->truth});
+  for (const FrameResult* frame : recording) way.push_back({frame->stamp, frame->truth});
   Adjacency adjacency(places);
   return learnAdjacency(way, adjacency);
 }
@@ -92,9 +92,9 @@ double OverTime::followedWithin(double seconds) const {
 
 std::optional<OverTime> overTime(const Evaluation& evaluation) {
   OverTime result;
-  for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
-    const std::vector<const FrameResult*> run = evaluation.framesOf(static_cast<int>(r));
-    if (isDrive(run, evaluation.places.size())) addDrive(run, evaluation, result);
+  for (std::size_t r = 0; r < evaluation.recordings.size(); ++r) {
+    const std::vector<const FrameResult*> recording = evaluation.framesOf(static_cast<int>(r));
+    if (isDrive(recording, evaluation.places.size())) addDrive(recording, evaluation, result);
   }
   if (result.all.frames == 0) return std::nullopt;
   std::sort(result.delays.begin(), result.delays.end());

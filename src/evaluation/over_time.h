@@ -39,8 +39,9 @@ struct OverTime {
   double followedWithin(double seconds) const;
 };
 
-/// Whether the frames of a run, of one of so many places each, can have been taken on the way.
-bool isDrive(const std::vector<const FrameResult*>& run, std::size_t places);
+/// Whether the frames of a recording, of one of so many places each, can have been taken on the
+/// way.
+bool isDrive(const std::vector<const FrameResult*>& recording, std::size_t places);
 
 /// Nothing if no run is a drive: images that are sorted by room have no order in time.
 std::optional<OverTime> overTime(const Evaluation& evaluation);

@@ -39,8 +39,8 @@ std::string figure(const std::string& value, const std::string& what) {
 std::string titleAndFigures(const Evaluation& evaluation, const Summary& summary) {
   std::string html = "<h1>Model " + escapeMarkup(evaluation.model) + "</h1>\n<p>shown " +
                      std::to_string(evaluation.frames.size()) + " labelled images of";
-  for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
-    html += (r == 0 ? " " : ", ") + escapeMarkup(evaluation.runs[r]);
+  for (std::size_t r = 0; r < evaluation.recordings.size(); ++r) {
+    html += (r == 0 ? " " : ", ") + escapeMarkup(evaluation.recordings[r]);
   }
   html += "</p>\n<div class=\"figures\">\n";
   html += figure(percent(summary.average_rate), "right, mean of the rooms");
@@ -64,29 +64,31 @@ std::string warningList(const Evaluation& evaluation) {
   return html + "</ul>\n";
 }
 
-/// The rate of a room in one run; empty if the run does not show it.
-std::string rateIn(const RunSummary& run, int place) {
-  const auto found = std::find_if(run.rooms.begin(), run.rooms.end(),
+/// The rate of a room in one recording; empty if the run does not show it.
+std::string rateIn(const RecordingSummary& recording, int place) {
+  const auto found = std::find_if(recording.rooms.begin(), recording.rooms.end(),
                                   [place](const RoomSummary& room) { return room.place == place; });
-  return found == run.rooms.end() ? "" : percent(found->rate());
+  return found == recording.rooms.end() ? "" : percent(found->rate());
 }
 
 /// Rooms by runs, for more than one run.
 std::string runTable(const Summary& summary) {
-  if (summary.runs.size() < 2) return "";
+  if (summary.recordings.size() < 2) return "";
   std::string html = "<h2>Rate by run</h2>\n<table>\n<thead><tr><th></th>";
-  for (const RunSummary& run : summary.runs) {
-    html += "<th>" + escapeMarkup(run.condition) + "</th>";
+  for (const RecordingSummary& recording : summary.recordings) {
+    html += "<th>" + escapeMarkup(recording.condition) + "</th>";
   }
   html += "</tr></thead>\n";
   for (const RoomSummary& room : summary.rooms) {
     html +=
         "<tr><th>" + escapeMarkup(summary.places[static_cast<std::size_t>(room.place)]) + "</th>";
-    for (const RunSummary& run : summary.runs) html += "<td>" + rateIn(run, room.place) + "</td>";
+    for (const RecordingSummary& recording : summary.recordings)
+      html += "<td>" + rateIn(recording, room.place) + "</td>";
     html += "</tr>\n";
   }
   html += "<tr><th>mean of the rooms</th>";
-  for (const RunSummary& run : summary.runs) html += "<td>" + percent(run.average_rate) + "</td>";
+  for (const RecordingSummary& recording : summary.recordings)
+    html += "<td>" + percent(recording.average_rate) + "</td>";
   return html +
          "</tr>\n</table>\n<p>Mean over the rooms of all runs: " + percent(summary.test_set_rate) +
          "</p>\n";
@@ -127,8 +129,8 @@ std::string timelines(const Evaluation& evaluation) {
             escapeMarkup(evaluation.places[k]) + "</span>";
   }
   html += "<span><i style=\"background:#eee\"></i>unknown</span></p>\n";
-  for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
-    html += "<p>" + escapeMarkup(evaluation.runs[r]) + "</p>\n" +
+  for (std::size_t r = 0; r < evaluation.recordings.size(); ++r) {
+    html += "<p>" + escapeMarkup(evaluation.recordings[r]) + "</p>\n" +
             timelinePlot(evaluation, static_cast<int>(r));
   }
   return html;

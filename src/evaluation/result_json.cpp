@@ -18,11 +18,11 @@ Json roomsJson(const std::vector<RoomSummary>& rooms, const std::vector<std::str
 
 Json runsJson(const Summary& summary) {
   Json json = Json::array();
-  for (const RunSummary& run : summary.runs) {
-    json.push_back({{"name", run.name},
-                    {"condition", run.condition},
-                    {"average_rate", run.average_rate},
-                    {"rooms", roomsJson(run.rooms, summary.places)}});
+  for (const RecordingSummary& recording : summary.recordings) {
+    json.push_back({{"name", recording.name},
+                    {"condition", recording.condition},
+                    {"average_rate", recording.average_rate},
+                    {"rooms", roomsJson(recording.rooms, summary.places)}});
   }
   return json;
 }

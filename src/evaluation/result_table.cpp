@@ -9,30 +9,33 @@
 namespace place_recognition {
 namespace {
 
-/// The rate of a room in one run; empty if the run does not show it.
-std::string rateIn(const RunSummary& run, int place) {
-  for (const RoomSummary& room : run.rooms) {
+/// The rate of a room in one recording; empty if the run does not show it.
+std::string rateIn(const RecordingSummary& recording, int place) {
+  for (const RoomSummary& room : recording.rooms) {
     if (room.place == place) return percent(room.rate());
   }
   return "";
 }
 
 std::string ratesTable(const Summary& summary) {
-  const bool several = summary.runs.size() > 1;
+  const bool several = summary.recordings.size() > 1;
   TextRows rows{{"room", "images", "right", "'unknown'"}};
   if (several) {
-    for (const RunSummary& run : summary.runs) rows[0].push_back(run.condition);
+    for (const RecordingSummary& recording : summary.recordings)
+      rows[0].push_back(recording.condition);
   }
   for (const RoomSummary& room : summary.rooms) {
     rows.push_back({summary.places[static_cast<std::size_t>(room.place)],
                     std::to_string(room.count), percent(room.rate()),
                     percent(room.unknownFraction())});
     if (!several) continue;
-    for (const RunSummary& run : summary.runs) rows.back().push_back(rateIn(run, room.place));
+    for (const RecordingSummary& recording : summary.recordings)
+      rows.back().push_back(rateIn(recording, room.place));
   }
   rows.push_back({"mean of the rooms", "", percent(summary.average_rate), ""});
   if (several) {
-    for (const RunSummary& run : summary.runs) rows.back().push_back(percent(run.average_rate));
+    for (const RecordingSummary& recording : summary.recordings)
+      rows.back().push_back(percent(recording.average_rate));
   }
   return alignColumns(rows);
 }
@@ -80,7 +83,7 @@ std::string confusedTable(const Summary& summary) {
 
 std::string otherFigures(const Evaluation& evaluation, const Summary& summary) {
   TextRows rows;
-  if (summary.runs.size() > 1) {
+  if (summary.recordings.size() > 1) {
     rows.push_back({"mean over the rooms of all runs", percent(summary.test_set_rate)});
   }
   rows.push_back({"calibration error", fixed(summary.calibration_error, 3)});

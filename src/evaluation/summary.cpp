@@ -38,24 +38,26 @@ double meanRate(const std::vector<RoomSummary>& rooms) {
   return rooms.empty() ? 0 : sumOfRates(rooms) / static_cast<double>(rooms.size());
 }
 
-std::string conditionOf(const std::string& run) {
-  const std::string name = baseName(run);
+std::string conditionOf(const std::string& recording) {
+  const std::string name = baseName(recording);
   constexpr std::size_t kEnding = 4;  // of ".bag"
   const bool is_bag = name.size() > kEnding && name.substr(name.size() - kEnding) == ".bag";
   return is_bag ? name.substr(0, name.size() - kEnding) : name;
 }
 
-void summarizeRuns(const Evaluation& evaluation, Summary& summary) {
+void summarizeRecordings(const Evaluation& evaluation, Summary& summary) {
   double sum = 0;
   std::size_t sets = 0;
-  for (std::size_t r = 0; r < evaluation.runs.size(); ++r) {
-    const auto inRun = [r](const FrameResult& frame) { return frame.run == static_cast<int>(r); };
-    const std::string& name = evaluation.runs[r];
-    RunSummary run{name, conditionOf(name), summarizeRooms(evaluation, inRun), 0};
-    run.average_rate = meanRate(run.rooms);
-    sum += sumOfRates(run.rooms);
-    sets += run.rooms.size();
-    summary.runs.push_back(std::move(run));
+  for (std::size_t r = 0; r < evaluation.recordings.size(); ++r) {
+    const auto inRecording = [r](const FrameResult& frame) {
+      return frame.recording == static_cast<int>(r);
+    };
+    const std::string& name = evaluation.recordings[r];
+    RecordingSummary recording{name, conditionOf(name), summarizeRooms(evaluation, inRecording), 0};
+    recording.average_rate = meanRate(recording.rooms);
+    sum += sumOfRates(recording.rooms);
+    sets += recording.rooms.size();
+    summary.recordings.push_back(std::move(recording));
   }
   summary.test_set_rate = sets == 0 ? 0 : sum / static_cast<double>(sets);
 }
@@ -139,7 +141,7 @@ Summary summarize(const Evaluation& evaluation) {
   summary.places = evaluation.places;
   summary.rooms = summarizeRooms(evaluation, [](const FrameResult&) { return true; });
   summary.average_rate = meanRate(summary.rooms);
-  summarizeRuns(evaluation, summary);
+  summarizeRecordings(evaluation, summary);
   summarizeCameras(evaluation, summary);
   summary.confusion = confusionOf(evaluation);
   summary.confused = confusedIn(evaluation);

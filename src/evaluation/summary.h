@@ -12,9 +12,9 @@
 
 namespace place_recognition {
 
-/// How the images of one room, in one run or in all, were answered. Rates count the most probable
-/// place, whether or not the answer was 'unknown'; the fraction answered 'unknown' stands beside
-/// them.
+/// How the images of one room, in one recording or in all, were answered. Rates count the most
+/// probable place, whether or not the answer was 'unknown'; the fraction answered 'unknown' stands
+/// beside them.
 struct RoomSummary {
   int place = 0;  ///< index into Summary::places
   std::uint64_t count = 0;
@@ -28,7 +28,7 @@ struct RoomSummary {
 };
 
 /// The rooms that a run shows (one condition of illumination, say).
-struct RunSummary {
+struct RecordingSummary {
   std::string name;
   std::string condition;           ///< the last part of the name, without `.bag`
   std::vector<RoomSummary> rooms;  ///< learned ones with images
@@ -61,9 +61,9 @@ struct Summary {
   std::vector<std::string> places;  ///< as in Evaluation
   std::vector<RoomSummary> rooms;   ///< all runs together: learned ones with images
   double average_rate = 0;          ///< mean of their rates, each room of equal weight
-  std::vector<RunSummary> runs;
-  double test_set_rate = 0;  ///< mean over the rooms of all runs, each such set of equal weight
-                             ///< (thesis section 8.1); equals average_rate for a single run
+  std::vector<RecordingSummary> recordings;
+  double test_set_rate = 0;  ///< mean over the rooms of all recordings, each such set of equal
+                             ///< weight (thesis section 8.1); equals average_rate for a single run
   std::vector<CameraSummary> cameras;  ///< if there are several
   Confusion confusion;
   std::vector<ConfusedPair> confused;       ///< indices into places; the most confused first

@@ -84,8 +84,8 @@ void draw(const Strip& strip, const Frames& frames, double top, Svg& svg) {
 
 }  // namespace
 
-std::string timelinePlot(const Evaluation& evaluation, int run) {
-  const Frames frames = evaluation.framesOf(run);
+std::string timelinePlot(const Evaluation& evaluation, int recording) {
+  const Frames frames = evaluation.framesOf(recording);
   if (frames.empty()) return "";
   constexpr double kTop = 4, kRow = 32;
   const std::vector<Strip> strips = stripsOf(evaluation, isDrive(frames, evaluation.places.size()));

@@ -29,10 +29,10 @@ TrainingOptions trainingOptions(const std::string& feature) {
   return options;
 }
 
-std::vector<RunOpener> runsOf(const std::vector<ImageSet>& sets) {
-  std::vector<RunOpener> runs;
-  for (const ImageSet& set : sets) runs.push_back([&set] { return openImageSet(set); });
-  return runs;
+std::vector<RecordingOpener> runsOf(const std::vector<ImageSet>& sets) {
+  std::vector<RecordingOpener> recordings;
+  for (const ImageSet& set : sets) recordings.push_back([&set] { return openImageSet(set); });
+  return recordings;
 }
 
 /// What one image at a time tells of.
@@ -44,7 +44,7 @@ MaterialFeatures extractUntrained(const std::string& feature, const std::vector<
   result.samples.set_count = static_cast<int>(sets.size());
   for (const SampleOrigin& origin : samples.origins) {
     result.samples.places.push_back(origin.place);
-    result.samples.sets.push_back(origin.run);
+    result.samples.sets.push_back(origin.recording);
   }
   result.lists.push_back(std::move(samples.features[0]));
   return result;

@@ -46,14 +46,14 @@ TrainingOptions trainingOptions(PlaceFeatures features) {
 PlaceSamples::PlaceSamples(const std::vector<ImageSet>& sets, PlaceFeatures features,
                            unsigned threads, const Progress& progress)
     : options_(trainingOptions(features)), threads_(threads) {
-  std::vector<RunOpener> runs;
-  for (const ImageSet& set : sets) runs.push_back([&set] { return openImageSet(set); });
-  samples_ = collectSamples(runs, options_, threads, progress);
+  std::vector<RecordingOpener> recordings;
+  for (const ImageSet& set : sets) recordings.push_back([&set] { return openImageSet(set); });
+  samples_ = collectSamples(recordings, options_, threads, progress);
   set_samples_.place_count = static_cast<int>(samples_.places.size());
   set_samples_.set_count = static_cast<int>(sets.size());
   for (const SampleOrigin& origin : samples_.origins) {
     set_samples_.places.push_back(origin.place);
-    set_samples_.sets.push_back(origin.run);
+    set_samples_.sets.push_back(origin.recording);
   }
 }
 

@@ -21,29 +21,30 @@ struct Assignment {
 };
 
 /// Runs in ascending order, those that hold every place first.
-std::vector<int> completeRunsFirst(const Samples& samples, std::size_t& complete) {
-  std::map<int, std::set<int>> places_of_run;
+std::vector<int> completeRecordingsFirst(const Samples& samples, std::size_t& complete) {
+  std::map<int, std::set<int>> places_of_recording;
   std::set<int> places;
   for (const SampleOrigin& sample : samples) {
-    places_of_run[sample.run].insert(sample.place);
+    places_of_recording[sample.recording].insert(sample.place);
     places.insert(sample.place);
   }
-  std::vector<int> runs;
-  for (const auto& run : places_of_run) runs.push_back(run.first);
-  const auto middle = std::stable_partition(runs.begin(), runs.end(), [&](int run) {
-    return places_of_run[run].size() == places.size();
-  });
-  complete = static_cast<std::size_t>(middle - runs.begin());
-  return runs;
+  std::vector<int> recordings;
+  for (const auto& recording : places_of_recording) recordings.push_back(recording.first);
+  const auto middle = std::stable_partition(
+      recordings.begin(), recordings.end(),
+      [&](int recording) { return places_of_recording[recording].size() == places.size(); });
+  complete = static_cast<std::size_t>(middle - recordings.begin());
+  return recordings;
 }
 
 /// Whole runs in turn; runs have no neighbours.
-Assignment assignRuns(const Samples& samples, const std::vector<int>& runs, int count) {
+Assignment assignRecordings(const Samples& samples, const std::vector<int>& recordings, int count) {
   std::map<int, int> fold_of_run;
-  for (std::size_t i = 0; i < runs.size(); ++i) fold_of_run[runs[i]] = static_cast<int>(i) % count;
+  for (std::size_t i = 0; i < recordings.size(); ++i)
+    fold_of_run[recordings[i]] = static_cast<int>(i) % count;
   Assignment assignment{{}, std::vector<std::set<int>>(samples.size())};
   for (const SampleOrigin& sample : samples) {
-    assignment.tested_in.push_back(fold_of_run[sample.run]);
+    assignment.tested_in.push_back(fold_of_run[sample.recording]);
   }
   return assignment;
 }
@@ -61,7 +62,7 @@ void leaveOut(const Sequence& sequence, double first, double last, int fold,
 
 /// Whether the times of two sequences may be compared.
 bool sameClock(const Sequence& a, const Sequence& b) {
-  return &a == &b || (a.run == b.run && a.stamped && b.stamped);
+  return &a == &b || (a.recording == b.recording && a.stamped && b.stamped);
 }
 
 /// How many blocks a sequence of `size` samples is cut into.
@@ -104,7 +105,7 @@ Assignment assignBlocks(const Samples& samples, int count, const std::vector<Tim
   const std::vector<Sequence> sequences = sequencesOf(samples);
   std::vector<Cut> cuts;
   for (const Sequence& sequence : sequences) {
-    cuts.push_back(cutOf(sequence, count, blocks[sequence.run]));
+    cuts.push_back(cutOf(sequence, count, blocks[sequence.recording]));
   }
   int next_fold = 0;
   for (std::size_t s = 0; s < sequences.size(); ++s) {
@@ -145,7 +146,7 @@ std::vector<Sequence> grouped(const Samples& samples, const Key& key) {
       sequence.times.push_back(samples[i].stamp);
       cameras.insert(samples[i].camera);
     }
-    sequence.run = samples[members.front()].run;
+    sequence.recording = samples[members.front()].recording;
     sequence.cameras = static_cast<int>(cameras.size());
     sequence.samples = std::move(members);
     std::vector<double>& times = sequence.times;
@@ -161,12 +162,12 @@ std::vector<Sequence> grouped(const Samples& samples, const Key& key) {
 double largestGap(double length, int folds) { return length * (0.6 * folds - 1) / 2; }
 
 std::vector<Sequence> sequencesOf(const Samples& samples) {
-  return grouped(samples, [](const SampleOrigin& s) { return std::tuple(s.run, s.place); });
+  return grouped(samples, [](const SampleOrigin& s) { return std::tuple(s.recording, s.place); });
 }
 
 std::vector<Sequence> cameraSequencesOf(const Samples& samples) {
   return grouped(samples,
-                 [](const SampleOrigin& s) { return std::tuple(s.run, s.place, s.camera); });
+                 [](const SampleOrigin& s) { return std::tuple(s.recording, s.place, s.camera); });
 }
 
 double medianStep(const std::vector<double>& times) {
@@ -180,9 +181,9 @@ double medianStep(const std::vector<double>& times) {
   return *middle;
 }
 
-bool wholeRuns(const Samples& samples, int count) {
+bool wholeRecordings(const Samples& samples, int count) {
   std::size_t complete = 0;
-  completeRunsFirst(samples, complete);
+  completeRecordingsFirst(samples, complete);
   return complete >= static_cast<std::size_t>(count);
 }
 
@@ -190,9 +191,9 @@ std::vector<Fold> timeBlockFolds(const Samples& samples, int count,
                                  const std::vector<TimeBlocks>& blocks) {
   assert(count >= 2);
   std::size_t complete = 0;
-  const std::vector<int> runs = completeRunsFirst(samples, complete);
+  const std::vector<int> recordings = completeRecordingsFirst(samples, complete);
   const Assignment assignment = complete >= static_cast<std::size_t>(count)
-                                    ? assignRuns(samples, runs, count)
+                                    ? assignRecordings(samples, recordings, count)
                                     : assignBlocks(samples, count, blocks);
   std::vector<Fold> folds(static_cast<std::size_t>(count));
   for (int fold = 0; fold < count; ++fold) {

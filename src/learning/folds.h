@@ -6,10 +6,10 @@ namespace place_recognition {
 
 /// Where and when a training sample was taken.
 struct SampleOrigin {
-  int place = 0;     ///< label
-  int run = 0;       ///< number of the recording
-  double stamp = 0;  ///< s; only differences within a run count
-  int camera = 0;    ///< of several that record a run together
+  int place = 0;      ///< label
+  int recording = 0;  ///< number of the recording
+  double stamp = 0;   ///< s; only differences within a run count
+  int camera = 0;     ///< of several that record a run together
 };
 
 /// How a run is cut for cross-validation.
@@ -18,8 +18,8 @@ struct TimeBlocks {
   double gap = 0;     ///< s; samples within it of a tested one are not trained on
 };
 
-/// The largest gap beside blocks of that length, in s, that leaves two fifths of a run to train on:
-/// of `folds` blocks, all but one and two gaps.
+/// The largest gap beside blocks of that length, in s, that leaves two fifths of a recording to
+/// train on: of `folds` blocks, all but one and two gaps.
 double largestGap(double length, int folds);
 
 /// One split of samples for cross-validation: indices into the list of origins.
@@ -28,9 +28,9 @@ struct Fold {
   std::vector<int> test;
 };
 
-/// The samples of one run and place.
+/// The samples of one recording and place.
 struct Sequence {
-  int run = 0;
+  int recording = 0;
   int cameras = 1;            ///< how many they are of
   std::vector<int> samples;   ///< in order of time
   std::vector<double> times;  ///< of each, s; a second apart if all have the same stamp
@@ -47,15 +47,15 @@ std::vector<Sequence> cameraSequencesOf(const std::vector<SampleOrigin>& samples
 double medianStep(const std::vector<double>& times);
 
 /// Whether there are `count` runs that hold every place.
-bool wholeRuns(const std::vector<SampleOrigin>& samples, int count);
+bool wholeRecordings(const std::vector<SampleOrigin>& samples, int count);
 
 /// Splits samples into `count` folds by contiguous blocks of time, never by random frames. Each
 /// sequence, all of its cameras together, is cut into equal blocks of about `blocks[run].length`,
-/// but into `count` of them at least, which are tested in the folds in turn. Samples of the run
-/// that lie within the gap of a tested one are not trained on in that fold, whatever their place: a
-/// frame before a door would find the frames behind it, but none of its own room. The gap is no
-/// larger than largestGap() of the blocks that the sequence was cut into. If wholeRuns(), runs are
-/// the blocks instead.
+/// but into `count` of them at least, which are tested in the folds in turn. Samples of the
+/// recording that lie within the gap of a tested one are not trained on in that fold, whatever
+/// their place: a frame before a door would find the frames behind it, but none of its own room.
+/// The gap is no larger than largestGap() of the blocks that the sequence was cut into. If
+/// wholeRuns(), runs are the blocks instead.
 std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count,
                                  const std::vector<TimeBlocks>& blocks);
 

@@ -69,11 +69,11 @@ void calibrateModel(const CalibrateOptions& options) {
   requireWritable(path);
   Model model = loadModel(modelPath(options.model));
   const Fitted before = fittedOf(model);
-  const std::vector<RunOpener> runs = options.input.openers(options.inputs);
+  const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
   const Recalibration result =
-      recalibrate(std::move(model), runs, options.threads, display.callback());
+      recalibrate(std::move(model), recordings, options.threads, display.callback());
   saveModel(result.model, path);
   display.clear();
 

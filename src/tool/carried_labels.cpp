@@ -17,18 +17,18 @@ namespace {
 constexpr double kMaxGap = 2;
 
 /// What is in a bag; nothing for what cannot be read, which its reader will tell.
-BagInfo infoOf(const std::string& run, const BagRunOptions& options) {
+BagInfo infoOf(const std::string& recording, const BagRecordingOptions& options) {
   try {
-    return isBag(run) ? bagInfo(run, options) : BagInfo();
+    return isBag(recording) ? bagInfo(recording, options) : BagInfo();
   } catch (const Error&) {
     return {};
   }
 }
 
-/// Whether `run` is named as rosbag names a part of a recording behind the first.
-bool isLaterPart(const std::string& run) {
+/// Whether `recording` is named as rosbag names a part of a recording behind the first.
+bool isLaterPart(const std::string& recording) {
   static const std::regex part(R"(.*_0*[1-9]\d{0,3}\.bag)");
-  const std::string name = std::filesystem::path(run).filename().string();
+  const std::string name = std::filesystem::path(recording).filename().string();
   return name.size() < 256 && std::regex_match(name, part);
 }
 
@@ -48,27 +48,27 @@ int partBefore(const std::vector<BagInfo>& bags, int i) {
   return nearest;
 }
 
-void warnOfStart(const std::string& run, const BagInfo& bag, bool among_others) {
+void warnOfStart(const std::string& recording, const BagInfo& bag, bool among_others) {
   constexpr double kAtOnce = 0.5;  // s
   const bool none = bag.labels.empty();
   if (!none && bag.labels.front().from <= kAtOnce) return;
-  if (!isLaterPart(run) && !(none && among_others)) return;
-  std::cerr << "warning: " << run << (none ? " has no labels." : " starts without a label.")
+  if (!isLaterPart(recording) && !(none && among_others)) return;
+  std::cerr << "warning: " << recording << (none ? " has no labels." : " starts without a label.")
             << " One that was said in another part of its recording holds if that part is given, "
                "too; rosbag record --repeat-latched repeats it in every part.\n";
 }
 
 }  // namespace
 
-std::vector<std::string> carriedLabels(const std::vector<std::string>& runs,
-                                       const BagRunOptions& options) {
-  std::vector<std::string> carried(runs.size());
-  const bool may_lack = runs.size() > 1 || isLaterPart(runs.front());
+std::vector<std::string> carriedLabels(const std::vector<std::string>& recordings,
+                                       const BagRecordingOptions& options) {
+  std::vector<std::string> carried(recordings.size());
+  const bool may_lack = recordings.size() > 1 || isLaterPart(recordings.front());
   if (!may_lack || !options.label.empty()) return carried;
   std::vector<BagInfo> bags;
-  for (const std::string& run : runs) bags.push_back(infoOf(run, options));
+  for (const std::string& recording : recordings) bags.push_back(infoOf(recording, options));
   // In order of time, so that a label is carried through parts that say none.
-  std::vector<int> order(runs.size());
+  std::vector<int> order(recordings.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&bags](int a, int b) {
     return bags[static_cast<std::size_t>(a)].start < bags[static_cast<std::size_t>(b)].start;
@@ -78,14 +78,15 @@ std::vector<std::string> carriedLabels(const std::vector<std::string>& runs,
     if (bags[i].topics.empty() || !bags[i].labels_file.empty()) continue;
     const int before = partBefore(bags, number);
     if (before < 0 || bags[static_cast<std::size_t>(before)].last_label.empty()) {
-      warnOfStart(runs[i], bags[i], runs.size() > 1);
+      warnOfStart(recordings[i], bags[i], recordings.size() > 1);
       continue;
     }
-    BagRunOptions own = options;
+    BagRecordingOptions own = options;
     own.initial_label = carried[i] = bags[static_cast<std::size_t>(before)].last_label;
-    bags[i] = infoOf(runs[i], own);
-    std::cerr << "note: " << runs[i] << " goes on where " << runs[static_cast<std::size_t>(before)]
-              << " ends, and starts in '" << carried[i] << "'.\n";
+    bags[i] = infoOf(recordings[i], own);
+    std::cerr << "note: " << recordings[i] << " goes on where "
+              << recordings[static_cast<std::size_t>(before)] << " ends, and starts in '"
+              << carried[i] << "'.\n";
   }
   return carried;
 }

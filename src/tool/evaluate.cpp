@@ -26,11 +26,11 @@ void evaluateModel(const EvaluateOptions& options) {
   const std::string report = options.report + "/report.html";
   if (!options.report.empty()) requireWritable(report);
   const auto model = std::make_shared<const Model>(loadModel(modelPath(options.model)));
-  const std::vector<RunOpener> runs = options.input.openers(options.inputs);
+  const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
   constexpr std::size_t kWrongImages = 24;  // in the report
-  const Evaluation evaluation = evaluate(model, runs, kWrongImages, display.callback());
+  const Evaluation evaluation = evaluate(model, recordings, kWrongImages, display.callback());
   const Summary summary = summarize(evaluation);
   display.clear();
 

@@ -10,7 +10,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "ros/bags/bag_file.h"
-#include "ros/bags/bag_run.h"
+#include "ros/bags/bag_recording.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/verbs.h"

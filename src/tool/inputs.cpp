@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isRun(const std::string& path) {
+bool isRecording(const std::string& path) {
   return isBag(path) || (fs::is_directory(path) && holdsRoomImages(path));
 }
 
 /// Why a folder that holds no run gives nothing.
-std::string whyNoRun(const std::string& folder) {
+std::string whyNoRoomFolders(const std::string& folder) {
   const FolderEntries entries = entriesOf(folder);
   if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
   const FoundImages found = findRoomImages(folder);
@@ -37,7 +37,7 @@ std::string whyNoRun(const std::string& folder) {
 
 /// Why no image can be read from a bag. Its labels are another matter: they are mended, not left.
 std::string whyUnreadable(const std::string& bag) {
-  BagRunOptions without_labels;
+  BagRecordingOptions without_labels;
   without_labels.label = "any";
   try {
     const BagInfo info = bagInfo(bag, without_labels);
@@ -58,11 +58,11 @@ std::string whyPassedOver(const std::string& path) {
   const bool is_folder = fs::is_directory(path, ignored);
   if (!what.empty()) return is_folder || isBag(path) ? "it is " + what : "";
   if (isBag(path)) return whyUnreadable(path);
-  return is_folder && !isRun(path) ? whyNoRun(path) : "";
+  return is_folder && !isRecording(path) ? whyNoRoomFolders(path) : "";
 }
 
 /// The runs directly in a folder; names what could be one and gives nothing.
-void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
+void findRecordingsIn(const std::string& folder, std::vector<std::string>& recordings) {
   const FolderEntries entries = entriesOf(folder);
   if (!entries.problem.empty()) {
     throw Error("Cannot read the folder " + folder + ": " + entries.problem +
@@ -71,7 +71,7 @@ void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
   std::vector<std::string> names = entries.folders;
   names.insert(names.end(), entries.others.begin(), entries.others.end());
   std::sort(names.begin(), names.end(), naturalLess);
-  const std::size_t before = runs.size();
+  const std::size_t before = recordings.size();
   std::vector<std::string> passed_over;  // sentences
   const auto pass_over = [&](const std::string& path, const std::string& why) {
     const std::string end = why.back() == '.' ? "" : ".";
@@ -82,8 +82,8 @@ void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
     const std::string why = whyPassedOver(path);
     if (!why.empty()) {
       pass_over(path, why);
-    } else if (isRun(path)) {
-      runs.push_back(path);
+    } else if (isRecording(path)) {
+      recordings.push_back(path);
     }
   }
   for (const std::string& name : entries.dead) {
@@ -91,7 +91,7 @@ void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
   }
   std::string text;
   for (const std::string& sentence : passed_over) text += " " + sentence;
-  if (runs.size() == before) {
+  if (recordings.size() == before) {
     throw Error("The folder " + folder +
                 " holds neither bags nor room/image files (png, jpg, webp, bmp or tiff); put the "
                 "images of each room into a folder with the room's name." +
@@ -100,7 +100,7 @@ void findRunsIn(const std::string& folder, std::vector<std::string>& runs) {
   for (const std::string& sentence : passed_over) std::cerr << "warning: " << sentence << "\n";
 }
 
-void findRunsOf(const std::string& input, std::vector<std::string>& runs) {
+void findRecordingsOf(const std::string& input, std::vector<std::string>& recordings) {
   std::error_code failure;
   if (!fs::exists(input, failure)) {
     const bool is_link = fs::is_symlink(input, failure);
@@ -109,10 +109,10 @@ void findRunsOf(const std::string& input, std::vector<std::string>& runs) {
   }
   const std::string what = whyNoRecording(input);
   if (!what.empty()) throw Error(input + " is " + what + ".");
-  if (isRun(input)) {
-    runs.push_back(input);
+  if (isRecording(input)) {
+    recordings.push_back(input);
   } else if (fs::is_directory(input)) {
-    findRunsIn(input, runs);
+    findRecordingsIn(input, recordings);
   } else {
     throw Error(input +
                 " is neither a bag nor a folder; give a file that ends in .bag or a "
@@ -143,30 +143,30 @@ void InputOptions::addTo(Verb& verb) {
       .group(kGroup);
 }
 
-std::vector<RunOpener> InputOptions::openers(const std::vector<std::string>& inputs) const {
-  const std::vector<std::string> runs = findRuns(inputs);
-  if (!bag.labels_file.empty() && std::count_if(runs.begin(), runs.end(), isBag) > 1) {
+std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string>& inputs) const {
+  const std::vector<std::string> recordings = findRecordings(inputs);
+  if (!bag.labels_file.empty() && std::count_if(recordings.begin(), recordings.end(), isBag) > 1) {
     throw Error("--labels " + bag.labels_file +
                 " is for one bag; put a file RUN.labels.yaml beside each of several.");
   }
-  const std::vector<std::string> carried = carriedLabels(runs, bag);
-  std::vector<RunOpener> openers;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
+  const std::vector<std::string> carried = carriedLabels(recordings, bag);
+  std::vector<RecordingOpener> openers;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
     InputOptions options = *this;
     options.bag.initial_label = carried[i];
-    openers.push_back([options, run = runs[i]] { return options.open(run); });
+    openers.push_back([options, recording = recordings[i]] { return options.open(recording); });
   }
   return openers;
 }
 
-std::unique_ptr<Run> InputOptions::open(const std::string& run) const {
-  return isBag(run) ? openBagRun(run, bag) : openFolderRun(run);
+std::unique_ptr<Recording> InputOptions::open(const std::string& recording) const {
+  return isBag(recording) ? openBagRecording(recording, bag) : openFolderRecording(recording);
 }
 
-std::vector<std::string> findRuns(const std::vector<std::string>& inputs) {
-  std::vector<std::string> runs;
-  for (const std::string& input : inputs) findRunsOf(input, runs);
-  return runs;
+std::vector<std::string> findRecordings(const std::vector<std::string>& inputs) {
+  std::vector<std::string> recordings;
+  for (const std::string& input : inputs) findRecordingsOf(input, recordings);
+  return recordings;
 }
 
 Frame imageFrame(const std::string& path, const DepthExtent& depth) {

@@ -25,7 +25,7 @@ struct LabelOptions {
 
 /// The bags among the inputs, each of which can be read and labelled by a file beside it.
 std::vector<std::string> checkedBags(const LabelOptions& options) {
-  const std::vector<std::string> bags = findRuns(options.inputs);
+  const std::vector<std::string> bags = findRecordings(options.inputs);
   for (const std::string& bag : bags) {
     if (!isBag(bag)) {
       throw Error(bag + " is a folder of images, whose labels are the folders; give bags.");
@@ -53,7 +53,7 @@ void label(const LabelOptions& options) {
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   std::vector<std::string> arguments{PLACE_RECOGNITION_PYTHON, "-B", packageFolder("label_page"),
                                      "--tool", program};
-  const BagRunOptions& bag = options.input.bag;
+  const BagRecordingOptions& bag = options.input.bag;
   if (bag.image_topics.size() > 1) {
     throw UsageError("--image-topic: the page shows one camera; name one");
   }

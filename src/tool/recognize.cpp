@@ -11,7 +11,7 @@
 #include "base/place_name.h"
 #include "datasets/image_file.h"
 #include "datasets/image_folder.h"
-#include "evaluation/run_recognizer.h"
+#include "evaluation/recording_recognizer.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "ros/bags/bag_file.h"
@@ -76,9 +76,9 @@ class Recognitions {
     if (isUsable(frame)) add(frame, recognizer_.recognizeImage(frame.image));
   }
 
-  /// Frames of `run` follow. `in_time`: by their stamps they follow one another.
-  void startRun(Run& run, bool in_time) {
-    recognizer_.begin(run);
+  /// Frames of `recording` follow. `in_time`: by their stamps they follow one another.
+  void startRecording(Recording& recording, bool in_time) {
+    recognizer_.begin(recording);
     smooths_ = in_time;
   }
 
@@ -86,7 +86,7 @@ class Recognitions {
     if (isUsable(frame)) add(frame, recognizer_.recognize(frame));
   }
 
-  void endRun() {
+  void endRecording() {
     recognizer_.smoother().finish();
     writeSmoothed();
     smooths_ = false;
@@ -182,7 +182,7 @@ class Recognitions {
   }
 
   const OutputOptions& output_;
-  RunRecognizer recognizer_;
+  RecordingRecognizer recognizer_;
   UnusableImages unusable_;
   std::size_t frames_ = 0;
   bool smooths_ = false;
@@ -209,19 +209,19 @@ void recognize(const RecognizeOptions& options) {
       recognitions.addImage(frame);
       continue;
     }
-    for (const std::string& run_path : findRuns({input})) {
-      const std::unique_ptr<Run> run = options.input.open(run_path);
+    for (const std::string& run_path : findRecordings({input})) {
+      const std::unique_ptr<Recording> recording = options.input.open(run_path);
       const bool is_bag = isBag(run_path);
-      recognitions.startRun(*run, is_bag);
-      while (run->next(frame)) {
-        report(progress, "Recognizing " + run_path, run->fraction());
+      recognitions.startRecording(*recording, is_bag);
+      while (recording->next(frame)) {
+        report(progress, "Recognizing " + run_path, recording->fraction());
         if (is_bag) frame.name = run_path + " " + frame.name;
         recognitions.addFrame(frame);
       }
-      for (const std::string& warning : run->warnings()) {
+      for (const std::string& warning : recording->warnings()) {
         std::cerr << "warning: " << warning << "\n";
       }
-      recognitions.endRun();
+      recognitions.endRecording();
     }
   }
   recognitions.finish();

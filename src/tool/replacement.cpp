@@ -13,17 +13,17 @@
 
 namespace place_recognition::tool {
 
-Replacement::Replacement(std::vector<RunOpener> runs, const std::string& path,
+Replacement::Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
                          const Progress& progress)
-    : runs_(std::move(runs)), path_(path) {
-  if (std::filesystem::exists(path_)) old_rooms_ = roomsOf(loadModel(path_), runs_, progress);
+    : recordings_(std::move(recordings)), path_(path) {
+  if (std::filesystem::exists(path_)) old_rooms_ = roomsOf(loadModel(path_), recordings_, progress);
 }
 
 std::vector<Replacement::Room> Replacement::roomsOf(const Model& model,
-                                                    const std::vector<RunOpener>& runs,
+                                                    const std::vector<RecordingOpener>& recordings,
                                                     const Progress& progress) {
   const std::shared_ptr<const Model> borrowed(std::shared_ptr<const Model>(), &model);
-  const Summary summary = summarize(evaluate(borrowed, runs, 0, progress));
+  const Summary summary = summarize(evaluate(borrowed, recordings, 0, progress));
   std::vector<Room> rooms;
   for (const RoomSummary& room : summary.rooms) {
     const double rate = room.rate();
@@ -48,7 +48,7 @@ std::pair<double, double> Replacement::meanRate(const std::vector<Room>& rooms,
 }
 
 double Replacement::judge(const Model& model, const Progress& progress) const {
-  const std::vector<Room> rooms = roomsOf(model, runs_, progress);
+  const std::vector<Room> rooms = roomsOf(model, recordings_, progress);
   const double rate = meanRate(rooms, old_rooms_).first;
   const auto [old_rate, error] = meanRate(old_rooms_, rooms);
   if (!old_rooms_.empty() && rate < old_rate - error) {

@@ -16,9 +16,10 @@ namespace place_recognition::tool {
 /// learned counts as 0 for it.
 class Replacement {
  public:
-  /// Answers `runs` with the model at `path`; the path may be empty or of no file: then every model
-  /// is good enough. Throws Error, Cancelled.
-  Replacement(std::vector<RunOpener> runs, const std::string& path, const Progress& progress);
+  /// Answers `recordings` with the model at `path`; the path may be empty or of no file: then every
+  /// model is good enough. Throws Error, Cancelled.
+  Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
+              const Progress& progress);
 
   /// The rate of `model` on the runs, 0..1. Throws Error if that of the old one is better.
   double judge(const Model& model, const Progress& progress) const;
@@ -29,13 +30,14 @@ class Replacement {
     double rate;
     double variance;  // of the rate
   };
-  static std::vector<Room> roomsOf(const Model& model, const std::vector<RunOpener>& runs,
+  static std::vector<Room> roomsOf(const Model& model,
+                                   const std::vector<RecordingOpener>& recordings,
                                    const Progress& progress);
   /// Mean and standard error over the rooms of both.
   static std::pair<double, double> meanRate(const std::vector<Room>& rooms,
                                             const std::vector<Room>& others);
 
-  std::vector<RunOpener> runs_;
+  std::vector<RecordingOpener> recordings_;
   std::string path_;
   std::vector<Room> old_rooms_;
 };

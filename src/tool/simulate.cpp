@@ -82,7 +82,7 @@ void simulateRuns(SimulateOptions options) {
   options.simulation.omnidirectional = options.camera == "omni";
   options.simulation.check();
   ProgressDisplay display(options.output.progress);
-  Json runs = Json::array();
+  Json recordings = Json::array();
   const NewFolder folder(options.out);
   for (const std::string& condition : options.conditions) {
     options.simulation.condition = conditionFromName(condition);
@@ -94,10 +94,10 @@ void simulateRuns(SimulateOptions options) {
     display.clear();
     options.output.text() << path << ": " << images << " images of " << counts.size() << " rooms"
                           << std::endl;
-    runs.push_back(
+    recordings.push_back(
         {{"path", path}, {"condition", condition}, {"images", images}, {"rooms", counts}});
   }
-  options.output.writeJson({{"runs", runs}});
+  options.output.writeJson({{"runs", recordings}});
 }
 
 }  // namespace

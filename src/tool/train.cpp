@@ -110,12 +110,12 @@ void printSummary(const Training& training, const std::string& path, std::uint64
 }
 
 /// From nothing, or on from a model.
-Training learn(const TrainOptions& options, const std::vector<RunOpener>& runs,
+Training learn(const TrainOptions& options, const std::vector<RecordingOpener>& recordings,
                const TrainingOptions& training_options, const Progress& progress) {
   if (options.add_to.empty()) {
-    return place_recognition::train(runs, training_options, options.threads, progress);
+    return place_recognition::train(recordings, training_options, options.threads, progress);
   }
-  return trainIncrementally(loadModel(modelPath(options.add_to)), runs, options.limit,
+  return trainIncrementally(loadModel(modelPath(options.add_to)), recordings, options.limit,
                             options.threads, progress);
 }
 
@@ -136,11 +136,11 @@ void train(const TrainOptions& options) {
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);
   requireWritable(path);
-  const std::vector<RunOpener> runs = options.input.openers(options.inputs);
+  const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
   const std::optional<Replacement> replacement = replacementOf(options, path, display.callback());
-  const Training training = learn(options, runs, training_options, display.callback());
+  const Training training = learn(options, recordings, training_options, display.callback());
   std::optional<double> rate;
   if (replacement) rate = replacement->judge(training.model, display.callback());
   const std::uint64_t bytes = saveModel(training.model, path);

@@ -138,13 +138,14 @@ void tune(const TuneOptions& options) {
   const TrainingOptions base = options.configuration.read();
   addInstalledNetwork(base, space);
   requireWritable(options.out);
-  const std::vector<RunOpener> runs = options.input.openers(options.inputs);
-  const std::vector<RunOpener> hold_out =
-      options.validate.empty() ? std::vector<RunOpener>() : options.input.openers(options.validate);
+  const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
+  const std::vector<RecordingOpener> hold_out = options.validate.empty()
+                                                    ? std::vector<RecordingOpener>()
+                                                    : options.input.openers(options.validate);
 
   ProgressDisplay display(options.output.progress);
-  const Tuning tuning =
-      place_recognition::tune(runs, hold_out, base, space, options.threads, display.callback());
+  const Tuning tuning = place_recognition::tune(recordings, hold_out, base, space, options.threads,
+                                                display.callback());
   writeFileAtomically(options.out, yamlOf(tuning, options.inputs));
   display.clear();
 

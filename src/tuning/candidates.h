@@ -15,8 +15,8 @@ struct Family {
 };
 
 /// A family for each set of descriptors in `space` that fits in: derivatives as ratios, colours
-/// both in the light of the run and grey-world (as the default cues have it, doc/experiments.md).
-/// Each cue has a name of its own, made of what it is.
+/// both in the light of the recording and grey-world (as the default cues have it,
+/// doc/experiments.md). Each cue has a name of its own, made of what it is.
 std::vector<Family> candidateFamilies(const SearchSpace& space);
 
 }  // namespace place_recognition

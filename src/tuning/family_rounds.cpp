@@ -10,14 +10,16 @@
 namespace place_recognition {
 namespace {
 
-std::uint64_t countLabelled(const std::vector<RunOpener>& runs, const Progress& progress) {
+std::uint64_t countLabelled(const std::vector<RecordingOpener>& recordings,
+                            const Progress& progress) {
   std::uint64_t count = 0;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const std::unique_ptr<Run> run = runs[r]();
-    for (Frame frame; run->next(frame);) {
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const std::unique_ptr<Recording> recording = recordings[r]();
+    for (Frame frame; recording->next(frame);) {
       count += frame.place.empty() ? 0 : 1;
       report(progress, "Counting images",
-             (static_cast<double>(r) + run->fraction()) / static_cast<double>(runs.size()));
+             (static_cast<double>(r) + recording->fraction()) /
+                 static_cast<double>(recordings.size()));
     }
   }
   return count;
@@ -67,9 +69,10 @@ std::vector<CueOptions> bestOf(const Family& family, std::size_t count, std::siz
 
 }  // namespace
 
-Thinning planThinning(const TuningRuns& runs, const SearchSpace& space, const Progress& progress,
-                      std::uint64_t& images) {
-  images = countLabelled(runs.runs, progress) + countLabelled(runs.hold_out, progress);
+Thinning planThinning(const TuningRecordings& recordings, const SearchSpace& space,
+                      const Progress& progress, std::uint64_t& images) {
+  images =
+      countLabelled(recordings.recordings, progress) + countLabelled(recordings.hold_out, progress);
   return {stepTo(images, space.first_pictures), stepTo(images, space.max_pictures)};
 }
 

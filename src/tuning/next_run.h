@@ -9,8 +9,8 @@ namespace place_recognition {
 
 /// Changes images as the next run would differ from this one: the robot stands a little nearer
 /// and to the side, the camera is less sharp, and, if asked for, the light has changed. Cues that
-/// follow the light of the run find it to within a twentieth, as in a stream of frames. Draws at
-/// random, the same for the same seed and images.
+/// follow the light of the recording find it to within a twentieth, as in a stream of frames. Draws
+/// at random, the same for the same seed and images.
 class NextRun {
  public:
   NextRun(std::uint64_t seed, bool other_light);

@@ -11,7 +11,7 @@ void Search::note(const std::string& stage, const std::vector<CueOptions>& cues,
 
 TuningSamples Search::collect(const std::vector<CueOptions>& cues, std::size_t step,
                               const Progress& collect_progress) const {
-  return collectTuningSamples(runs, withCues(base, cues), space.other_light, step, threads,
+  return collectTuningSamples(recordings, withCues(base, cues), space.other_light, step, threads,
                               collect_progress);
 }
 

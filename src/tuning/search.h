@@ -11,7 +11,7 @@ namespace place_recognition {
 
 /// What all stages of a search share: what is given, and what came of it so far.
 struct Search {
-  TuningRuns runs;
+  TuningRecordings recordings;
   const TrainingOptions& base;
   const SearchSpace& space;
   unsigned threads;

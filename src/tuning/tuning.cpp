@@ -38,21 +38,24 @@ void look(Search& search, const Thinning& thinning) {
 
 }  // namespace
 
-Tuning tune(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& hold_out,
-            const TrainingOptions& base, const SearchSpace& space, unsigned threads,
-            const Progress& progress) {
+Tuning tune(const std::vector<RecordingOpener>& recordings,
+            const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
+            const SearchSpace& space, unsigned threads, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   base.check();
   space.check();
-  const TrainingOptions ready = withMirror(withNetworks(base), runs);
+  const TrainingOptions ready = withMirror(withNetworks(base), recordings);
   SearchSpace ready_space = space;
   ready_space.cues = withNetworks(withCues(base, space.cues)).cues;
-  Search search{
-      {runs, hold_out, commonSize(runs, progress)}, ready, ready_space, threads, progress};
+  Search search{{recordings, hold_out, commonSize(recordings, progress)},
+                ready,
+                ready_space,
+                threads,
+                progress};
   search.best.cues = base.cues;
   search.best.c = base.svm.c;
   Tuning tuning;
-  const Thinning thinning = planThinning(search.runs, space, progress, tuning.images);
+  const Thinning thinning = planThinning(search.recordings, space, progress, tuning.images);
   try {
     look(search, thinning);
   } catch (const Cancelled&) {

@@ -8,18 +8,18 @@
 #include "base/place_name.h"
 #include "recognition/training/block_choice.h"
 #include "tuning/next_run.h"
-#include "tuning/thinned_run.h"
+#include "tuning/thinned_recording.h"
 
 namespace place_recognition {
 namespace {
 
-std::vector<RunOpener> thinnedOpeners(const TuningRuns& runs, std::size_t step,
-                                      std::uint64_t seed) {
-  constexpr std::uint64_t kSeedsOfRun = kMaxPlaces;  // one for each place
-  std::vector<RunOpener> openers;
-  for (const std::vector<RunOpener>* group : {&runs.runs, &runs.hold_out}) {
-    for (const RunOpener& open : *group) {
-      const std::uint64_t run_seed = seed + kSeedsOfRun * openers.size();
+std::vector<RecordingOpener> thinnedOpeners(const TuningRecordings& recordings, std::size_t step,
+                                            std::uint64_t seed) {
+  constexpr std::uint64_t kSeedsOfRecording = kMaxPlaces;  // one for each place
+  std::vector<RecordingOpener> openers;
+  for (const std::vector<RecordingOpener>* group : {&recordings.recordings, &recordings.hold_out}) {
+    for (const RecordingOpener& open : *group) {
+      const std::uint64_t run_seed = seed + kSeedsOfRecording * openers.size();
       openers.push_back([open, step, run_seed] { return thinOut(open(), step, run_seed); });
     }
   }
@@ -27,36 +27,37 @@ std::vector<RunOpener> thinnedOpeners(const TuningRuns& runs, std::size_t step,
 }
 
 /// Reading one of many runs as a part of the whole.
-Progress partOf(const Progress& whole, std::size_t runs, std::size_t& opened) {
-  return [&whole, runs, &opened](const std::string&, double fraction) {
+Progress partOf(const Progress& whole, std::size_t recordings, std::size_t& opened) {
+  return [&whole, recordings, &opened](const std::string&, double fraction) {
     if (fraction == 0) ++opened;
     const double done = static_cast<double>(opened) - 1 + fraction;
-    return !whole || whole("Extracting features", done / static_cast<double>(runs));
+    return !whole || whole("Extracting features", done / static_cast<double>(recordings));
   };
 }
 
 /// Runs that hold every place.
-int completeRuns(const std::vector<SampleOrigin>& origins, std::size_t places) {
-  std::map<int, std::set<int>> places_of_run;
-  for (const SampleOrigin& origin : origins) places_of_run[origin.run].insert(origin.place);
+int completeRecordings(const std::vector<SampleOrigin>& origins, std::size_t places) {
+  std::map<int, std::set<int>> places_of_recording;
+  for (const SampleOrigin& origin : origins)
+    places_of_recording[origin.recording].insert(origin.place);
   return static_cast<int>(
-      std::count_if(places_of_run.begin(), places_of_run.end(),
-                    [&](const auto& run) { return run.second.size() == places; }));
+      std::count_if(places_of_recording.begin(), places_of_recording.end(),
+                    [&](const auto& recording) { return recording.second.size() == places; }));
 }
 
 /// Folds of the recorded samples.
-std::vector<Fold> recordedFolds(const Samples& samples, const TuningRuns& runs,
+std::vector<Fold> recordedFolds(const Samples& samples, const TuningRecordings& recordings,
                                 const TrainingOptions& options, unsigned threads) {
   const std::vector<SampleOrigin> origins = samples.recordedOrigins();
-  if (!runs.hold_out.empty()) {
+  if (!recordings.hold_out.empty()) {
     Fold fold;
     for (std::size_t i = 0; i < origins.size(); ++i) {
-      const bool trained_on = origins[i].run < static_cast<int>(runs.runs.size());
+      const bool trained_on = origins[i].recording < static_cast<int>(recordings.recordings.size());
       (trained_on ? fold.train : fold.test).push_back(static_cast<int>(i));
     }
     return {fold};
   }
-  const int complete = completeRuns(origins, samples.places.size());
+  const int complete = completeRecordings(origins, samples.places.size());
   if (complete >= 2) {
     const int count = std::min(complete, options.validation.folds);
     return timeBlockFolds(origins, count, {});
@@ -68,10 +69,10 @@ std::vector<Fold> recordedFolds(const Samples& samples, const TuningRuns& runs,
 
 }  // namespace
 
-TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
-                                   bool other_light, std::size_t step, unsigned threads,
-                                   const Progress& progress) {
-  const std::vector<RunOpener> openers = thinnedOpeners(runs, step, options.seed);
+TuningSamples collectTuningSamples(const TuningRecordings& recordings,
+                                   const TrainingOptions& options, bool other_light,
+                                   std::size_t step, unsigned threads, const Progress& progress) {
+  const std::vector<RecordingOpener> openers = thinnedOpeners(recordings, step, options.seed);
   std::size_t opened = 0;
   NextRun next_run(options.seed, other_light);
   const ImageChange change = [&next_run](const cv::Mat& image, const std::string& place) {
@@ -79,9 +80,10 @@ TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions
   };
   TuningSamples samples{
       collectSamples(openers, options, threads, partOf(progress, openers.size(), opened), 2,
-                     runs.images, change),
+                     recordings.images, change),
       {}};
-  samples.folds = withCopies(recordedFolds(samples, runs, options, threads), samples.source, false);
+  samples.folds =
+      withCopies(recordedFolds(samples, recordings, options, threads), samples.source, false);
   return samples;
 }
 

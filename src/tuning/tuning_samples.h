@@ -10,10 +10,10 @@
 namespace place_recognition {
 
 /// The recordings that a search goes by.
-struct TuningRuns {
-  const std::vector<RunOpener>& runs;
-  const std::vector<RunOpener>& hold_out;   ///< tested on and never trained on; may be empty
-  std::optional<ImageProfile> images = {};  ///< commonSize(runs), if that is known already
+struct TuningRecordings {
+  const std::vector<RecordingOpener>& recordings;
+  const std::vector<RecordingOpener>& hold_out;  ///< tested on and never trained on; may be empty
+  std::optional<ImageProfile> images = {};       ///< commonSize(runs), if that is known already
 };
 
 /// Samples to judge cues by, and how: each as it was recorded and as the next run might show it
@@ -25,8 +25,8 @@ struct TuningSamples : Samples {
 
 /// Features of one of every `step` labelled images of each place, see thinOut(). See
 /// collectSamples() for errors.
-TuningSamples collectTuningSamples(const TuningRuns& runs, const TrainingOptions& options,
-                                   bool other_light, std::size_t step, unsigned threads,
-                                   const Progress& progress);
+TuningSamples collectTuningSamples(const TuningRecordings& recordings,
+                                   const TrainingOptions& options, bool other_light,
+                                   std::size_t step, unsigned threads, const Progress& progress);
 
 }  // namespace place_recognition

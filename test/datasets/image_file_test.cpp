@@ -10,7 +10,7 @@
 
 #include "datasets/image_file.h"
 #include "datasets/jpeg_check.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {

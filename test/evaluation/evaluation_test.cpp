@@ -8,7 +8,7 @@
 #include "evaluation/result_table.h"
 #include "evaluation/summary.h"
 #include "place_recognition/error.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 namespace {
@@ -26,11 +26,11 @@ TEST(Summary, CountsRoomsByTheMostProbablePlace) {
 
 TEST(Summary, KeepsRunsApart) {
   const Summary summary = summarize(madeUpEvaluation());
-  ASSERT_EQ(summary.runs.size(), 2u);
-  EXPECT_EQ(summary.runs[0].condition, "day");
-  EXPECT_DOUBLE_EQ(summary.runs[0].average_rate, (2.0 / 3 + 1) / 2);
-  ASSERT_EQ(summary.runs[1].rooms.size(), 1u);
-  EXPECT_DOUBLE_EQ(summary.runs[1].average_rate, 0.5);
+  ASSERT_EQ(summary.recordings.size(), 2u);
+  EXPECT_EQ(summary.recordings[0].condition, "day");
+  EXPECT_DOUBLE_EQ(summary.recordings[0].average_rate, (2.0 / 3 + 1) / 2);
+  ASSERT_EQ(summary.recordings[1].rooms.size(), 1u);
+  EXPECT_DOUBLE_EQ(summary.recordings[1].average_rate, 0.5);
   EXPECT_DOUBLE_EQ(summary.test_set_rate, (2.0 / 3 + 1 + 0.5) / 3);
 }
 
@@ -83,8 +83,8 @@ TEST(Evaluate, AnswersEveryLabelledImage) {
   EXPECT_EQ(evaluation.frames.size(), 24u - 2 + 6);
   EXPECT_EQ(evaluation.places, (std::vector<std::string>{"room0", "room1", "room2", "room3"}));
   EXPECT_EQ(evaluation.model_places, 3u);
-  EXPECT_EQ(evaluation.runs, (std::vector<std::string>{"day", "night"}));
-  EXPECT_EQ(evaluation.frames.back().run, 1);
+  EXPECT_EQ(evaluation.recordings, (std::vector<std::string>{"day", "night"}));
+  EXPECT_EQ(evaluation.frames.back().recording, 1);
   EXPECT_EQ(evaluation.warnings.size(), 3u);
   EXPECT_GT(summarize(evaluation).average_rate, 0.8);
 }

@@ -17,13 +17,14 @@ inline Evaluation madeUpEvaluation() {
   evaluation.model = "house";
   evaluation.places = {"kitchen", "office", "lift"};
   evaluation.model_places = 2;
-  evaluation.runs = {"runs/day.bag", "runs/night.bag"};
+  evaluation.recordings = {"runs/day.bag", "runs/night.bag"};
   evaluation.support_vectors = 12;
   evaluation.model_bytes = 2048;
-  const auto add = [&evaluation](int run, int truth, int place, double confidence, bool known) {
+  const auto add = [&evaluation](int recording, int truth, int place, double confidence,
+                                 bool known) {
     FrameResult frame;
     frame.name = "picture" + std::to_string(evaluation.frames.size()) + ".png";
-    frame.run = run;
+    frame.recording = recording;
     frame.stamp = static_cast<double>(evaluation.frames.size());
     frame.truth = truth;
     frame.place = place;

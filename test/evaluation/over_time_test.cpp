@@ -11,7 +11,7 @@ Evaluation driveOf(const std::string& truth, const std::string& single, const st
   Evaluation evaluation;
   evaluation.places = {"hall", "kitchen", "office"};
   evaluation.model_places = 3;
-  evaluation.runs = {"drive"};
+  evaluation.recordings = {"drive"};
   for (std::size_t i = 0; i < truth.size(); ++i) {
     FrameResult frame;
     frame.stamp = static_cast<double>(i);

@@ -118,7 +118,7 @@ TEST(Timeline, ShowsAnswersOverTimeOfDrivesOnly) {
 TEST(Report, EscapesNames) {
   Evaluation evaluation = madeUpEvaluation();
   evaluation.places[0] = "<script>alert('x')</script>";
-  evaluation.runs[0] = "a&b\xff.bag";
+  evaluation.recordings[0] = "a&b\xff.bag";
   evaluation.warnings.push_back("<b>");
   const std::string html = htmlReport(evaluation, summarize(evaluation));
   EXPECT_EQ(html.find("<script>"), std::string::npos);

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "features/small_network.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "reliability/preset_models.h"
 
 using namespace place_recognition;

@@ -10,14 +10,14 @@
 namespace place_recognition {
 namespace {
 
-/// `length` samples of each of `places` in each of `runs`, in a shuffled but fixed order; stamps
-/// within a run and place are 0, 1, 2, ...
-std::vector<SampleOrigin> samplesOf(int runs, int places, int length) {
+/// `length` samples of each of `places` in each of `recordings`, in a shuffled but fixed order;
+/// stamps within a run and place are 0, 1, 2, ...
+std::vector<SampleOrigin> samplesOf(int recordings, int places, int length) {
   std::vector<SampleOrigin> samples;
   for (int stamp = 0; stamp < length; ++stamp) {
-    for (int run = 0; run < runs; ++run) {
+    for (int recording = 0; recording < recordings; ++recording) {
       for (int place = 0; place < places; ++place) {
-        samples.push_back({place, run, static_cast<double>((7 * stamp) % length)});
+        samples.push_back({place, recording, static_cast<double>((7 * stamp) % length)});
       }
     }
   }
@@ -54,7 +54,7 @@ double nearestTrained(const std::vector<SampleOrigin>& samples, const Fold& fold
   for (const int train : fold.train) {
     const SampleOrigin& a = samples[static_cast<std::size_t>(test)];
     const SampleOrigin& b = samples[static_cast<std::size_t>(train)];
-    if (a.run != b.run || a.place != b.place) continue;
+    if (a.recording != b.recording || a.place != b.place) continue;
     nearest = std::min(nearest, std::abs(a.stamp - b.stamp));
   }
   return nearest;
@@ -70,7 +70,7 @@ TEST(Folds, AreShortBlocksOfTimeInTurnWithGaps) {
     EXPECT_NEAR(static_cast<double>(fold.train.size()), 180, 1);  // two frames more at each side
     for (const int test : fold.test) {
       EXPECT_GE(nearestTrained(samples, fold, test), 0.4 - 1e-6);
-      EXPECT_LE(nearestTrained(samples, fold, test), 0.6 + 1e-6);  // at either end of the run
+      EXPECT_LE(nearestTrained(samples, fold, test), 0.6 + 1e-6);  // at either end of the recording
     }
   }
 }
@@ -89,7 +89,7 @@ TEST(Folds, LeaveOutWhatIsBehindTheDoorToo) {
   for (const Fold& fold : folds) {
     for (const int test : fold.test) {
       for (const int train : fold.train) {
-        if (samples[train].run != samples[test].run) continue;
+        if (samples[train].recording != samples[test].recording) continue;
         EXPECT_GT(std::abs(samples[train].stamp - samples[test].stamp), 0.9);
       }
     }
@@ -185,9 +185,10 @@ TEST(Folds, AreWholeRunsWhenEnoughHoldEveryPlace) {
     EXPECT_EQ(fold.train.size() + fold.test.size(), samples.size());
     EXPECT_FALSE(fold.test.empty());
     std::set<int> trained;
-    for (const int train : fold.train) trained.insert(samples[static_cast<std::size_t>(train)].run);
+    for (const int train : fold.train)
+      trained.insert(samples[static_cast<std::size_t>(train)].recording);
     for (const int test : fold.test) {
-      EXPECT_EQ(trained.count(samples[static_cast<std::size_t>(test)].run), 0u);
+      EXPECT_EQ(trained.count(samples[static_cast<std::size_t>(test)].recording), 0u);
     }
   }
 }

@@ -12,7 +12,7 @@
 #include "place_recognition/model_file.h"
 #include "place_recognition/temporal_filter.h"
 #include "place_recognition/training.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/over_time/transition_model.h"
 #include "recognition/training/camera_correlation_training.h"
 
@@ -278,8 +278,8 @@ std::vector<Frame> framesOfTwoCameras() {
 
 TEST(TrainingOnCameras, LearnsTheirCorrelationWhichTheFileKeeps) {
   const std::vector<std::string> topics{"/rear", "/front"};
-  const RunOpener run = opener(framesOfTwoCameras(), "robot.bag", topics);
-  const Model model = train({run}, quickOptions()).model;
+  const RecordingOpener recording = opener(framesOfTwoCameras(), "robot.bag", topics);
+  const Model model = train({recording}, quickOptions()).model;
   EXPECT_EQ(model.cameras.cameras, (std::vector<std::string>{"/front", "/rear"}));
   EXPECT_GE(model.cameras.coefficients.minCoeff(), 0);
   EXPECT_LE(model.cameras.coefficients.maxCoeff(), 1);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 namespace {
@@ -131,7 +131,7 @@ TEST(EvidenceShift, NeedsThreePlacesAndHeldOutFrames) {
 
 TEST(EvidenceShift, HoldsForStreamsNotForImagesByThemselves) {
   const auto model = std::make_shared<const Model>(
-      train(std::vector<RunOpener>{opener(drawFrames(3, 20))}, quickOptions()).model);
+      train(std::vector<RecordingOpener>{opener(drawFrames(3, 20))}, quickOptions()).model);
   std::vector<cv::Mat> dimmed;
   for (int room = 0; room < 3; ++room) {
     for (unsigned i = 0; i < 20; ++i) {

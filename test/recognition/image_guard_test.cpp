@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 namespace {

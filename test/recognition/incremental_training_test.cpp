@@ -6,7 +6,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 namespace {
@@ -72,9 +72,11 @@ TEST(TrainIncrementally, KeepsTheNetworkThatTheModelCarries) {
 TEST(TrainIncrementally, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
   const Training before = train({opener(drawFrames(3, 12))}, twoCueOptions());
   const std::string file = serializeModel(before.model);
-  const std::vector<RunOpener> runs{opener(drawFrames(3, 6, 700))};
-  const std::string once = serializeModel(trainIncrementally(before.model, runs, 15, 1).model);
-  EXPECT_EQ(serializeModel(trainIncrementally(parseModel(file, "once"), runs, 15, 3).model), once);
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 6, 700))};
+  const std::string once =
+      serializeModel(trainIncrementally(before.model, recordings, 15, 1).model);
+  EXPECT_EQ(serializeModel(trainIncrementally(parseModel(file, "once"), recordings, 15, 3).model),
+            once);
 }
 
 /// Fraction of new frames of some rooms that are answered right, and of those answered 'unknown'.

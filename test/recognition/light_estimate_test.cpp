@@ -8,7 +8,7 @@
 #include <random>
 
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/frames/colour_normalization.h"
 #include "recognition/frames/colour_statistics.h"
 
@@ -156,12 +156,12 @@ TEST(ColourNormalization, BringsMeansToTheSameLevel) {
   };
   EXPECT_EQ(pixel(ColourNormalization::kGreyWorld), cv::Vec3b(110, 110, 110));
   EXPECT_EQ(pixel(ColourNormalization::kBrightness), cv::Vec3b(55, 110, 165));
-  EXPECT_EQ(pixel(ColourNormalization::kRun), cv::Vec3b(20, 80, 240));
+  EXPECT_EQ(pixel(ColourNormalization::kRecording), cv::Vec3b(20, 80, 240));
   normalized.set(image, logColour(image), {});
-  EXPECT_EQ(normalized.in(ColourNormalization::kRun).data, image.data);
+  EXPECT_EQ(normalized.in(ColourNormalization::kRecording).data, image.data);
 }
 
-/// Of three drawn rooms, with a cue that follows the light of the run.
+/// Of three drawn rooms, with a cue that follows the light of the recording.
 std::shared_ptr<const Model> modelThatFollowsLight() {
   CrfhOptions levels;
   levels.descriptors = {"R", "G", "B"};

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/frames/cue_extraction.h"
 #include "recognition/training/samples.h"
 

@@ -13,7 +13,7 @@
 #include "base/atomic_file.h"
 #include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/fitting_header.h"
 #include "recognition/model_contents.h"
 #include "scratch_folder.h"

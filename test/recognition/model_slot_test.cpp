@@ -13,7 +13,7 @@
 
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {

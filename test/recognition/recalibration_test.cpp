@@ -5,7 +5,7 @@
 #include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/frames/light.h"
 
 namespace place_recognition {

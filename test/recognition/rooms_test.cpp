@@ -32,13 +32,13 @@ double rate(const std::string& train_folder, const std::string& test_folder) {
   TrainingOptions options;
   options.cues = {CueOptions()};
   options.cues[0].feature = crfh;
-  Training training = train({[&] { return openFolderRun(train_folder); }}, options);
+  Training training = train({[&] { return openFolderRecording(train_folder); }}, options);
   const auto model = std::make_shared<const Model>(std::move(training.model));
 
   Recognizer recognizer(model);
-  const std::unique_ptr<Run> run = openFolderRun(test_folder);
+  const std::unique_ptr<Recording> recording = openFolderRecording(test_folder);
   std::vector<int> truth, answers;
-  for (Frame frame; run->next(frame);) {
+  for (Frame frame; recording->next(frame);) {
     const auto place = std::find(model->places.begin(), model->places.end(), frame.place);
     truth.push_back(static_cast<int>(place - model->places.begin()));
     answers.push_back(recognizer.recognize(frame.image).place);

@@ -4,7 +4,7 @@
 #include "features/small_network.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 namespace {

@@ -8,7 +8,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/training/calibration_set.h"
 #include "recognition/training/halving_sample.h"
 #include "recognition/training/samples.h"

@@ -9,7 +9,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 namespace {
@@ -70,11 +70,11 @@ TEST(Training, ReducesTheModel) {
 }
 
 TEST(Training, GivesTheSameBytesWhateverTheThreads) {
-  const std::vector<RunOpener> runs{opener(drawFrames(3, 9))};
-  const std::string once = serializeModel(train(runs, twoCueOptions(), 1).model);
-  EXPECT_EQ(serializeModel(train(runs, twoCueOptions(), 1).model), once);
-  EXPECT_EQ(serializeModel(train(runs, twoCueOptions(), 2).model), once);
-  EXPECT_EQ(serializeModel(train(runs, twoCueOptions(), 5).model), once);
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 9))};
+  const std::string once = serializeModel(train(recordings, twoCueOptions(), 1).model);
+  EXPECT_EQ(serializeModel(train(recordings, twoCueOptions(), 1).model), once);
+  EXPECT_EQ(serializeModel(train(recordings, twoCueOptions(), 2).model), once);
+  EXPECT_EQ(serializeModel(train(recordings, twoCueOptions(), 5).model), once);
 }
 
 TEST(Training, LeavesOutWhatItCannotUse) {
@@ -103,18 +103,19 @@ std::vector<Frame> resized(std::vector<Frame> frames, double factor) {
 }
 
 TEST(Training, RunsOfDifferentSizesAreLearnedAtTheSmallest) {
-  const std::vector<RunOpener> runs{opener(resized(drawFrames(3, 12), 4), "large"),
-                                    opener(drawFrames(3, 12, 100), "small"),
-                                    opener(resized(drawFrames(3, 12, 200), 2), "middle")};
-  const Training training = train(runs, quickOptions());
+  const std::vector<RecordingOpener> recordings{
+      opener(resized(drawFrames(3, 12), 4), "large"), opener(drawFrames(3, 12, 100), "small"),
+      opener(resized(drawFrames(3, 12, 200), 2), "middle")};
+  const Training training = train(recordings, quickOptions());
   EXPECT_EQ(training.model.images.width, 96);
   EXPECT_EQ(training.model.images.height, 72);
   ASSERT_EQ(training.warnings.size(), 2u);
   EXPECT_EQ(training.warnings[0].substr(0, 24), "large: Images of 384 x 2");
   EXPECT_EQ(training.warnings[1].substr(0, 24), "middle: Images of 192 x ");
-  EXPECT_EQ(serializeModel(train(runs, quickOptions(), 3).model), serializeModel(training.model));
+  EXPECT_EQ(serializeModel(train(recordings, quickOptions(), 3).model),
+            serializeModel(training.model));
 
-  EXPECT_GT(rateOn(train(runs, quickOptions()), 3), 0.8);
+  EXPECT_GT(rateOn(train(recordings, quickOptions()), 3), 0.8);
 }
 
 TEST(Training, LearnsOnAtTheSizeOfTheModel) {
@@ -301,7 +302,7 @@ TEST(Training, RefusesANetworkThatIsNotThereBeforeItReadsAImage) {
   EmbeddingOptions embedding;
   embedding.network = "/nowhere/absent.onnx";
   options.cues[0].feature = embedding;
-  const RunOpener unopened = []() -> std::unique_ptr<place_recognition::Run> {
+  const RecordingOpener unopened = []() -> std::unique_ptr<place_recognition::Recording> {
     throw std::logic_error("opened");
   };
   EXPECT_THROW(train({unopened}, options), Error);

@@ -8,7 +8,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "reliability/preset_models.h"
 
 namespace place_recognition {

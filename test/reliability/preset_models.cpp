@@ -6,7 +6,7 @@
 #include "base/options.h"
 #include "features/small_network.h"
 #include "place_recognition/model_file.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/model/embeddings.h"
 
 namespace place_recognition {

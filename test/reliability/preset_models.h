@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 #include "place_recognition/training_options.h"
 
 namespace place_recognition {

@@ -16,7 +16,7 @@
 #include "base/atomic_file.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "rounds.h"
 #include "scratch_folder.h"
 

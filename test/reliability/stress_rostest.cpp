@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "place_recognition/model_file.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "reliability/image_messages.h"
 #include "reliability/other_process.h"
 #include "ros/drawn_model.h"

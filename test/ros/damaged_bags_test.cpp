@@ -140,9 +140,9 @@ TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
 
 TEST_F(Bags, ARunThatIsNotReadToItsEndEnds) {
   writeRun(path_);
-  const auto run = openBagRun(path_);
+  const auto recording = openBagRecording(path_);
   Frame frame;
-  EXPECT_TRUE(run->next(frame));
+  EXPECT_TRUE(recording->next(frame));
 }
 
 }  // namespace

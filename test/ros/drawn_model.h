@@ -4,7 +4,7 @@
 #include <string>
 
 #include "place_recognition/model_file.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 

@@ -15,8 +15,8 @@
 #include <memory>
 #include <string>
 
-#include "recognition/drawn_run.h"
-#include "ros/bags/bag_run.h"
+#include "recognition/drawn_recording.h"
+#include "ros/bags/bag_recording.h"
 #include "ros/camera.h"
 #include "ros/inbox.h"
 
@@ -114,10 +114,10 @@ TEST_F(PlaceLabelers, RecordWhatIsSaidByServiceTopicAndButton) {
   EXPECT_FALSE(fs::exists(bag));
   endNode("/place_labeler", bag);
 
-  const auto run = openBagRun(bag);
+  const auto recording = openBagRecording(bag);
   Frame frame;
   int frames = 0;
-  for (; run->next(frame); ++frames) {
+  for (; recording->next(frame); ++frames) {
     EXPECT_EQ(frame.place, "room" + std::to_string(frames / 12)) << frame.name;
     EXPECT_FALSE(frame.image.empty());
   }
@@ -194,12 +194,12 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   ros::WallDuration(0.5).sleep();
   endNode("/auto_labeler", bag);
 
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.label_topic = "/auto_label";
-  const auto run = openBagRun(bag, options);
+  const auto recording = openBagRecording(bag, options);
   std::vector<std::string> labels;  // one for each stretch of frames
   std::vector<int> lengths;
-  for (Frame frame; run->next(frame);) {
+  for (Frame frame; recording->next(frame);) {
     if (frame.stamp < begin.toSec()) continue;
     if (labels.empty() || labels.back() != frame.place) {
       labels.push_back(frame.place);

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "ros/camera.h"
 #include "ros/drawn_model.h"
 #include "ros/inbox.h"

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "base/child_process.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "ros/camera.h"
 #include "ros/drawn_model.h"

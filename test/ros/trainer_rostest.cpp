@@ -13,7 +13,7 @@
 #include <string>
 
 #include "place_recognition/model_file.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "ros/inbox.h"
 #include "ros/rostest_main.h"

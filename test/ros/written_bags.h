@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "place_recognition/error.h"
-#include "ros/bags/bag_run.h"
+#include "ros/bags/bag_recording.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "scratch_folder.h"
 
@@ -32,12 +32,13 @@ inline void writeRun(const std::string& path, const LabelledBagOptions& options 
   writer.close();
 }
 
-inline std::vector<Frame> readAll(const std::string& path, const BagRunOptions& options = {}) {
-  const std::unique_ptr<Run> run = openBagRun(path, options);
+inline std::vector<Frame> readAll(const std::string& path,
+                                  const BagRecordingOptions& options = {}) {
+  const std::unique_ptr<Recording> recording = openBagRecording(path, options);
   std::vector<Frame> frames;
   Frame frame;
-  while (run->next(frame)) frames.push_back(frame);
-  EXPECT_EQ(run->fraction(), 1);
+  while (recording->next(frame)) frames.push_back(frame);
+  EXPECT_EQ(recording->fraction(), 1);
   return frames;
 }
 
@@ -47,11 +48,11 @@ inline std::vector<std::string> places(const std::vector<Frame>& frames) {
   return names;
 }
 
-inline std::string errorOf(const std::string& path, const BagRunOptions& options = {}) {
+inline std::string errorOf(const std::string& path, const BagRecordingOptions& options = {}) {
   try {
-    const std::unique_ptr<Run> run = openBagRun(path, options);
+    const std::unique_ptr<Recording> recording = openBagRecording(path, options);
     Frame frame;
-    while (run->next(frame)) {
+    while (recording->next(frame)) {
     }
   } catch (const Error& e) {
     return e.what();

@@ -41,28 +41,29 @@ TEST(Markers, StandOnTheFreeFloorOfTheirRoomAboutAMetreApart) {
 }
 
 TEST(TripodRun, TurnsClockwiseByThirtyDegrees) {
-  const std::vector<Pose> run = tripodRun({{"kitchen", 3, {1.0f, -2.0f}}}, 5.0, Random(1));
-  ASSERT_EQ(run.size(), 12u);
-  for (std::size_t i = 0; i < run.size(); ++i) {
+  const std::vector<Pose> recording = tripodRun({{"kitchen", 3, {1.0f, -2.0f}}}, 5.0, Random(1));
+  ASSERT_EQ(recording.size(), 12u);
+  for (std::size_t i = 0; i < recording.size(); ++i) {
     const double expected = -static_cast<double>(i) * CV_PI / 6.0;
-    EXPECT_NEAR(std::remainder(run[i].view.yaw - expected, 2.0 * CV_PI), 0.0, 0.12);
-    EXPECT_NEAR(run[i].view.eye[0], 1.0f, 0.08f);
-    EXPECT_NEAR(run[i].view.eye[1], -2.0f, 0.08f);
-    EXPECT_FLOAT_EQ(run[i].view.eye[2], 0.76f);
-    EXPECT_DOUBLE_EQ(run[i].stamp, 0.2 * static_cast<double>(i));
+    EXPECT_NEAR(std::remainder(recording[i].view.yaw - expected, 2.0 * CV_PI), 0.0, 0.12);
+    EXPECT_NEAR(recording[i].view.eye[0], 1.0f, 0.08f);
+    EXPECT_NEAR(recording[i].view.eye[1], -2.0f, 0.08f);
+    EXPECT_FLOAT_EQ(recording[i].view.eye[2], 0.76f);
+    EXPECT_DOUBLE_EQ(recording[i].stamp, 0.2 * static_cast<double>(i));
   }
-  EXPECT_EQ(run[4].name, "kitchen_03_120");
+  EXPECT_EQ(recording[4].name, "kitchen_03_120");
 }
 
 TEST(DriveRun, IsContinuousAndNoFasterThanTheRobot) {
   const double rate = 5.0;
-  const std::vector<Pose> run = driveRun(rate, 0.0f, Random(1));
-  for (std::size_t i = 1; i < run.size(); ++i) {
-    const Vec3 step = run[i].view.eye - run[i - 1].view.eye;
-    EXPECT_LT(cv::norm(step), 1.02 * 0.5 / rate) << run[i].name;
-    const double turn = std::remainder(run[i].view.yaw - run[i - 1].view.yaw, 2.0 * CV_PI);
-    EXPECT_LT(std::abs(turn), 0.7 / rate + 1e-3) << run[i].name;
-    EXPECT_NEAR(run[i].stamp - run[i - 1].stamp, 1.0 / rate, 1e-9);
+  const std::vector<Pose> recording = driveRun(rate, 0.0f, Random(1));
+  for (std::size_t i = 1; i < recording.size(); ++i) {
+    const Vec3 step = recording[i].view.eye - recording[i - 1].view.eye;
+    EXPECT_LT(cv::norm(step), 1.02 * 0.5 / rate) << recording[i].name;
+    const double turn =
+        std::remainder(recording[i].view.yaw - recording[i - 1].view.yaw, 2.0 * CV_PI);
+    EXPECT_LT(std::abs(turn), 0.7 / rate + 1e-3) << recording[i].name;
+    EXPECT_NEAR(recording[i].stamp - recording[i - 1].stamp, 1.0 / rate, 1e-9);
   }
 }
 

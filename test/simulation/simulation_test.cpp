@@ -20,7 +20,7 @@ SimulationOptions small(Condition condition) {
   return options;
 }
 
-/// The first `count` frames of a run.
+/// The first `count` frames of a recording.
 std::vector<SimulatedFrame> firstFrames(const SimulationOptions& options, std::size_t count) {
   std::vector<SimulatedFrame> frames;
   simulate(options, [&](const SimulatedFrame& frame, std::size_t, std::size_t) {
@@ -91,11 +91,11 @@ TEST(Simulation, CamerasOfOneRobotLookTheirWayAtEachMoment) {
 }
 
 TEST(Simulation, EachConditionGivesItsOwnWellExposedPictures) {
-  std::vector<std::vector<SimulatedFrame>> runs;
+  std::vector<std::vector<SimulatedFrame>> recordings;
   for (const Condition condition : {Condition::kCloudy, Condition::kNight, Condition::kSunny}) {
-    runs.push_back(firstFrames(small(condition), 24));
+    recordings.push_back(firstFrames(small(condition), 24));
     double sum = 0.0;
-    for (const SimulatedFrame& frame : runs.back()) {
+    for (const SimulatedFrame& frame : recordings.back()) {
       ASSERT_EQ(frame.image.type(), CV_8UC3);
       ASSERT_EQ(frame.image.size(), cv::Size(64, 48));
       const cv::Scalar mean = cv::mean(frame.image);
@@ -104,8 +104,8 @@ TEST(Simulation, EachConditionGivesItsOwnWellExposedPictures) {
     EXPECT_GT(sum / 24.0, 60.0) << name(condition);
     EXPECT_LT(sum / 24.0, 160.0) << name(condition);
   }
-  EXPECT_FALSE(sameImages(runs[0], runs[1]));
-  EXPECT_FALSE(sameImages(runs[0], runs[2]));
+  EXPECT_FALSE(sameImages(recordings[0], recordings[1]));
+  EXPECT_FALSE(sameImages(recordings[0], recordings[2]));
 }
 
 TEST(Simulation, IndecsTakesTwelvePicturesAtEveryMarkerOfFiveRooms) {

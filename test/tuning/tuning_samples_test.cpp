@@ -5,25 +5,25 @@
 #include <algorithm>
 #include <set>
 
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 #include "tuning/next_run.h"
-#include "tuning/thinned_run.h"
+#include "tuning/thinned_recording.h"
 
 namespace place_recognition {
 namespace {
 
-const std::vector<RunOpener> kNone;
+const std::vector<RecordingOpener> kNone;
 
-TuningSamples collect(const std::vector<RunOpener>& runs, const std::vector<RunOpener>& hold_out,
-                      std::size_t step = 1) {
-  return collectTuningSamples({runs, hold_out}, quickOptions(), true, step, 2, {});
+TuningSamples collect(const std::vector<RecordingOpener>& recordings,
+                      const std::vector<RecordingOpener>& hold_out, std::size_t step = 1) {
+  return collectTuningSamples({recordings, hold_out}, quickOptions(), true, step, 2, {});
 }
 
 /// Places of `indices` by run.
 std::set<int> runsOf(const TuningSamples& samples, const std::vector<int>& indices) {
-  std::set<int> runs;
-  for (const int i : indices) runs.insert(samples.origins[i].run);
-  return runs;
+  std::set<int> recordings;
+  for (const int i : indices) recordings.insert(samples.origins[i].recording);
+  return recordings;
 }
 
 TEST(TuningSamples, EveryImageIsThereAsRecordedAndChanged) {
@@ -33,7 +33,7 @@ TEST(TuningSamples, EveryImageIsThereAsRecordedAndChanged) {
   for (std::size_t i = 0; i < samples.origins.size(); ++i) {
     EXPECT_EQ(samples.source[i], static_cast<int>(i % 20));
     EXPECT_EQ(samples.origins[i].place, samples.origins[i % 20].place);
-    EXPECT_EQ(samples.origins[i].run, 0);
+    EXPECT_EQ(samples.origins[i].recording, 0);
   }
 }
 
@@ -103,13 +103,13 @@ TEST(NextRun, OfTheSameSeedIsTheSame) {
   EXPECT_NE(cv::norm(first, c.change(image, "room1").image, cv::NORM_L1), 0);
 }
 
-TEST(ThinnedRun, KeepsOneOfEveryThreeLabelledFramesOfEachPlace) {
+TEST(ThinnedRecording, KeepsOneOfEveryThreeLabelledFramesOfEachPlace) {
   std::vector<Frame> frames = drawFrames(2, 30);
   frames[1].place.clear();
   const auto keptNames = [&](std::uint64_t seed) {
-    const auto run = thinOut(opener(frames)(), 3, seed);
+    const auto recording = thinOut(opener(frames)(), 3, seed);
     std::vector<std::string> kept;
-    for (Frame frame; run->next(frame);) {
+    for (Frame frame; recording->next(frame);) {
       EXPECT_FALSE(frame.place.empty());
       kept.push_back(frame.name);
     }

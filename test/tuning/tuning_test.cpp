@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "base/options.h"
-#include "recognition/drawn_run.h"
+#include "recognition/drawn_recording.h"
 
 namespace place_recognition {
 namespace {
 
-const std::vector<RunOpener> kNone;
+const std::vector<RecordingOpener> kNone;
 
 /// A prior of one cue, which knows nothing of colour.
 TrainingOptions greyCue() {
@@ -33,12 +33,12 @@ SearchSpace smallSpace() {
 }
 
 TEST(Tune, FindsWhatTrainTakes) {
-  const std::vector<RunOpener> runs{opener(drawFrames(3, 12))};
-  const Tuning tuning = tune(runs, kNone, greyCue(), smallSpace());
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 12))};
+  const Tuning tuning = tune(recordings, kNone, greyCue(), smallSpace());
   EXPECT_TRUE(tuning.complete);
   EXPECT_EQ(tuning.images, 36u);
   tuning.options.check();
-  EXPECT_NO_THROW(train(runs, tuning.options));
+  EXPECT_NO_THROW(train(recordings, tuning.options));
   EXPECT_GT(tuning.best.rate, 0.9) << "drawn rooms are easily told apart";
   for (const TuningTrial& trial : tuning.trials) {
     EXPECT_GE(trial.log_loss, 0);
@@ -76,9 +76,9 @@ TEST(Tune, StaysWithThePriorWithoutGoodReason) {
 }
 
 TEST(Tune, DoesNotDependOnThreads) {
-  const std::vector<RunOpener> runs{opener(drawFrames(3, 9))};
-  const Tuning one = tune(runs, kNone, greyCue(), smallSpace(), 1);
-  const Tuning three = tune(runs, kNone, greyCue(), smallSpace(), 3);
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 9))};
+  const Tuning one = tune(recordings, kNone, greyCue(), smallSpace(), 1);
+  const Tuning three = tune(recordings, kNone, greyCue(), smallSpace(), 3);
   EXPECT_EQ(writeOptions(one.options), writeOptions(three.options));
   ASSERT_EQ(one.trials.size(), three.trials.size());
   for (std::size_t i = 0; i < one.trials.size(); ++i) {
@@ -87,16 +87,16 @@ TEST(Tune, DoesNotDependOnThreads) {
 }
 
 TEST(Tune, StoppedEarlyItGivesTheBestSoFar) {
-  const std::vector<RunOpener> runs{opener(drawFrames(3, 12))};
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 12))};
   for (const char* last : {"Comparing images", "Combining cues"}) {
     const Progress stop = [last](const std::string& stage, double) { return stage != last; };
-    const Tuning tuning = tune(runs, kNone, greyCue(), smallSpace(), 2, stop);
+    const Tuning tuning = tune(recordings, kNone, greyCue(), smallSpace(), 2, stop);
     EXPECT_FALSE(tuning.complete);
     EXPECT_EQ(writeOptions(tuning.options), writeOptions(greyCue()));
     EXPECT_EQ(tuning.best.images > 0, std::string(last) == "Combining cues");
   }
   const Progress stop_at_once = [](const std::string&, double) { return false; };
-  EXPECT_THROW(tune(runs, kNone, greyCue(), smallSpace(), 2, stop_at_once), Cancelled);
+  EXPECT_THROW(tune(recordings, kNone, greyCue(), smallSpace(), 2, stop_at_once), Cancelled);
 }
 
 TEST(Tune, LaterRoundsLookAtMoreImagesAndFewerCandidates) {

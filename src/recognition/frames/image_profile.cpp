@@ -29,8 +29,8 @@ bool showsColour(const cv::Mat& image) {
 bool isFlat(const ImageStatistics& image) { return image.contrast <= 5; }
 
 /// Size of the first image of a run; 0 x 0 if it has none.
-cv::Size firstSize(Run& run) {
-  for (Frame frame; run.next(frame);) {
+cv::Size firstSize(Recording& recording) {
+  for (Frame frame; recording.next(frame);) {
     if (!frame.image.empty()) return frame.image.size();
   }
   return {};
@@ -67,15 +67,15 @@ bool isBlack(const ImageStatistics& image) { return isFlat(image) && image.brigh
 
 bool isWhite(const ImageStatistics& image) { return isFlat(image) && image.brightness >= 245; }
 
-ImageProfile commonSize(const std::vector<RunOpener>& runs, const Progress& progress) {
+ImageProfile commonSize(const std::vector<RecordingOpener>& recordings, const Progress& progress) {
   ImageProfile smallest;
   DepthExtent depth;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
     report(progress, "Looking at the images",
-           static_cast<double>(r) / static_cast<double>(runs.size()));
-    const std::unique_ptr<Run> run = runs[r]();
-    const cv::Size size = firstSize(*run);
-    depth = united(depth, run->depthExtent());
+           static_cast<double>(r) / static_cast<double>(recordings.size()));
+    const std::unique_ptr<Recording> recording = recordings[r]();
+    const cv::Size size = firstSize(*recording);
+    depth = united(depth, recording->depthExtent());
     const bool smaller =
         std::max(size.width, size.height) < std::max(smallest.width, smallest.height);
     if (size.empty() || (smallest.known() && !smaller)) continue;

@@ -31,7 +31,7 @@ bool isWhite(const ImageStatistics& image);
 /// The size that `runs` are learned at: that of the run whose first image is the smallest, because
 /// detail can be taken from an image but not added; and the depth of all runs. Not known if no run
 /// has an image. Reads the runs up to their first image.
-ImageProfile commonSize(const std::vector<RunOpener>& runs, const Progress& progress);
+ImageProfile commonSize(const std::vector<RecordingOpener>& recordings, const Progress& progress);
 
 /// Widens the ranges of `profile` so that they hold `image`; its size stays.
 void include(const ImageStatistics& image, ImageProfile& profile);

@@ -103,10 +103,10 @@ cv::Mat greyOf(const cv::Mat& image) {
 }
 
 /// The mean of the first images of a run that have the size of its first one; empty: it has none.
-cv::Mat meanImage(Run& run) {
+cv::Mat meanImage(Recording& recording) {
   cv::Mat sum;
   int count = 0;
-  for (Frame frame; count < kImages && run.next(frame);) {
+  for (Frame frame; count < kImages && recording.next(frame);) {
     if (frame.image.empty()) continue;
     const cv::Mat grey = greyOf(frame.image);
     if (sum.empty()) sum = cv::Mat::zeros(grey.size(), CV_32F);
@@ -151,13 +151,14 @@ std::optional<MirrorRing> findMirror(const cv::Mat& image) {
   return MirrorRing{rim.center, seen ? inner.radius : kUnseenInner * rim.radius, rim.radius};
 }
 
-TrainingOptions withMirror(TrainingOptions options, const std::vector<RunOpener>& runs) {
+TrainingOptions withMirror(TrainingOptions options,
+                           const std::vector<RecordingOpener>& recordings) {
   if (options.image.panorama.mirror != "found") return options;
   std::string name = "the runs";
-  for (const RunOpener& open : runs) {
-    const std::unique_ptr<Run> run = open();
-    name = run->name();
-    const cv::Mat mean = meanImage(*run);
+  for (const RecordingOpener& open : recordings) {
+    const std::unique_ptr<Recording> recording = open();
+    name = recording->name();
+    const cv::Mat mean = meanImage(*recording);
     if (mean.empty()) continue;
     options.image.panorama = requireMirror(mean, name);
     return options;

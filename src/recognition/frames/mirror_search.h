@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 #include "place_recognition/training.h"
 #include "place_recognition/training_options.h"
 #include "recognition/frames/panorama.h"
@@ -22,7 +22,7 @@ std::optional<MirrorRing> findMirror(const cv::Mat& image);
 
 /// `options` with a mirror that is to be `found` in the first images of `runs`, or in `image`, now
 /// `given`. Throws Error if there is none, naming the run or `name`.
-TrainingOptions withMirror(TrainingOptions options, const std::vector<RunOpener>& runs);
+TrainingOptions withMirror(TrainingOptions options, const std::vector<RecordingOpener>& recordings);
 TrainingOptions withMirror(TrainingOptions options, const cv::Mat& image, const std::string& name);
 
 }  // namespace place_recognition

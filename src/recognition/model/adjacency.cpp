@@ -53,23 +53,23 @@ Adjacency fromYaml(const YAML::Node& root, const std::string& where,
 }
 
 /// The labelled frames at which a room is entered, the first frame included.
-std::vector<std::size_t> entries(const std::vector<PlaceAt>& run) {
+std::vector<std::size_t> entries(const std::vector<PlaceAt>& recording) {
   std::vector<std::size_t> found;
   int current = -1;
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    if (run[i].place < 0 || run[i].place == current) continue;
-    current = run[i].place;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    if (recording[i].place < 0 || recording[i].place == current) continue;
+    current = recording[i].place;
     found.push_back(i);
   }
   return found;
 }
 
-bool comesBack(const std::vector<PlaceAt>& run, const std::vector<std::size_t>& entries,
+bool comesBack(const std::vector<PlaceAt>& recording, const std::vector<std::size_t>& entries,
                std::size_t places) {
   std::vector<bool> seen(places, false);
   for (const std::size_t i : entries) {
-    if (seen[run[i].place]) return true;
-    seen[run[i].place] = true;
+    if (seen[recording[i].place]) return true;
+    seen[recording[i].place] = true;
   }
   return false;
 }
@@ -122,16 +122,17 @@ std::string writeAdjacency(const Adjacency& adjacency, const std::vector<std::st
   return std::string(out.c_str()) + "\n";
 }
 
-bool learnAdjacency(const std::vector<PlaceAt>& run, Adjacency& adjacency, double longest_gap) {
-  const std::vector<std::size_t> entered = entries(run);
-  if (!comesBack(run, entered, adjacency.places())) return false;
+bool learnAdjacency(const std::vector<PlaceAt>& recording, Adjacency& adjacency,
+                    double longest_gap) {
+  const std::vector<std::size_t> entered = entries(recording);
+  if (!comesBack(recording, entered, adjacency.places())) return false;
   std::size_t last_labelled = 0;
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    if (run[i].place < 0) continue;
-    const PlaceAt& before = run[last_labelled];
-    const bool changed = before.place >= 0 && before.place != run[i].place;
-    if (changed && run[i].stamp - before.stamp <= longest_gap) {
-      adjacency.join(before.place, run[i].place);
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    if (recording[i].place < 0) continue;
+    const PlaceAt& before = recording[last_labelled];
+    const bool changed = before.place >= 0 && before.place != recording[i].place;
+    if (changed && recording[i].stamp - before.stamp <= longest_gap) {
+      adjacency.join(before.place, recording[i].place);
     }
     last_labelled = i;
   }

@@ -11,7 +11,7 @@
 namespace place_recognition {
 namespace {
 
-/// Frames of a run that are compared with all others of their rooms, about.
+/// Frames of a recording that are compared with all others of their rooms, about.
 constexpr std::size_t kComparedFrames = 100;
 
 /// Sums over frames and lags.
@@ -118,13 +118,14 @@ double gapFor(const LikenessOverTime& likeness) {
   return (static_cast<double>(left_out) + 0.5) * likeness.step;
 }
 
-LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int run,
+LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int recording,
                                   const std::vector<std::vector<Feature>>& features,
                                   const std::vector<CueOptions>& cues, unsigned threads) {
   std::vector<Sequence> rooms = cameraSequencesOf(samples);
-  rooms.erase(std::remove_if(rooms.begin(), rooms.end(),
-                             [run](const Sequence& room) { return room.run != run; }),
-              rooms.end());
+  rooms.erase(
+      std::remove_if(rooms.begin(), rooms.end(),
+                     [recording](const Sequence& room) { return room.recording != recording; }),
+      rooms.end());
   std::size_t frames = 0;
   std::size_t longest = 0;
   std::vector<double> steps;
@@ -162,14 +163,16 @@ std::vector<TimeBlocks> chooseBlocks(const std::vector<SampleOrigin>& samples,
                                      const std::vector<std::vector<Feature>>& features,
                                      const std::vector<CueOptions>& cues,
                                      const ValidationOptions& options, unsigned threads) {
-  int runs = 0;
-  for (const SampleOrigin& sample : samples) runs = std::max(runs, sample.run + 1);
+  int recordings = 0;
+  for (const SampleOrigin& sample : samples)
+    recordings = std::max(recordings, sample.recording + 1);
   std::vector<TimeBlocks> blocks;
-  for (int run = 0; run < runs; ++run) {
+  for (int recording = 0; recording < recordings; ++recording) {
     double gap = options.gap;
     double shortest = 0;
     if (gap == 0) {
-      const LikenessOverTime likeness = likenessOverTime(samples, run, features, cues, threads);
+      const LikenessOverTime likeness =
+          likenessOverTime(samples, recording, features, cues, threads);
       gap = gapFor(likeness);
       shortest = likeness.step;
     }

@@ -8,8 +8,8 @@
 
 namespace place_recognition {
 
-/// How fast the frames of a run cease to be alike, averaged over rooms and cues. Distances are
-/// those of the kernels, in units of the mean distance between two frames of a room.
+/// How fast the frames of a recording cease to be alike, averaged over rooms and cues. Distances
+/// are those of the kernels, in units of the mean distance between two frames of a room.
 struct LikenessOverTime {
   double step = 0;                ///< s, median time from one frame of a room to the next
   std::vector<double> distances;  ///< [lag - 1]: mean between frames that are `lag` frames apart
@@ -24,15 +24,15 @@ struct LikenessOverTime {
 /// one lies in the gap.
 double gapFor(const LikenessOverTime& likeness);
 
-/// The likeness of some hundred frames of `run` to all others of their rooms. `features`:
+/// The likeness of some hundred frames of `recording` to all others of their rooms. `features`:
 /// [cue][sample], some missing.
-LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int run,
+LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int recording,
                                   const std::vector<std::vector<Feature>>& features,
                                   const std::vector<CueOptions>& cues, unsigned threads);
 
-/// The blocks of each run: as `options` say, or else as its samples have it. Blocks are as long as
-/// the gap if not asked for, or longer if so few folds would leave less than two fifths to train
-/// on.
+/// The blocks of each recording: as `options` say, or else as its samples have it. Blocks are as
+/// long as the gap if not asked for, or longer if so few folds would leave less than two fifths to
+/// train on.
 std::vector<TimeBlocks> chooseBlocks(const std::vector<SampleOrigin>& samples,
                                      const std::vector<std::vector<Feature>>& features,
                                      const std::vector<CueOptions>& cues,

@@ -18,7 +18,7 @@ constexpr double kLargestLogOdds = 4;
 
 /// What one camera said at a moment.
 struct Said {
-  int run;
+  int recording;
   double stamp;
   double log_odds;  // of the true place
 };
@@ -38,11 +38,11 @@ std::vector<Sayings> sayingsOf(std::size_t cameras, const std::vector<SampleOrig
     const double log_odds =
         std::clamp(std::log(p) - std::log1p(-p), -kLargestLogOdds, kLargestLogOdds);
     sayings[static_cast<std::size_t>(sample.camera)].push_back(
-        {sample.run, sample.stamp, std::isnan(log_odds) ? kLargestLogOdds : log_odds});
+        {sample.recording, sample.stamp, std::isnan(log_odds) ? kLargestLogOdds : log_odds});
   }
   for (Sayings& of_camera : sayings) {
     std::stable_sort(of_camera.begin(), of_camera.end(), [](const Said& a, const Said& b) {
-      return std::tie(a.run, a.stamp) < std::tie(b.run, b.stamp);
+      return std::tie(a.recording, a.stamp) < std::tie(b.recording, b.stamp);
     });
   }
   return sayings;
@@ -55,11 +55,12 @@ Eigen::MatrixX2d commonMoments(const Sayings& a, const Sayings& b) {
   auto next = b.begin();
   for (const Said& said : a) {
     const auto isBefore = [&said](const Said& other) {
-      return std::tuple(other.run, other.stamp) < std::tuple(said.run, said.stamp - kSameMoment);
+      return std::tuple(other.recording, other.stamp) <
+             std::tuple(said.recording, said.stamp - kSameMoment);
     };
     while (next != b.end() && isBefore(*next)) ++next;
     if (next == b.end()) break;
-    if (next->run != said.run || next->stamp > said.stamp + kSameMoment) continue;
+    if (next->recording != said.recording || next->stamp > said.stamp + kSameMoment) continue;
     moments.row(count++) << said.log_odds, next->log_odds;
   }
   return moments.topRows(count);

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "place_recognition/model.h"
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 #include "recognition/frames/light_estimate.h"
 
 namespace place_recognition {
 
-/// The light of a run as one camera sees it, held against the training of a model by the labels of
-/// its frames: as Recognizer does by its own answers. Not thread-safe.
+/// The light of a recording as one camera sees it, held against the training of a model by the
+/// labels of its frames: as Recognizer does by its own answers. Not thread-safe.
 class LabelledLight {
  public:
-  /// Without a model, or if none of its cues follows the light of a run, the light is always that
-  /// of the training. `model` must outlive this.
+  /// Without a model, or if none of its cues follows the light of a recording, the light is always
+  /// that of the training. `model` must outlive this.
   explicit LabelledLight(const Model* model);
 
   /// What the image of `frame`, not empty, is multiplied by to look as in the training. Its colour

@@ -76,7 +76,7 @@ std::vector<double> evidenceOfStreams(const Model& model, const HeldOutValues& c
     if (combined.valid[i]) order.push_back(i);
   }
   const auto when = [&](std::size_t i) {
-    return std::make_tuple(origins[i].run, origins[i].camera, origins[i].stamp);
+    return std::make_tuple(origins[i].recording, origins[i].camera, origins[i].stamp);
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return when(a) < when(b); });
@@ -84,7 +84,7 @@ std::vector<double> evidenceOfStreams(const Model& model, const HeldOutValues& c
   EvidenceShift shift(model);
   std::pair<int, int> stream{-1, -1};
   for (const std::size_t i : order) {
-    const std::pair<int, int> its{origins[i].run, origins[i].camera};
+    const std::pair<int, int> its{origins[i].recording, origins[i].camera};
     if (its != stream) shift.reset();
     stream = its;
     shift.beginFrame(origins[i].stamp);
@@ -125,12 +125,12 @@ AnswerFigures figuresOf(const Model& model, const HeldOutValues& combined,
 
 }  // namespace
 
-Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsigned threads,
-                          const Progress& progress) {
+Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recordings,
+                          unsigned threads, const Progress& progress) {
   TrainingOptions options = model.options;
   options.augmentation.other_light = false;
   Recalibration result;
-  Samples samples = collectSamplesFor(model, runs, options, threads, progress, 1);
+  Samples samples = collectSamplesFor(model, recordings, options, threads, progress, 1);
   result.warnings = samples.warnings;
   const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);
   if (frames.origins.empty()) {
@@ -145,12 +145,13 @@ Recalibration recalibrate(Model model, const std::vector<RunOpener>& runs, unsig
   }
   result.before = figuresOf(model, combine(cues, model.cue_weights), frames.origins);
 
-  int last_run = 0;
-  for (const SampleOrigin& origin : frames.origins) last_run = std::max(last_run, origin.run);
+  int last_recording = 0;
+  for (const SampleOrigin& origin : frames.origins)
+    last_recording = std::max(last_recording, origin.recording);
   constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 0};
-  calibration_set.folds =
-      timeBlockFolds(frames.origins, options.validation.folds,
-                     std::vector<TimeBlocks>(static_cast<std::size_t>(last_run) + 1, kAFifth));
+  calibration_set.folds = timeBlockFolds(
+      frames.origins, options.validation.folds,
+      std::vector<TimeBlocks>(static_cast<std::size_t>(last_recording) + 1, kAFifth));
   model.cue_weights =
       chooseCueWeights(cues, priorWeights(options.cues), frames.origins, model.places.size());
   const HeldOutValues combined = combine(cues, model.cue_weights);

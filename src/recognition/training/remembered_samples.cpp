@@ -20,7 +20,7 @@ std::vector<int> positions(const std::vector<std::string>& names,
 }
 
 /// Numbers places and runs as `samples` does, and appends `part` to it.
-void append(Samples part, int first_run, Samples& samples) {
+void append(Samples part, int first_recording, Samples& samples) {
   const std::vector<int> places = positions(part.places, samples.places);
   const int first_sample = static_cast<int>(samples.origins.size());
   // Remembered samples come first and have no camera.
@@ -29,7 +29,7 @@ void append(Samples part, int first_run, Samples& samples) {
   samples.recorded += part.recorded;
   for (SampleOrigin origin : part.origins) {
     origin.place = places[static_cast<std::size_t>(origin.place)];
-    origin.run += first_run;
+    origin.recording += first_recording;
     samples.origins.push_back(origin);
   }
   samples.features.resize(part.features.size());

@@ -24,7 +24,7 @@ namespace {
 /// A labelled frame whose features are being extracted.
 struct Record {
   std::string place;
-  int run = 0;
+  int recording = 0;
   double stamp = 0;
   int camera = 0;  // index into Samples::cameras
   std::string name;
@@ -42,7 +42,7 @@ struct Seen {
   std::string place;  // empty: unlabelled
 };
 
-/// Why frames of one run were left out.
+/// Why frames of one recording were left out.
 struct Skipped {
   std::uint64_t unlabelled = 0;
   std::uint64_t problems = 0;
@@ -54,8 +54,8 @@ struct Skipped {
   }
 };
 
-std::string warningOf(const std::string& run, const Skipped& skipped) {
-  std::string text = run + ": left out are ";
+std::string warningOf(const std::string& recording, const Skipped& skipped) {
+  std::string text = recording + ": left out are ";
   if (skipped.unlabelled > 0) text += counted(skipped.unlabelled, "image") + " without label";
   if (skipped.unlabelled > 0 && skipped.problems > 0) text += " and ";
   if (skipped.problems > 0) {
@@ -99,34 +99,34 @@ class Collector {
         cues_(options.cues.size()),
         pool_(options, profile, threads) {}
 
-  Samples readAll(const std::vector<RunOpener>& runs, const Progress& progress,
+  Samples readAll(const std::vector<RecordingOpener>& recordings, const Progress& progress,
                   std::size_t least_places) {
-    for (const RunOpener& open : runs) read(*open(), progress);
+    for (const RecordingOpener& open : recordings) read(*open(), progress);
     return finish(least_places);
   }
 
  private:
-  void read(Run& run, const Progress& progress) {
-    inputs_.push_back(run.name());
+  void read(Recording& recording, const Progress& progress) {
+    inputs_.push_back(recording.name());
     skipped_.emplace_back();
     seen_.emplace_back();
-    run.setDepthExtent(expected_.depth);
-    std::vector<CameraStream> streams = streamsOf(run);
-    const std::string stage = "Reading " + run.name();
+    recording.setDepthExtent(expected_.depth);
+    std::vector<CameraStream> streams = streamsOf(recording);
+    const std::string stage = "Reading " + recording.name();
     report(progress, stage, 0);
-    for (Frame frame; run.next(frame);) {
+    for (Frame frame; recording.next(frame);) {
       CameraStream& stream = streams[static_cast<std::size_t>(frame.camera)];
       add(std::move(frame), stream);
-      report(progress, stage, run.fraction());
+      report(progress, stage, recording.fraction());
     }
-    warnings_.insert(warnings_.end(), run.warnings().begin(), run.warnings().end());
+    warnings_.insert(warnings_.end(), recording.warnings().begin(), recording.warnings().end());
   }
 
-  std::vector<CameraStream> streamsOf(const Run& run) {
+  std::vector<CameraStream> streamsOf(const Recording& recording) {
     std::vector<CameraStream> streams;
-    for (const std::string& camera : run.cameras()) {
+    for (const std::string& camera : recording.cameras()) {
       if (!isUtf8(camera))
-        throw Error("A topic of images in " + run.name() + " is not UTF-8 text.");
+        throw Error("A topic of images in " + recording.name() + " is not UTF-8 text.");
       const auto known = std::find(cameras_.begin(), cameras_.end(), camera);
       streams.push_back({static_cast<int>(known - cameras_.begin()),
                          ImageGuard(expected_, image_options_), FrameRate(sampling_.rate),
@@ -179,9 +179,9 @@ class Collector {
         warnings_.push_back(inputs_.back() + ": " + warning);
       }
       include(statisticsOf(frame.image), profile_);
-      const int run = static_cast<int>(inputs_.size()) - 1;
+      const int recording = static_cast<int>(inputs_.size()) - 1;
       records_.push_back(
-          {frame.place, run, frame.stamp, camera.number, frame.name, *level, {}, {}});
+          {frame.place, recording, frame.stamp, camera.number, frame.name, *level, {}, {}});
       const Light light = camera.light.next(frame);
       pool_.submit(frame.image, records_.back().extracted, light);
       if (change_) {
@@ -215,7 +215,7 @@ class Collector {
   void dropFeatureless() {
     const auto featureless = [this](const Record& record) {
       if (record.hasFeature()) return false;
-      leaveOut(skipped_[record.run], record.place, record.name, record.extracted.problem);
+      leaveOut(skipped_[record.recording], record.place, record.name, record.extracted.problem);
       return true;
     };
     dropRecords(featureless);
@@ -233,8 +233,8 @@ class Collector {
   /// Names the places that were labelled but have no image that can be used.
   void warnOfPlaces(Samples& samples) const {
     std::map<std::string, std::uint64_t> labelled;
-    for (const std::vector<Seen>& run : seen_) {
-      for (const Seen& seen : run) ++labelled[seen.place];
+    for (const std::vector<Seen>& recording : seen_) {
+      for (const Seen& seen : recording) ++labelled[seen.place];
     }
     labelled.erase("");
     for (const auto& [place, count] : labelled) {
@@ -247,19 +247,19 @@ class Collector {
   }
 
   std::string whyTooFewPlaces() const {
-    std::string runs;
-    for (const std::string& input : inputs_) runs += (runs.empty() ? "" : ", ") + input;
-    if (frames_ == 0) return "There are no images in " + runs + "; give a run that has some.";
+    std::string recordings;
+    for (const std::string& input : inputs_) recordings += (recordings.empty() ? "" : ", ") + input;
+    if (frames_ == 0) return "There are no images in " + recordings + "; give a run that has some.";
     if (places_.size() == 1) {
-      return "All images in " + runs + " show one place, '" + *places_.begin() +
+      return "All images in " + recordings + " show one place, '" + *places_.begin() +
              "'; a model needs two places or more to tell apart.";
     }
     for (const Skipped& skipped : skipped_) {
       if (skipped.problems == 0) continue;
-      return "None of the images in " + runs + " can be used (" + skipped.first_problem +
+      return "None of the images in " + recordings + " can be used (" + skipped.first_problem +
              "); give a run that has some.";
     }
-    return "None of the " + std::to_string(frames_) + " images in " + runs +
+    return "None of the " + std::to_string(frames_) + " images in " + recordings +
            " has a label; say which place each of them shows.";
   }
 
@@ -305,7 +305,7 @@ class Collector {
     samples.colours.assign(samples.places.size(), {});
     samples.features.resize(cues_);
     for (Record& record : records_) {
-      const SampleOrigin origin{placeOf(record, samples.places), record.run, record.stamp,
+      const SampleOrigin origin{placeOf(record, samples.places), record.recording, record.stamp,
                                 record.camera};
       ++samples.images[static_cast<std::size_t>(origin.place)];
       samples.colours[static_cast<std::size_t>(origin.place)].add(record.extracted.colour);
@@ -329,9 +329,9 @@ class Collector {
 
   void learnRooms(Samples& samples) const {
     samples.adjacency = Adjacency(samples.places.size());
-    for (const std::vector<Seen>& run : seen_) {
+    for (const std::vector<Seen>& recording : seen_) {
       std::vector<PlaceAt> places;
-      for (const Seen& seen : run) {
+      for (const Seen& seen : recording) {
         const auto place =
             std::lower_bound(samples.places.begin(), samples.places.end(), seen.place);
         const bool known = place != samples.places.end() && *place == seen.place;
@@ -343,10 +343,10 @@ class Collector {
   }
 
   std::vector<std::string> inputs_;
-  std::vector<std::string> cameras_;                     // of all runs
-  std::vector<std::vector<Seen>> seen_;                  // one per run
-  std::vector<Skipped> skipped_;                         // one per run
-  std::vector<std::string> warnings_;                    // of the runs
+  std::vector<std::string> cameras_;                     // of all recordings
+  std::vector<std::vector<Seen>> seen_;                  // one per recording
+  std::vector<Skipped> skipped_;                         // one per recording
+  std::vector<std::string> warnings_;                    // of the recordings
   std::map<std::string, std::string> first_problem_of_;  // place
   std::deque<Record> records_;  // stay where they are while threads fill them
   std::set<std::string> places_;
@@ -367,19 +367,20 @@ class Collector {
 
 }  // namespace
 
-Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
-                       unsigned threads, const Progress& progress, std::size_t least_places,
-                       const std::optional<ImageProfile>& profile, const ImageChange& change) {
-  Collector collector(options, profile ? *profile : commonSize(runs, progress), nullptr,
+Samples collectSamples(const std::vector<RecordingOpener>& recordings,
+                       const TrainingOptions& options, unsigned threads, const Progress& progress,
+                       std::size_t least_places, const std::optional<ImageProfile>& profile,
+                       const ImageChange& change) {
+  Collector collector(options, profile ? *profile : commonSize(recordings, progress), nullptr,
                       change ? change : changeOfLight(options), threads);
-  return collector.readAll(runs, progress, least_places);
+  return collector.readAll(recordings, progress, least_places);
 }
 
-Samples collectSamplesFor(const Model& model, const std::vector<RunOpener>& runs,
+Samples collectSamplesFor(const Model& model, const std::vector<RecordingOpener>& recordings,
                           const TrainingOptions& options, unsigned threads,
                           const Progress& progress, std::size_t least_places) {
   Collector collector(options, model.images, &model, changeOfLight(options), threads);
-  return collector.readAll(runs, progress, least_places);
+  return collector.readAll(recordings, progress, least_places);
 }
 
 }  // namespace place_recognition

@@ -19,12 +19,12 @@ namespace place_recognition {
 /// An image as it might look another time.
 struct ChangedImage {
   cv::Mat image;
-  Light correction;  ///< what cues that follow the light of the run multiply it by
+  Light correction;  ///< what cues that follow the light of the recording multiply it by
 };
 using ImageChange = std::function<ChangedImage(const cv::Mat& image, const std::string& place)>;
 
 /// What training keeps of the labelled frames of its runs: first those as they were recorded, in
-/// the order of the runs, then the same frames changed, if that is asked for.
+/// the order of the recordings, then the same frames changed, if that is asked for.
 struct Samples {
   std::vector<std::string> places;             ///< names, ascending
   std::vector<SampleOrigin> origins;           ///< one per sample; place: index into `places`
@@ -34,10 +34,10 @@ struct Samples {
   std::size_t remembered = 0;          ///< the first of these, from a model, not from these runs
   std::vector<std::uint64_t> images;   ///< of each place, that it was learned from in all
   std::vector<ColourMoments> colours;  ///< of each place, of the recorded images
-  std::vector<std::string> inputs;     ///< names of the runs
-  std::vector<std::string> cameras;    ///< of `origins`, by topics; of several runs together
+  std::vector<std::string> inputs;     ///< names of the recordings
+  std::vector<std::string> cameras;    ///< of `origins`, by topics; of several recordings together
   ImageProfile image_profile;          ///< of `profile`'s images and those learned from
-  Adjacency adjacency{0};              ///< of `places`, from the runs that are drives
+  Adjacency adjacency{0};              ///< of `places`, from the recordings that are drives
   std::uint64_t skipped = 0;           ///< frames without label, image or any feature
   std::uint64_t passed_over = 0;       ///< usable ones, see SamplingOptions
   HeldOutFrames judged_before;         ///< of the model that the remembered ones are from
@@ -55,15 +55,16 @@ struct Samples {
 /// if `progress` asks for it. Images are brought to the size of `profile`; without one to
 /// commonSize(runs). Each image is there a second time as `change` makes it, or, if there is
 /// none, in other light if `options` say so.
-Samples collectSamples(const std::vector<RunOpener>& runs, const TrainingOptions& options,
-                       unsigned threads, const Progress& progress, std::size_t least_places = 2,
+Samples collectSamples(const std::vector<RecordingOpener>& recordings,
+                       const TrainingOptions& options, unsigned threads, const Progress& progress,
+                       std::size_t least_places = 2,
                        const std::optional<ImageProfile>& profile = {},
                        const ImageChange& change = {});
 
 /// The same for a model that learns on or is to be judged: images are brought to the size of those
-/// it was trained on, and cues that follow the light of a run see them in the light of its
+/// it was trained on, and cues that follow the light of a recording see them in the light of its
 /// training, as far as their labels tell it.
-Samples collectSamplesFor(const Model& model, const std::vector<RunOpener>& runs,
+Samples collectSamplesFor(const Model& model, const std::vector<RecordingOpener>& recordings,
                           const TrainingOptions& options, unsigned threads,
                           const Progress& progress, std::size_t least_places);
 

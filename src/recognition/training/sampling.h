@@ -10,14 +10,14 @@
 
 namespace place_recognition {
 
-/// Thins the frames of a run out to a number each second, by their stamps. Where stamps do not grow
-/// from frame to frame they tell nothing, and all frames are taken.
+/// Thins the frames of a recording out to a number each second, by their stamps. Where stamps do
+/// not grow from frame to frame they tell nothing, and all frames are taken.
 class FrameRate {
  public:
   /// Frames a second; 0: all.
   explicit FrameRate(double rate) : rate_(rate) {}
 
-  /// Whether the next frame of the run, of `stamp` in s, is to be used.
+  /// Whether the next frame of the recording, of `stamp` in s, is to be used.
   bool admits(double stamp) {
     if (stamp <= last_) limit_.reset();
     last_ = stamp;

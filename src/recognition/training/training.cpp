@@ -27,10 +27,10 @@ Provenance provenanceOf(const Samples& samples) {
   return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION};
 }
 
-/// Whether the light of a run is to be held against that of the training.
+/// Whether the light of a recording is to be held against that of the training.
 bool followsLight(const TrainingOptions& options) {
   return std::any_of(options.cues.begin(), options.cues.end(), [](const CueOptions& cue) {
-    return colourNormalization(cue.normalize) == ColourNormalization::kRun;
+    return colourNormalization(cue.normalize) == ColourNormalization::kRecording;
   });
 }
 
@@ -44,7 +44,7 @@ CalibrationSet judgesOf(const Samples& samples, const std::vector<Fold>& folds,
     for (TrainedCue& cue : cues) held_out.push_back(std::move(cue.held_out[r]));
   }
   calibration_set.add(samples.judged_before, samples.place_before, samples.remembered);
-  // Support vectors are the hard cases of a run: they do not judge.
+  // Support vectors are the hard cases of a recording: they do not judge.
   for (std::vector<HeldOutValues>& held_out : calibration_set.reductions) {
     for (HeldOutValues& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
   }
@@ -76,7 +76,7 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
   }
 }
 
-/// The blocks of time that stand for those of all runs: the one of median length.
+/// The blocks of time that stand for those of all recordings: the one of median length.
 TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
   const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);
   std::nth_element(blocks.begin(), middle, blocks.end(),
@@ -89,7 +89,7 @@ TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
 std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, TrainingOptions& options) {
   const std::vector<SampleOrigin> origins = samples.recordedOrigins();
   std::vector<TimeBlocks> blocks(1);
-  if (!wholeRuns(origins, options.validation.folds)) {
+  if (!wholeRecordings(origins, options.validation.folds)) {
     blocks = chooseBlocks(origins, samples.features, options.cues, options.validation, threads);
     const TimeBlocks typical = typicalBlocks(blocks);
     options.validation.block = typical.length;
@@ -191,19 +191,19 @@ ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
 
 }  // namespace
 
-Training train(const std::vector<RunOpener>& runs, const TrainingOptions& options, unsigned threads,
-               const Progress& progress) {
+Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,
+               unsigned threads, const Progress& progress) {
   options.check();
   return timed([&] {
-    const TrainingOptions ready = withMirror(withNetworks(options), runs);
+    const TrainingOptions ready = withMirror(withNetworks(options), recordings);
     Training training =
-        learn(collectSamples(runs, ready, threads, progress), ready, threads, progress);
+        learn(collectSamples(recordings, ready, threads, progress), ready, threads, progress);
     training.model.asked = options;
     return training;
   });
 }
 
-Training trainIncrementally(const Model& model, const std::vector<RunOpener>& runs,
+Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             int vector_limit, unsigned threads, const Progress& progress) {
   TrainingOptions options = model.asked;
   options.image = model.options.image;
@@ -211,7 +211,7 @@ Training trainIncrementally(const Model& model, const std::vector<RunOpener>& ru
   options.reduction = learningOnReduction(options.reduction, vector_limit);
   options.check();
   return timed([&] {
-    Samples fresh = collectSamplesFor(model, runs, options, threads, progress, 1);
+    Samples fresh = collectSamplesFor(model, recordings, options, threads, progress, 1);
     Training training =
         learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads, progress);
     training.model.asked = model.asked;

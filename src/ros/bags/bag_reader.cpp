@@ -1,6 +1,6 @@
 // bag_reader info|images BAG LABEL_TOPIC [IMAGE_TOPIC...]
 //
-// Reads a bag for openBagRun() and bagInfo() and writes what it finds to standard output
+// Reads a bag for openBagRecording() and bagInfo() and writes what it finds to standard output
 // (bag_records.h). A program of its own, because rosbag_storage can crash on a damaged bag.
 
 #include <rosbag/bag.h>
@@ -26,7 +26,7 @@
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/bag_guard.h"
-#include "ros/bags/bag_run.h"
+#include "ros/bags/bag_recording.h"
 #include "ros/messages/bag_records.h"
 #include "ros/messages/conversions.h"
 
@@ -193,7 +193,7 @@ void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string&
     if (bareName(topic->first) == bareName(label_topic)) found = topic;
   }
   if (found == topics.end()) {
-    if (label_topic.empty() || label_topic == BagRunOptions().label_topic) return;
+    if (label_topic.empty() || label_topic == BagRecordingOptions().label_topic) return;
     throw Error("it has no topic " + label_topic + " for labels; its topics are " +
                 join(topics, false));
   }

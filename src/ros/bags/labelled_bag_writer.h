@@ -20,8 +20,8 @@ struct LabelledBagOptions {
   double base_time = 1'000'000'000;              ///< s since 1970, added to every stamp
 };
 
-/// Writes a bag of images and, whenever it changes, the label, as openBagRun() reads it. The bag
-/// has its name only once it is complete: a temporary file beside it is renamed by close() and
+/// Writes a bag of images and, whenever it changes, the label, as openBagRecording() reads it. The
+/// bag has its name only once it is complete: a temporary file beside it is renamed by close() and
 /// removed by the destructor.
 class LabelledBagWriter {
  public:

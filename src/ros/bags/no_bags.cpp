@@ -1,6 +1,6 @@
 // What stands for bag_run.cpp and labelled_bag_writer.cpp in a build without ROS.
 #include "place_recognition/error.h"
-#include "ros/bags/bag_run.h"
+#include "ros/bags/bag_recording.h"
 #include "ros/bags/labelled_bag_writer.h"
 
 namespace place_recognition {
@@ -14,9 +14,11 @@ namespace {
 
 }  // namespace
 
-std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions&) { refuse(path); }
+std::unique_ptr<Recording> openBagRecording(const std::string& path, const BagRecordingOptions&) {
+  refuse(path);
+}
 
-BagInfo bagInfo(const std::string& path, const BagRunOptions&) { refuse(path); }
+BagInfo bagInfo(const std::string& path, const BagRecordingOptions&) { refuse(path); }
 
 bool hasImages(const BagTopic&) { return false; }
 

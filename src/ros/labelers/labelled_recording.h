@@ -14,8 +14,8 @@
 namespace place_recognition {
 
 /// Says the place on `place_label` (latched, whenever it changes) and, if the parameter `~bag`
-/// names a file, records it there together with the images, as openBagRun() reads it. Until the end
-/// the file has `.active` after its name. Thread-safe.
+/// names a file, records it there together with the images, as openBagRecording() reads it. Until
+/// the end the file has `.active` after its name. Thread-safe.
 class LabelledRecording {
  public:
   /// Throws Error if the file exists already, complete or not, or cannot be written.

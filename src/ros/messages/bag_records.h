@@ -6,8 +6,8 @@
 
 namespace place_recognition {
 
-// What bag_reader tells openBagRun() and bagInfo() through a pipe. In this order: one kSpan, a
-// kTopic each topic, the kLabel in order of time, perhaps a kDepth, a kCamera each topic that is
+// What bag_reader tells openBagRecording() and bagInfo() through a pipe. In this order: one kSpan,
+// a kTopic each topic, the kLabel in order of time, perhaps a kDepth, a kCamera each topic that is
 // read, the kImage or kProblem in order of time, kEnd; or, at any point, kError or kCrash as the
 // last.
 

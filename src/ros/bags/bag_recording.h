@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 
 namespace place_recognition {
 
 /// Which images of a bag are read and where their labels come from. Labels are looked for in this
 /// order: `label`, `labels_file`, a file beside the bag, `label_topic`.
-struct BagRunOptions {
+struct BagRecordingOptions {
   std::vector<std::string> image_topics;  ///< one per camera; empty: the only topic of images
   std::string label_topic =
       "/place_label";         ///< std_msgs/String: holds until the next; see labels.h
@@ -26,7 +26,8 @@ struct BagRunOptions {
 /// can crash on a damaged one: that too is an Error. Slashes at the ends of topics do not matter.
 /// Throws Error if the file is no bag, is not indexed, has no images, or more than one topic of
 /// them and none is named.
-std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options = {});
+std::unique_ptr<Recording> openBagRecording(const std::string& path,
+                                            const BagRecordingOptions& options = {});
 
 /// A topic of a bag.
 struct BagTopic {
@@ -58,7 +59,7 @@ struct BagInfo {
   std::string labels_file;       ///< where the labels are from; empty: from the bag
 };
 
-/// Looks into a bag. Throws Error like openBagRun(), but not for want of images.
-BagInfo bagInfo(const std::string& path, const BagRunOptions& options = {});
+/// Looks into a bag. Throws Error like openBagRecording(), but not for want of images.
+BagInfo bagInfo(const std::string& path, const BagRecordingOptions& options = {});
 
 }  // namespace place_recognition

@@ -6,7 +6,7 @@
 
 #include "place_recognition/fixed_lag_smoother.h"
 #include "place_recognition/recognizer.h"
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 #include "place_recognition/temporal_filter.h"
 #include "recognition/frames/image_guard.h"
 
@@ -17,12 +17,13 @@ constexpr double kSmoothingLag = 1;
 
 /// Answers the frames of runs as the node place_recognizer does, one at a time: each camera has a
 /// light and a guard of its own, and what they say joins in the answers over time. Not thread-safe.
-class RunRecognizer {
+class RecordingRecognizer {
  public:
-  explicit RunRecognizer(std::shared_ptr<const Model> model);
+  explicit RecordingRecognizer(std::shared_ptr<const Model> model);
 
-  /// Frames of `run` follow, which has not been read from; nothing of the run before counts.
-  void begin(Run& run);
+  /// Frames of `recording` follow, which has not been read from; nothing of the recording before
+  /// counts.
+  void begin(Recording& recording);
 
   /// What is to be said about the image of `frame` and has not been said before: ImageGuard.
   std::vector<std::string> judge(const Frame& frame);
@@ -43,11 +44,11 @@ class RunRecognizer {
 
  private:
   std::shared_ptr<const Model> model_;
-  std::vector<std::string> cameras_{""};  // of the run
+  std::vector<std::string> cameras_{""};  // of the recording
   std::vector<Recognizer>
       recognizers_;                 // one per camera at least; they serve one run after another
   std::vector<ImageGuard> guards_;  // one per camera
-  TemporalFilter filter_;           // of the run
+  TemporalFilter filter_;           // of the recording
   FixedLagSmoother smoother_;
 };
 

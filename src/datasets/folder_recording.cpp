@@ -4,7 +4,7 @@
 #include "datasets/image_folder.h"
 #include "datasets/image_sequence.h"
 #include "place_recognition/error.h"
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 
 namespace place_recognition {
 namespace {
@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
   throw Error(text);
 }
 
-class FolderRun : public Run {
+class FolderRecording : public Recording {
  public:
-  explicit FolderRun(const std::string& folder) : Run(folder) {
+  explicit FolderRecording(const std::string& folder) : Recording(folder) {
     FoundImages found = findRoomImages(folder);
     if (found.images.empty()) throwNoImages(folder, found.warnings);
     warnings_ = std::move(found.warnings);
@@ -71,8 +71,8 @@ class FolderRun : public Run {
 
 }  // namespace
 
-std::unique_ptr<Run> openFolderRun(const std::string& folder) {
-  return std::make_unique<FolderRun>(folder);
+std::unique_ptr<Recording> openFolderRecording(const std::string& folder) {
+  return std::make_unique<FolderRecording>(folder);
 }
 
 }  // namespace place_recognition

@@ -5,8 +5,8 @@
 
 #include "datasets/image_file.h"
 #include "place_recognition/error.h"
-#include "place_recognition/run.h"
-#include "recognition/drawn_run.h"
+#include "place_recognition/recording.h"
+#include "recognition/drawn_recording.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
@@ -21,22 +21,22 @@ void writeImage(const std::string& path) {
 
 std::vector<Frame> framesOf(const std::string& folder) {
   std::vector<Frame> frames;
-  const std::unique_ptr<Run> run = openFolderRun(folder);
-  for (Frame frame; run->next(frame);) frames.push_back(frame);
-  EXPECT_EQ(run->fraction(), 1);
+  const std::unique_ptr<Recording> recording = openFolderRecording(folder);
+  for (Frame frame; recording->next(frame);) frames.push_back(frame);
+  EXPECT_EQ(recording->fraction(), 1);
   return frames;
 }
 
 std::string complaint(const std::string& folder) {
   try {
-    openFolderRun(folder);
+    openFolderRecording(folder);
   } catch (const Error& e) {
     return e.what();
   }
   return "";
 }
 
-TEST(FolderRun, ReadsRoomsInNaturalOrder) {
+TEST(FolderRecording, ReadsRoomsInNaturalOrder) {
   const ScratchFolder folder;
   for (const char* name : {"kitchen/a10.png", "kitchen/a9.JPG", "kitchen/a09b.jpeg",
                            "Elin's office/1.png", "kitchen/.hidden.png", "kitchen/notes.txt"}) {
@@ -58,7 +58,7 @@ TEST(FolderRun, ReadsRoomsInNaturalOrder) {
   }
 }
 
-TEST(FolderRun, LeavesImagesOutsideRoomsUnlabelled) {
+TEST(FolderRecording, LeavesImagesOutsideRoomsUnlabelled) {
   const ScratchFolder folder;
   writeImage(folder / "1.png");
   const std::vector<Frame> frames = framesOf(folder / "");
@@ -66,7 +66,7 @@ TEST(FolderRun, LeavesImagesOutsideRoomsUnlabelled) {
   EXPECT_EQ(frames[0].place, "");
 }
 
-TEST(FolderRun, GoesOnBehindADamagedImage) {
+TEST(FolderRecording, GoesOnBehindADamagedImage) {
   const ScratchFolder folder;
   writeImage(folder / "kitchen/2.png");
   folder.write("kitchen/1.png", "no image");
@@ -78,7 +78,7 @@ TEST(FolderRun, GoesOnBehindADamagedImage) {
   EXPECT_EQ(frames[1].problem, "");
 }
 
-TEST(FolderRun, SaysWhatIsMissing) {
+TEST(FolderRecording, SaysWhatIsMissing) {
   const ScratchFolder folder;
   EXPECT_NE(complaint(folder / "nowhere").find("Cannot read"), std::string::npos);
   EXPECT_NE(complaint(folder / "").find("holds no images"), std::string::npos);

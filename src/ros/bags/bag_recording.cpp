@@ -1,4 +1,4 @@
-#include "ros/bags/bag_run.h"
+#include "ros/bags/bag_recording.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The file of labels for the bag at `path`; empty: none.
-std::string findLabelsFile(const std::string& path, const BagRunOptions& options) {
+std::string findLabelsFile(const std::string& path, const BagRecordingOptions& options) {
   if (!options.labels_file.empty()) return options.labels_file;
   const fs::path yaml = fs::path(path).replace_extension(".labels.yaml");
   const fs::path yml = fs::path(path).replace_extension(".labels.yml");
@@ -106,7 +106,7 @@ class BagRecords {
   std::uint64_t images_ = 0;
 };
 
-Labels readLabels(BagRecords& records, const BagInfo& info, const BagRunOptions& options,
+Labels readLabels(BagRecords& records, const BagInfo& info, const BagRecordingOptions& options,
                   const std::string& labels_file, BagRecord& record) {
   if (!options.label.empty()) return Labels::wholeBag(options.label);
   if (!labels_file.empty()) {
@@ -130,7 +130,7 @@ Labels readLabels(BagRecords& records, const BagInfo& info, const BagRunOptions&
 
 /// Starts a reader and reads up to the images.
 struct OpenBag {
-  OpenBag(const std::string& path, const std::string& mode, const BagRunOptions& options)
+  OpenBag(const std::string& path, const std::string& mode, const BagRecordingOptions& options)
       : labels_file(findLabelsFile(path, options)),
         records(path, mode, options.label.empty() && labels_file.empty() ? options.label_topic : "",
                 options.image_topics) {
@@ -160,10 +160,10 @@ struct OpenBag {
   BagRecord following;  ///< the first record after these
 };
 
-class BagRun : public Run {
+class BagRecording : public Recording {
  public:
-  BagRun(const std::string& path, const BagRunOptions& options)
-      : Run(path), bag_(path, "images", options) {
+  BagRecording(const std::string& path, const BagRecordingOptions& options)
+      : Recording(path), bag_(path, "images", options) {
     if (isActiveBag(path)) {
       warnings_.push_back(path +
                           " is whole, though named as one that is being recorded; rename it.");
@@ -231,12 +231,13 @@ class BagRun : public Run {
 
 bool hasImages(const BagTopic& topic) { return topic.type.find("Image") != std::string::npos; }
 
-std::unique_ptr<Run> openBagRun(const std::string& path, const BagRunOptions& options) {
+std::unique_ptr<Recording> openBagRecording(const std::string& path,
+                                            const BagRecordingOptions& options) {
   requireBag(path);
-  return std::make_unique<BagRun>(path, options);
+  return std::make_unique<BagRecording>(path, options);
 }
 
-BagInfo bagInfo(const std::string& path, const BagRunOptions& options) {
+BagInfo bagInfo(const std::string& path, const BagRecordingOptions& options) {
   requireBag(path);
   OpenBag bag(path, "info", options);
   std::stable_partition(bag.info.topics.begin(), bag.info.topics.end(), hasImages);

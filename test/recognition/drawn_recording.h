@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/run.h"
+#include "place_recognition/recording.h"
 #include "place_recognition/training.h"
 
 namespace place_recognition {
@@ -26,11 +26,11 @@ inline cv::Mat drawRoom(int room, unsigned frame) {
 }
 
 /// A run of given frames.
-class FrameList : public Run {
+class FrameList : public Recording {
  public:
   FrameList(const std::string& name, std::vector<Frame> frames,
             std::vector<std::string> cameras = {""})
-      : Run(name), frames_(std::move(frames)), cameras_(std::move(cameras)) {}
+      : Recording(name), frames_(std::move(frames)), cameras_(std::move(cameras)) {}
 
   std::vector<std::string> cameras() const override { return cameras_; }
 
@@ -65,8 +65,8 @@ inline std::vector<Frame> drawFrames(int rooms, int count, unsigned first_frame 
   return frames;
 }
 
-inline RunOpener opener(const std::vector<Frame>& frames, const std::string& name = "drawn",
-                        const std::vector<std::string>& cameras = {""}) {
+inline RecordingOpener opener(const std::vector<Frame>& frames, const std::string& name = "drawn",
+                              const std::vector<std::string>& cameras = {""}) {
   return [frames, name, cameras] { return std::make_unique<FrameList>(name, frames, cameras); };
 }
 

@@ -1,8 +1,8 @@
-#include "evaluation/run_recognizer.h"
+#include "evaluation/recording_recognizer.h"
 
 namespace place_recognition {
 
-RunRecognizer::RunRecognizer(std::shared_ptr<const Model> model)
+RecordingRecognizer::RecordingRecognizer(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
       guards_(1, ImageGuard(*model_)),
       filter_(*model_, model_->adjacency, {}),
@@ -10,9 +10,9 @@ RunRecognizer::RunRecognizer(std::shared_ptr<const Model> model)
   recognizers_.emplace_back(model_);
 }
 
-void RunRecognizer::begin(Run& run) {
-  run.setDepthExtent(model_->images.depth);
-  cameras_ = run.cameras();
+void RecordingRecognizer::begin(Recording& recording) {
+  recording.setDepthExtent(model_->images.depth);
+  cameras_ = recording.cameras();
   while (recognizers_.size() < cameras_.size()) recognizers_.emplace_back(model_);
   for (Recognizer& recognizer : recognizers_) recognizer.forgetStream();
   guards_.assign(cameras_.size(), ImageGuard(*model_));
@@ -20,7 +20,7 @@ void RunRecognizer::begin(Run& run) {
                            coefficientsFor(cameras_, model_->cameras), model_->adjacency, {});
 }
 
-std::vector<std::string> RunRecognizer::judge(const Frame& frame) {
+std::vector<std::string> RecordingRecognizer::judge(const Frame& frame) {
   std::vector<std::string> sentences =
       guards_[static_cast<std::size_t>(frame.camera)].judge(frame.image, frame.stamp);
   if (cameras_.size() > 1) {
@@ -30,11 +30,12 @@ std::vector<std::string> RunRecognizer::judge(const Frame& frame) {
   return sentences;
 }
 
-const Recognition& RunRecognizer::recognize(const Frame& frame) {
+const Recognition& RecordingRecognizer::recognize(const Frame& frame) {
   return recognizers_[static_cast<std::size_t>(frame.camera)].recognize(frame.image, frame.stamp);
 }
 
-const FilteredAnswer& RunRecognizer::follow(const Frame& frame, const Recognition& recognition) {
+const FilteredAnswer& RecordingRecognizer::follow(const Frame& frame,
+                                                  const Recognition& recognition) {
   const FilteredAnswer& answer = filter_.update(frame.stamp, recognition, std::nullopt,
                                                 static_cast<std::size_t>(frame.camera));
   smoother_.add(filter_);

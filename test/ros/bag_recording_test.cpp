@@ -1,6 +1,6 @@
 // Bags written here and read back: raw, JPEG, bz2, lz4; labelled in three ways.
 
-#include "ros/bags/bag_run.h"
+#include "ros/bags/bag_recording.h"
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(All, BagFormats,
 
 TEST_F(Bags, AreReadByTheNameOfTheirTopicWithoutCompressed) {
   writeRun(path_);
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.image_topics = {"/camera/image_raw"};
   EXPECT_EQ(readAll(path_, options).size(), kRooms.size());
 }
@@ -67,14 +67,14 @@ TEST_F(Bags, SlashesBeforeTopicsDoNotMatter) {
   for (const char* image :
        {"/camera/image_raw", "camera/image_raw", "/camera/image_raw/compressed"}) {
     for (const char* label : {"/place_label", "place_label", "//place_label"}) {
-      BagRunOptions options;
+      BagRecordingOptions options;
       options.image_topics = {image};
       options.label_topic = label;
       EXPECT_EQ(places(readAll(path_, options)), kRooms) << image << " " << label;
     }
   }
   writeRun(path_);
-  BagRunOptions bare;
+  BagRecordingOptions bare;
   bare.image_topics = {"camera/image_raw"};
   bare.label_topic = "place_label";
   EXPECT_EQ(places(readAll(path_, bare)), kRooms);
@@ -183,11 +183,11 @@ TEST_F(Bags, ALabelThatNoImageShowsIsNamed) {
     say(101.2, "kitchen");
     say(103, "cellar");
   }
-  const std::unique_ptr<place_recognition::Run> run = openBagRun(path_);
-  for (Frame frame; run->next(frame);) EXPECT_EQ(frame.place, "kitchen");
-  ASSERT_EQ(run->warnings().size(), 2u);
-  EXPECT_NE(run->warnings()[0].find("'attic'"), std::string::npos);
-  EXPECT_NE(run->warnings()[1].find("'cellar'"), std::string::npos);
+  const std::unique_ptr<place_recognition::Recording> recording = openBagRecording(path_);
+  for (Frame frame; recording->next(frame);) EXPECT_EQ(frame.place, "kitchen");
+  ASSERT_EQ(recording->warnings().size(), 2u);
+  EXPECT_NE(recording->warnings()[0].find("'attic'"), std::string::npos);
+  EXPECT_NE(recording->warnings()[1].find("'cellar'"), std::string::npos);
 }
 
 TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
@@ -207,21 +207,21 @@ TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
       bag.write("/infra", ros::Time(1 + frame), message);
     }
   }
-  const std::unique_ptr<place_recognition::Run> run = openBagRun(path_);
+  const std::unique_ptr<place_recognition::Recording> recording = openBagRecording(path_);
   Frame frame;
   for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(run->next(frame));
+    ASSERT_TRUE(recording->next(frame));
     ASSERT_EQ(frame.image.type(), CV_8UC1);
     double largest = 0;
     cv::minMaxLoc(frame.image, nullptr, &largest);
     EXPECT_EQ(largest, (255 >> (2 - i)));  // all alike
   }
-  EXPECT_FALSE(run->next(frame));
-  ASSERT_EQ(run->warnings().size(), 1u);
-  EXPECT_NE(run->warnings()[0].find("0 .. 1023"), std::string::npos);
-  EXPECT_GT(run->depthExtent().high, 1000u);
+  EXPECT_FALSE(recording->next(frame));
+  ASSERT_EQ(recording->warnings().size(), 1u);
+  EXPECT_NE(recording->warnings()[0].find("0 .. 1023"), std::string::npos);
+  EXPECT_GT(recording->depthExtent().high, 1000u);
 
-  const std::unique_ptr<place_recognition::Run> again = openBagRun(path_);
+  const std::unique_ptr<place_recognition::Recording> again = openBagRecording(path_);
   again->setDepthExtent({0, 4000});  // as of a model
   for (double largest = 0; again->next(frame);) {
     double of_this = 0;
@@ -234,7 +234,7 @@ TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
 
 TEST_F(Bags, ALabelMayHaveBeenSaidBefore) {
   writeRun(path_);
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.initial_label = "attic";
   EXPECT_EQ(places(readAll(path_, options)), kRooms);  // its first label is of its start
   {
@@ -274,7 +274,7 @@ TEST_F(Bags, ALabelsFileBesideTheBagComesBeforeTheTopic) {
   EXPECT_EQ(places(readAll(path_)), (std::vector<std::string>{"", "hall", "hall", "lab", "lab"}));
   scratch_.write("run.labels.yaml", "labels: [{from: 0, to: 1.5, place: office}]");
   EXPECT_EQ(places(readAll(path_)), (std::vector<std::string>{"office", "office", "", "", ""}));
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.labels_file = scratch_ / "labels.dat";
   EXPECT_EQ(readAll(path_, options)[4].place, "lab");
   options.label = "everywhere";
@@ -289,7 +289,7 @@ TEST_F(Bags, WithTwoCamerasAskForOne) {
   }
   EXPECT_NE(errorOf(path_).find("/left (sensor_msgs/Image), /right (sensor_msgs/Image)"),
             std::string::npos);
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.image_topics = {"/right"};
   ASSERT_EQ(readAll(path_, options).size(), 1u);
   options.image_topics = {"/middle"};
@@ -308,7 +308,7 @@ TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
     writer.write(image(5), "lab", 2, "front");
     writer.close();
   }
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.image_topics = {"rear/image_raw", "/front/image_raw"};
   const std::vector<Frame> frames = readAll(path_, options);
   ASSERT_EQ(frames.size(), 4u);
@@ -319,7 +319,7 @@ TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
     EXPECT_EQ(cv::norm(frames[i].image, image(images[i]), cv::NORM_INF), 0);
   }
   EXPECT_EQ(frames[1].name, "/rear/image_raw #1");
-  EXPECT_EQ(openBagRun(path_, options)->cameras(),
+  EXPECT_EQ(openBagRecording(path_, options)->cameras(),
             (std::vector<std::string>{"/rear/image_raw", "/front/image_raw"}));
   options.image_topics.push_back("rear/image_raw");
   EXPECT_NE(errorOf(path_, options).find("/rear/image_raw is named twice"), std::string::npos);
@@ -331,14 +331,14 @@ TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
 
 TEST_F(Bags, ALabelTopicThatWasAskedForMustBeThere) {
   writeRun(path_);
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.label_topic = "/rooms";
   EXPECT_NE(errorOf(path_, options).find("no topic /rooms for labels"), std::string::npos);
 }
 
 TEST_F(Bags, ALabelTopicOfAnotherTypeIsRefused) {
   writeRun(path_);
-  BagRunOptions options;
+  BagRecordingOptions options;
   options.label_topic = "/camera/image_raw/compressed";
   EXPECT_NE(errorOf(path_, options).find("not of std_msgs/String"), std::string::npos);
 }

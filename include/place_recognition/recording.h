@@ -10,21 +10,21 @@
 
 namespace place_recognition {
 
-/// One image of a run.
+/// One image of a recording.
 struct Frame {
   cv::Mat image;        ///< CV_8UC3 BGR or CV_8UC1; empty if it could not be decoded, see `problem`
   std::string place;    ///< label; empty: unlabelled
   double stamp = 0;     ///< s
-  int camera = 0;       ///< index in Run::cameras()
+  int camera = 0;       ///< index in Recording::cameras()
   std::string name;     ///< path of the image, or topic and number in a bag, for messages
   std::string problem;  ///< why there is no image, for a person
 };
 
 /// One recording, a bag or a folder, read from its start to its end, a frame at a time, in memory
 /// that does not grow with its length.
-class Run {
+class Recording {
  public:
-  virtual ~Run() = default;
+  virtual ~Recording() = default;
 
   /// The next frame, in order of time; false at the end. Throws Error if the run is damaged.
   virtual bool next(Frame& frame) = 0;
@@ -51,7 +51,7 @@ class Run {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  protected:
-  explicit Run(std::string name) : name_(std::move(name)) {}
+  explicit Recording(std::string name) : name_(std::move(name)) {}
 
   std::vector<std::string> warnings_;
 
@@ -63,6 +63,6 @@ class Run {
 /// people number them (9 before 10), one second apart. The images of a room may lie in folders
 /// below its own. Images directly in `folder` are unlabelled. Throws Error if there is no
 /// image.
-std::unique_ptr<Run> openFolderRun(const std::string& folder);
+std::unique_ptr<Recording> openFolderRecording(const std::string& folder);
 
 }  // namespace place_recognition

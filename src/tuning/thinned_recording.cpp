@@ -1,0 +1,46 @@
+#include "tuning/thinned_recording.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "recognition/training/sampling.h"
+
+namespace place_recognition {
+namespace {
+
+class ThinnedRecording : public Recording {
+ public:
+  ThinnedRecording(std::unique_ptr<Recording> recording, std::size_t step, std::uint64_t seed)
+      : Recording(recording->name()), recording_(std::move(recording)), step_(step), seed_(seed) {}
+
+  bool next(Frame& frame) override {
+    while (recording_->next(frame)) {
+      if (!frame.place.empty() && streamOf(frame.place).keepsNext()) return true;
+    }
+    return false;
+  }
+
+  void setDepthExtent(const DepthExtent& extent) override { recording_->setDepthExtent(extent); }
+  DepthExtent depthExtent() const override { return recording_->depthExtent(); }
+  double fraction() const override { return recording_->fraction(); }
+
+ private:
+  StratifiedStream& streamOf(const std::string& place) {
+    return streams_.try_emplace(place, step_, seed_ + streams_.size()).first->second;
+  }
+
+  std::unique_ptr<Recording> recording_;
+  std::size_t step_;
+  std::uint64_t seed_;
+  std::map<std::string, StratifiedStream> streams_;  // of each place so far
+};
+
+}  // namespace
+
+std::unique_ptr<Recording> thinOut(std::unique_ptr<Recording> recording, std::size_t step,
+                                   std::uint64_t seed) {
+  return std::make_unique<ThinnedRecording>(std::move(recording), step, seed);
+}
+
+}  // namespace place_recognition

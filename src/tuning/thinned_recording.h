@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "place_recognition/recording.h"
+
+namespace place_recognition {
+
+/// One of every `step` labelled frames of each place of `recording`, see StratifiedStream. The
+/// first frame of a place is always among them.
+std::unique_ptr<Recording> thinOut(std::unique_ptr<Recording> recording, std::size_t step,
+                                   std::uint64_t seed);
+
+}  // namespace place_recognition
