@@ -11,8 +11,8 @@ namespace place_recognition {
 struct ClassifierParts;
 
 /// Support vector machines of all places over one shared support set (thesis chapter 5): feature
-/// in, one decision value a place out. Made by training and by reading a model. Immutable; safe to
-/// share between threads.
+/// in, one decision value per place out. Made by training and by reading a model. Immutable; safe
+/// to share between threads.
 class Classifier {
  public:
   ~Classifier();

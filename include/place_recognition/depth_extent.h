@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-/// The values that nearly all pixels of a camera's images of 16 bits a channel lie between.
+/// The values that nearly all pixels of a camera's images of 16 bits per channel lie between.
 /// Infrared, thermal and machine vision cameras use 10 to 14 of the 16 bits, so images are brought
 /// to 8 bits by what a camera uses: by the extent that a model was trained on, so that a level
 /// means the same.

@@ -11,9 +11,9 @@ namespace place_recognition {
 /// The range of an image (CV_16U), without the extreme half percent of its channels at each side.
 DepthExtent depthExtentOf(const cv::Mat& image);
 
-/// Brings images of 16 bits a channel to 8 bits. The range that becomes 0 .. 255 is a power of two
-/// wide, from zero where images start near it; so the runs of one camera share it although their
-/// scenes differ.
+/// Brings images of 16 bits per channel to 8 bits. The range that becomes 0 .. 255 is a power of
+/// two wide, from zero where images start near it; so the runs of one camera share it although
+/// their scenes differ.
 class DepthScale {
  public:
   /// By `extent`, whatever the images are; if it is not known, by that of the images seen.

@@ -69,7 +69,7 @@ DecodedImage decode(const ImageHeader& header, const std::uint8_t* bytes, std::s
   if (decoded.image.empty()) {
     decoded.problem = "it is damaged and cannot be decoded";
   } else if (decoded.image.depth() != CV_8U && decoded.image.depth() != CV_16U) {
-    decoded = {{}, "its pixels have neither 8 nor 16 bits a channel"};
+    decoded = {{}, "its pixels have neither 8 nor 16 bits per channel"};
   }
   return decoded;
 }

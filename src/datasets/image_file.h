@@ -8,7 +8,7 @@ namespace place_recognition {
 
 /// An image, or why there is none.
 struct DecodedImage {
-  cv::Mat image;        ///< grey or BGR, of 8 or 16 bits a channel; empty if there is a problem
+  cv::Mat image;        ///< grey or BGR, of 8 or 16 bits per channel; empty if there is a problem
   std::string problem;  ///< for a person, without a full stop
 };
 

@@ -9,7 +9,7 @@ namespace place_recognition {
 
 // The figures of the report, each an <svg> element.
 
-/// A bar a room: the fraction answered right; a line marks the mean.
+/// A bar per room: the fraction answered right; a line marks the mean.
 std::string ratesPlot(const Summary& summary);
 
 /// How often answers of a certain confidence are right, against that confidence.

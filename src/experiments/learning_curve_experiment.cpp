@@ -106,9 +106,9 @@ void LearningCurveExperiment::compute(const std::vector<Json>& cells, const Cell
 
 Findings LearningCurveExperiment::findings(const std::vector<Json>& results) const {
   Table curve{"learning_curve",
-              "Rate on the other sets by images a room that are learned, spread over the room or "
+              "Rate on the other sets by images per room that are learned, spread over the room or "
               "neighbours; mean +- standard deviation over the training sets",
-              {{"images a room", "spread, %", "neighbours, %"}}};
+              {{"images per room", "spread, %", "neighbours, %"}}};
   const auto cell = [&](const auto& rateIn) {
     std::vector<double> rates;
     for (const Json& result : results) rates.push_back(100 * rateIn(result));

@@ -8,7 +8,7 @@
 namespace place_recognition {
 
 /// How much training data is needed, and which viewpoints count (section 9.1): the rate on the
-/// other sets, with global features, of 1, 2, 4 ... images a room, spread over its viewpoints or
+/// other sets, with global features, of 1, 2, 4 ... images per room, spread over its viewpoints or
 /// all from neighbouring ones, and without each viewpoint in turn. A viewpoint is twelve successive
 /// images of a room, a marker of KTH-INDECS. One cell a training set; gamma is that found on the
 /// whole of it.

@@ -16,7 +16,7 @@ struct BinarySvms {
   Eigen::MatrixXd weights;       ///< n x machines
   Eigen::RowVectorXd biases;     ///< machines
 
-  /// Machine decision values, one row a row of `kernel_values` (any x n).
+  /// Machine decision values, one row per row of `kernel_values` (any x n).
   Eigen::MatrixXd decisionValues(const Eigen::MatrixXd& kernel_values) const;
 };
 

@@ -19,7 +19,7 @@ std::string scientific(double number) {
 
 TextRows tableRows(const ReductionReport& report) {
   TextRows rows{{"method", "vectors", "of all", "largest change", "mean change", "rate", "kept",
-                 "KiB", "ms a frame"}};
+                 "KiB", "ms per frame"}};
   const ReductionFigures& before = report.before;
   const auto add = [&](const ReductionFigures& figures) {
     const double all = static_cast<double>(std::max<std::size_t>(1, before.support_vectors));

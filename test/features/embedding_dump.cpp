@@ -1,4 +1,4 @@
-// embedding_dump OPTIONS IMAGE: the embedding of an image, a number a line. For
+// embedding_dump OPTIONS IMAGE: the embedding of an image, a number per line. For
 // embedding_check.py.
 #include <cstdio>
 #include <iostream>

@@ -1,5 +1,5 @@
-// mr8_dump filters: the MR8 filters, one a line; mr8_dump IMAGE: the MR8 histogram of an image, as
-// lines "index:value". For mr8_check.py.
+// mr8_dump filters: the MR8 filters, one per line; mr8_dump IMAGE: the MR8 histogram of an image,
+// as lines "index:value". For mr8_check.py.
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <string>

@@ -54,7 +54,7 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.encoding << (c.big_endian ? " big-endian" : "");
 }
 
-/// The more significant bytes of an image of 16 bits a channel.
+/// The more significant bytes of an image of 16 bits per channel.
 cv::Mat upperBytes(const cv::Mat& image) {
   if (image.depth() != CV_16U) return image;
   cv::Mat upper(image.size(), CV_8UC(image.channels()));

@@ -32,7 +32,7 @@ class ReproduceTest(ToolCase):
         for condition in CONDITIONS:
             self.assertIn(f"| {condition} | 12 | corridor, kitchen, office |", report)
             self.assertTrue((self.folder / f"out/bags/{condition}.bag").is_file())
-        for title in ("Table 8.6", "Table 8.1", "images a room", "viewpoint", "Everything took"):
+        for title in ("Table 8.6", "Table 8.1", "images per room", "viewpoint", "Everything took"):
             self.assertIn(title, report)
 
     def test_idol(self):

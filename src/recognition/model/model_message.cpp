@@ -82,7 +82,7 @@ void readNames(const proto::Model& message, Model& model) {
 
 void readCueWeights(const proto::Model& message, Model& model) {
   require(static_cast<std::size_t>(message.cue_weights_size()) == model.options.cues.size(),
-          "it has not one weight a cue");
+          "it has not one weight per cue");
   double sum = 0;
   for (const double weight : message.cue_weights()) {
     require(isFraction(weight), "the weight of a cue is not in 0..1");

@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// Mean held-out decision values of the first samples: a row a place that they show, a column a
+/// Mean held-out decision values of the first samples: a row per place that they show, a column a
 /// place that is answered; -1 if no sample shows it.
 Eigen::MatrixXd meanValues(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                            std::size_t count) {

@@ -21,7 +21,7 @@ constexpr std::uint32_t kMaxImageSide = 8192;
 /// Throws Error for an image of no pixels or of more than kMaxImageSide on a side.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
-/// The image of a message, BGR or grey, of 8 or 16 bits a channel (see DepthScale). Of encodings
+/// The image of a message, BGR or grey, of 8 or 16 bits per channel (see DepthScale). Of encodings
 /// that are so already it shares the message's memory, so the message must outlive it. Understands
 /// rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1.
 /// Throws Error for other encodings and for sizes that do not agree; nothing else, whatever the
