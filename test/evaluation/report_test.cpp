@@ -43,12 +43,12 @@ TEST(ResultTable, ShowsRoomsRunsAndConfusion) {
   const std::string table = resultTable(evaluation, summarize(evaluation));
   EXPECT_EQ(table.substr(0, table.find("\n\n") + 1),
             "room               images    right  'unknown'      day   night\n"
-            "kitchen                   5   60.0 %     40.0 %   66.7 %  50.0 %\n"
-            "office                    1  100.0 %      0.0 %  100.0 %\n"
-            "mean of the rooms             80.0 %              83.3 %  50.0 %\n");
+            "kitchen                 5   60.0 %     40.0 %   66.7 %  50.0 %\n"
+            "office                  1  100.0 %      0.0 %  100.0 %\n"
+            "mean of the rooms           80.0 %              83.3 %  50.0 %\n");
   EXPECT_NE(table.find("A  kitchen                         3  1  .     1\n"), std::string::npos)
       << table;
-  EXPECT_NE(table.find("kitchen, office                         16.7 %\n"), std::string::npos)
+  EXPECT_NE(table.find("kitchen, office                       16.7 %\n"), std::string::npos)
       << table;
 }
 
