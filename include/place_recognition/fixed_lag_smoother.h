@@ -20,7 +20,7 @@ namespace place_recognition {
 class FixedLagSmoother {
  public:
   /// Bounds memory where stamps stand still.
-  static constexpr std::size_t kMostFrames = 1000;
+  static constexpr std::size_t kMaxFrames = 1000;
 
   /// Smooths the output of a TemporalFilter built with the same adjacency and options. `lag`: s,
   /// >= 0. Throws Error if an option is out of range.

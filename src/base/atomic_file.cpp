@@ -86,10 +86,10 @@ bool isSpecial(const std::string& path) {
 
 std::string behindLinks(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int kMostLinks = 40;  // as the kernel has it
+  constexpr int kMaxLinks = 40;  // as the kernel has it
   fs::path file = path;
   std::error_code failure;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(file, failure)); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(file, failure)); ++i) {
     file = file.parent_path() / fs::read_symlink(file, failure);
   }
   return file.string();

@@ -69,11 +69,11 @@ std::string confusionTable(const Summary& summary) {
 
 /// The worst of the pairs of places that are taken for one another; empty if there are none.
 std::string confusedTable(const Summary& summary) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMax = 5;
   if (summary.confused.empty()) return "";
   TextRows rows{{"taken for one another", "of the images of both"}};
   for (const ConfusedPair& pair : summary.confused) {
-    if (rows.size() > kMost) break;
+    if (rows.size() > kMax) break;
     rows.push_back({summary.places[static_cast<std::size_t>(pair.a)] + ", " +
                         summary.places[static_cast<std::size_t>(pair.b)],
                     percent(pair.rate)});

@@ -49,15 +49,15 @@ void CrfhBank::quantizeAll(const cv::Mat& image, int columns, int rows) {
   const std::size_t pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (Digits& digits : digits_) digits.pixels.resize(pixels);
   responses_.start(image.size(), border_);
-  const StripedRows& strands = responses_.strands();
-  row_.resize(strands.size());
+  const StripedRows& lanes = responses_.lanes();
+  row_.resize(lanes.size());
   std::ptrdiff_t begin = 0;
   while (const int count = responses_.computeRows(image)) {
     for (int r = 0; r < count; ++r, begin += columns) {
       for (Digits& digits : digits_) {
-        quantize(responses_.row(digits.response, r), digits.quantizer, false, strands.size(),
+        quantize(responses_.row(digits.response, r), digits.quantizer, false, lanes.size(),
                  row_.data());
-        strands.take(columns, row_.data(), row_.data());
+        lanes.take(columns, row_.data(), row_.data());
         std::copy_n(row_.begin(), columns, digits.pixels.begin() + begin);
       }
     }

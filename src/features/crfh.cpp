@@ -59,7 +59,7 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
     return;
   }
   responses_.start(image.size(), border_);
-  for (Word& word : words_) word.row.resize(responses_.strands().size());
+  for (Word& word : words_) word.row.resize(responses_.lanes().size());
   bins_.resize(columns);
 
   counter_.clear();
@@ -81,10 +81,10 @@ const cv::Mat& CrfhExtractor::inLevels(const cv::Mat& image) {
 void CrfhExtractor::countRow(int r, int columns) {
   for (const Dimension& dimension : dimensions_) {
     quantize(responses_.row(dimension.response, r), dimension.quantizer, !dimension.first_in_word,
-             responses_.strands().size(), words_[dimension.word].row.data());
+             responses_.lanes().size(), words_[dimension.word].row.data());
   }
   for (Word& word : words_) {
-    responses_.strands().take(columns, word.row.data(), word.row.data());
+    responses_.lanes().take(columns, word.row.data(), word.row.data());
     joinWord(word.row.data(), word.weight, &word != &words_[0], columns, bins_.data());
   }
   counter_.add(bins_.data(), bins_.size());

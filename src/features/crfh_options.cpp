@@ -11,7 +11,7 @@ namespace place_recognition {
 namespace {
 
 constexpr double kLargestScale = 400;
-constexpr int kMostBins = 65536;
+constexpr int kMaxBins = 65536;
 
 /// Throws unless the bins of all dimensions, the product, can be numbered in 64 bits.
 void checkIndexFits(const CrfhOptions& options) {
@@ -52,7 +52,7 @@ void CrfhOptions::check() const {
               std::to_string(descriptors.size()) +
               " descriptors; give one for all or one for each.");
   for (int n : bins) {
-    require(n >= 1 && n <= kMostBins,
+    require(n >= 1 && n <= kMaxBins,
             "CRFH option 'bins' is " + std::to_string(n) + "; give numbers from 1 to 65536.");
   }
   checkIndexFits(*this);

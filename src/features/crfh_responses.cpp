@@ -41,10 +41,10 @@ void CrfhResponses::start(cv::Size size, int border) {
   border_ = border;
   next_row_ = border;
   next_taken_ = border - margin_;
-  strands_ = StripedRows(size.width - 2 * (border - margin_));
-  row_.assign(strands_.size(), 0);
+  lanes_ = StripedRows(size.width - 2 * (border - margin_));
+  row_.assign(lanes_.size(), 0);
   for (Plane& plane : planes_) {
-    plane.rows.start(2 * margin_ + ResponseFilter::kRows, strands_.size());
+    plane.rows.start(2 * margin_ + ResponseFilter::kRows, lanes_.size());
   }
 }
 
@@ -56,7 +56,7 @@ int CrfhResponses::computeRows(const cv::Mat& image) {
   while (next_taken_ < next_row_ + margin_) takeRow(image, next_taken_++);
   for (Plane& plane : planes_) {
     for (Filter& filter : plane.filters) {
-      filter.responses.computeRows(plane.rows, count, margin_, strands_);
+      filter.responses.computeRows(plane.rows, count, margin_, lanes_);
     }
   }
   return count;
@@ -66,7 +66,7 @@ void CrfhResponses::takeRow(const cv::Mat& image, int y) {
   const int left = border_ - margin_;
   for (Plane& plane : planes_) {
     extractChannelRow(image, plane.channel, y, left, image.cols - 2 * left, row_.data());
-    strands_.lay(row_.data(), plane.rows.next());
+    lanes_.lay(row_.data(), plane.rows.next());
     plane.rows.push();
   }
 }

@@ -41,12 +41,12 @@ class CrfhResponses {
   /// Computes the responses in the first of those rows of that image (CV_8UC3 BGR or CV_8UC1), or
   /// in the next ones. Returns how many; at the end 0.
   int computeRows(const cv::Mat& image);
-  /// Requested responses in row r of these, in strands(), of which only the first pixels count: as
+  /// Requested responses in row r of these, in lanes(), of which only the first pixels count: as
   /// many as there are columns `border` or farther from the edges.
   const float* row(const Response& response, int r) const {
     return planes_[response.plane].filters[response.filter].responses.row(response.op, r);
   }
-  const StripedRows& strands() const { return strands_; }
+  const StripedRows& lanes() const { return lanes_; }
 
  private:
   /// All operators that are asked of one channel at one scale.
@@ -72,7 +72,7 @@ class CrfhResponses {
   int border_ = 0;
   int next_row_ = 0;        ///< of the image, whose responses are the next
   int next_taken_ = 0;      ///< row of the image into the planes
-  StripedRows strands_;     ///< of all columns that the responses rest on
+  StripedRows lanes_;       ///< of all columns that the responses rest on
   std::vector<float> row_;  ///< of these, as they stand in the image
 };
 

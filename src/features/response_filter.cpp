@@ -35,18 +35,18 @@ void ResponseFilter::request(Operator op) {
 }
 
 void ResponseFilter::computeRows(const RowRing& rows, int count, int margin,
-                                 const StripedRows& strands) {
+                                 const StripedRows& lanes) {
   assert(margin >= margin_ && count <= kRows);
-  column_sums_.create(3, strands.size() + 2 * margin * StripedRows::kStrands);
-  responses_.create(kRows * kOperators, strands.size());
+  column_sums_.create(3, lanes.size() + 2 * margin * StripedRows::kLanes);
+  responses_.create(kRows * kOperators, lanes.size());
   for (int r = 0; r < count; ++r) {
-    computeDerivatives(rows.row(margin + count - 1 - r), rows.step(), margin, strands, r);
+    computeDerivatives(rows.row(margin + count - 1 - r), rows.step(), margin, lanes, r);
     combineDerivatives(r);
   }
 }
 
 void ResponseFilter::computeDerivatives(const float* in, std::ptrdiff_t step, int margin,
-                                        const StripedRows& strands, int r) {
+                                        const StripedRows& lanes, int r) {
   std::array<float*, 3> sums{};  // null: not wanted
   std::array<std::array<float*, 3>, 3> responses{};
   for (const auto& [op, x_order, y_order] : kDerivatives) {
@@ -54,12 +54,12 @@ void ResponseFilter::computeDerivatives(const float* in, std::ptrdiff_t step, in
     sums[y_order] = column_sums_[y_order];
     responses[y_order][x_order] = buffer(op, r);
   }
-  correlate(in, step, kernels_, strands.size(), sums);
+  correlate(in, step, kernels_, lanes.size(), sums);
   for (int order = 0; order < 3; ++order) {
     if (!sums[order]) continue;
-    strands.lengthen(2 * margin, sums[order]);
-    correlate(sums[order] + margin * StripedRows::kStrands, StripedRows::kStrands, kernels_,
-              strands.size(), responses[order]);
+    lanes.lengthen(2 * margin, sums[order]);
+    correlate(sums[order] + margin * StripedRows::kLanes, StripedRows::kLanes, kernels_,
+              lanes.size(), responses[order]);
   }
 }
 

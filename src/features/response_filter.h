@@ -31,10 +31,10 @@ class ResponseFilter {
   /// The most rows that are computed at a time: the second meets in the processor's first cache
   /// what the first brought there.
   static constexpr int kRows = 2;
-  /// Computes the responses in `count` rows that stand in strands, the last of them pushed `margin`
+  /// Computes the responses in `count` rows that stand in lanes, the last of them pushed `margin`
   /// >= margin() rows ago.
-  void computeRows(const RowRing& rows, int count, int margin, const StripedRows& strands);
-  /// The responses of a requested operator in row r of those, in strands: of pixel margin,
+  void computeRows(const RowRing& rows, int count, int margin, const StripedRows& lanes);
+  /// The responses of a requested operator in row r of those, in lanes: of pixel margin,
   /// margin + 1 and so on; the last 2 margin pixels have none.
   const float* row(Operator op, int r) const { return responses_[r * kOperators + index(op)]; }
 
@@ -43,7 +43,7 @@ class ResponseFilter {
   bool requested(Operator op) const { return requested_[index(op)]; }
   float* buffer(Operator op, int r) { return responses_[r * kOperators + index(op)]; }
   void computeDerivatives(const float* in, std::ptrdiff_t step, int margin,
-                          const StripedRows& strands, int r);
+                          const StripedRows& lanes, int r);
   void combineDerivatives(int r);
 
   int margin_;

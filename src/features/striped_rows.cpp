@@ -9,39 +9,39 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kStrands = StripedRows::kStrands;
+constexpr int kLanes = StripedRows::kLanes;
 
 PLACE_RECOGNITION_TARGET_CLONES
-void transpose(const float* __restrict row, int length, float* __restrict strands) {
+void transpose(const float* __restrict row, int length, float* __restrict lanes) {
   for (int i = 0; i < length; ++i) {
-    for (int k = 0; k < kStrands; ++k) strands[i * kStrands + k] = row[k * length + i];
+    for (int k = 0; k < kLanes; ++k) lanes[i * kLanes + k] = row[k * length + i];
   }
 }
 
 }  // namespace
 
-void StripedRows::lay(const float* row, float* strands) const { transpose(row, length_, strands); }
+void StripedRows::lay(const float* row, float* lanes) const { transpose(row, length_, lanes); }
 
-void StripedRows::lengthen(int n, float* strands) const {
-  // What follows pixel i of strand k at its end is pixel i of strand k + 1, which stands beside it.
-  // No more at a time than there is, where strands are shorter than n.
+void StripedRows::lengthen(int n, float* lanes) const {
+  // What follows pixel i of lane k at its end is pixel i of lane k + 1, which stands beside it.
+  // No more at a time than there is, where lanes are shorter than n.
   assert(length_ > 0);
   for (int done = 0; done < n; done += length_) {
-    const int numbers = std::min(length_, n - done) * kStrands;
-    const float* from = strands + done * kStrands;
-    float* to = strands + done * kStrands + size();
+    const int numbers = std::min(length_, n - done) * kLanes;
+    const float* from = lanes + done * kLanes;
+    float* to = lanes + done * kLanes + size();
     std::copy(from + 1, from + numbers, to);
     to[numbers - 1] = 0;
   }
 }
 
-void StripedRows::take(int pixels, const std::uint32_t* strands, std::uint32_t* row) const {
+void StripedRows::take(int pixels, const std::uint32_t* lanes, std::uint32_t* row) const {
   assert(pixels > 0 && pixels <= size());
-  const int whole = (pixels - 1) / length_;  // strands; one more has `rest` pixels
+  const int whole = (pixels - 1) / length_;  // lanes; one more has `rest` pixels
   const int rest = pixels - whole * length_;
   for (int i = 0; i < length_; ++i) {
-    std::uint32_t beside[kStrands];
-    std::memcpy(beside, strands + i * kStrands, sizeof(beside));
+    std::uint32_t beside[kLanes];
+    std::memcpy(beside, lanes + i * kLanes, sizeof(beside));
     std::memcpy(row, beside, sizeof(beside));
     row += i < rest ? whole + 1 : whole;
   }

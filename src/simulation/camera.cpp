@@ -15,7 +15,7 @@ constexpr float kCorrection = 0.55f;   ///< fraction of a colour cast that is ta
 constexpr float kFullWell = 9000.0f;   ///< electrons at white, at the lowest sensitivity
 constexpr float kReadNoise = 14.0f;    ///< electrons
 constexpr float kBrightEnough = 1.2f;  ///< mean radiance below which the sensitivity rises
-constexpr float kMostGain = 4.0f;
+constexpr float kMaxGain = 4.0f;
 
 /// The weight of a pixel for the meter, and the light that reaches it.
 float squaredRadius(cv::Size size, int x, int y) {
@@ -104,7 +104,7 @@ cv::Mat develop(const cv::Mat& radiance, Random random) {
   const float factor = exposure(radiance);
   const Vec3 gain = factor * whiteBalance(radiance, factor);
   // The shutter is not kept open for ever: in the dark, fewer electrons have to do.
-  const float sensitivity = std::clamp(factor * kBrightEnough / kTarget, 1.0f, kMostGain);
+  const float sensitivity = std::clamp(factor * kBrightEnough / kTarget, 1.0f, kMaxGain);
   const float full = kFullWell / sensitivity;
   const float read = kReadNoise * kReadNoise;
   const auto& curve = toneCurve();

@@ -29,7 +29,7 @@ constexpr std::size_t kBatch = 8;
 /// How far the robot strays from its way on a later visit, m.
 constexpr float kStray = 0.1f;
 
-constexpr unsigned kMostVisits = 1000;
+constexpr unsigned kMaxVisits = 1000;
 
 /// Cameras by their names: how far each is turned to the left, rad.
 constexpr std::pair<const char*, float> kMounts[] = {
@@ -136,7 +136,7 @@ void SimulationOptions::check() const {
     throw Error("Simulation size " + std::to_string(size.width) + "x" +
                 std::to_string(size.height) + " is out of range; give sides of 16 to 4096 pixels.");
   }
-  if (visit < 1 || visit > kMostVisits) {
+  if (visit < 1 || visit > kMaxVisits) {
     throw Error("Simulation visit " + std::to_string(visit) + " is out of range; give 1 to 1000.");
   }
   if (!(rate >= 0.1 && rate <= 100.0)) {

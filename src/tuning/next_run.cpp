@@ -6,9 +6,9 @@
 namespace place_recognition {
 namespace {
 
-constexpr double kLeastPart = 0.8;       // of width and height that is seen
-constexpr double kMostBlur = 1.0 / 400;  // sigma, of the width
-constexpr double kErrorOfLight = 0.05;   // of the gain that is found, at most
+constexpr double kLeastPart = 0.8;      // of width and height that is seen
+constexpr double kMaxBlur = 1.0 / 400;  // sigma, of the width
+constexpr double kErrorOfLight = 0.05;  // of the gain that is found, at most
 
 }  // namespace
 
@@ -17,7 +17,7 @@ NextRun::NextRun(std::uint64_t seed, bool other_light)
 
 ChangedImage NextRun::change(const cv::Mat& image, const std::string& place) {
   ChangedImage changed{framed(image), {}};
-  const double sigma = uniform(0, kMostBlur) * image.cols;
+  const double sigma = uniform(0, kMaxBlur) * image.cols;
   if (sigma > 0.3) cv::GaussianBlur(changed.image, changed.image, {}, sigma);
   if (!other_light_) return changed;
   const Light light = light_draw_.next(place);

@@ -19,7 +19,7 @@ extern "C" {
 namespace place_recognition {
 namespace {
 
-constexpr std::size_t kMostPoints = 400;
+constexpr std::size_t kMaxPoints = 400;
 constexpr double kRadius = 3;          ///< of a point's region, in scales
 constexpr double kLeastOverlap = 0.6;  ///< intersection over union of corresponding regions
 constexpr double kMargin = 12;         ///< pixels at the edge without correspondences
@@ -28,7 +28,7 @@ using Points = std::vector<InterestPoint>;
 using Detector = std::function<Points(const cv::Mat1b&)>;
 
 Points detectOurs(const cv::Mat1b& image) {
-  return HarrisLaplace({2, 4, 5, 0.05, 100, 5}).detect(cv::Mat1f(image), kMostPoints);
+  return HarrisLaplace({2, 4, 5, 0.05, 100, 5}).detect(cv::Mat1f(image), kMaxPoints);
 }
 
 #ifdef PLACE_RECOGNITION_HAS_VLFEAT
@@ -49,7 +49,7 @@ Points detectVlfeat(const cv::Mat1b& image) {
   vl_covdet_delete(detector);
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.cornerness > b.cornerness; });
-  points.resize(std::min(points.size(), kMostPoints));
+  points.resize(std::min(points.size(), kMaxPoints));
   return points;
 }
 #endif
@@ -162,7 +162,7 @@ double repeatability(const Points& before, const Points& after, const Change& ch
 /// What all detectors find, each cut to as many points as the one with the fewest has.
 std::vector<Points> detectEqually(const std::vector<Detector>& detectors, const cv::Mat1b& image) {
   std::vector<Points> points;
-  std::size_t fewest = kMostPoints;
+  std::size_t fewest = kMaxPoints;
   for (const Detector& detect : detectors) {
     points.push_back(detect(image));
     fewest = std::min(fewest, points.back().size());

@@ -1,4 +1,4 @@
-// Rows cut into strands, against the definition pixel by pixel; and the ring of rows they stand in.
+// Rows cut into lanes, against the definition pixel by pixel; and the ring of rows they stand in.
 #include "features/striped_rows.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kStrands = StripedRows::kStrands;
+constexpr int kLanes = StripedRows::kLanes;
 
 /// Pixel x has the value x + 1.
 std::vector<float> ascending(int pixels, int size) {
@@ -23,14 +23,14 @@ std::vector<float> ascending(int pixels, int size) {
 
 TEST(StripedRows, HoldEachPixelOnceAndOneStepBesideTheNext) {
   for (const int pixels : {1, 2, 15, 16, 17, 31, 100, 610, 640}) {
-    const StripedRows strands(pixels);
-    ASSERT_GE(strands.size(), pixels);
-    ASSERT_LT(strands.size(), pixels + kStrands);
-    const int length = strands.size() / kStrands;
-    std::vector<float> laid(strands.size());
-    strands.lay(ascending(pixels, strands.size()).data(), laid.data());
-    for (int x = 0; x < strands.size(); ++x) {
-      ASSERT_EQ(laid[x % length * kStrands + x / length], x < pixels ? x + 1 : 0);
+    const StripedRows lanes(pixels);
+    ASSERT_GE(lanes.size(), pixels);
+    ASSERT_LT(lanes.size(), pixels + kLanes);
+    const int length = lanes.size() / kLanes;
+    std::vector<float> laid(lanes.size());
+    lanes.lay(ascending(pixels, lanes.size()).data(), laid.data());
+    for (int x = 0; x < lanes.size(); ++x) {
+      ASSERT_EQ(laid[x % length * kLanes + x / length], x < pixels ? x + 1 : 0);
     }
   }
 }
@@ -38,17 +38,17 @@ TEST(StripedRows, HoldEachPixelOnceAndOneStepBesideTheNext) {
 TEST(StripedRows, AreLengthenedByWhatFollows) {
   for (const int pixels : {1, 17, 40, 100, 626}) {
     for (const int n : {1, 2, 7, 16, 31}) {
-      const StripedRows strands(pixels);
-      const int length = strands.size() / kStrands;
-      std::vector<float> laid(strands.size() + n * kStrands + 1, 77);
-      strands.lay(ascending(pixels, strands.size()).data(), laid.data());
-      strands.lengthen(n, laid.data());
-      for (int k = 0; k < kStrands; ++k) {
+      const StripedRows lanes(pixels);
+      const int length = lanes.size() / kLanes;
+      std::vector<float> laid(lanes.size() + n * kLanes + 1, 77);
+      lanes.lay(ascending(pixels, lanes.size()).data(), laid.data());
+      lanes.lengthen(n, laid.data());
+      for (int k = 0; k < kLanes; ++k) {
         for (int i = 0; i < length + n; ++i) {
           const int x = k * length + i;
-          // Which padding the last strands get is left open.
+          // Which padding the last lanes get is left open.
           if (x < pixels) {
-            ASSERT_EQ(laid[i * kStrands + k], x + 1);
+            ASSERT_EQ(laid[i * kLanes + k], x + 1);
           }
         }
       }
@@ -59,23 +59,23 @@ TEST(StripedRows, AreLengthenedByWhatFollows) {
 
 TEST(StripedRows, GiveTheFirstPixelsWithoutPadding) {
   for (const int pixels : {1, 2, 16, 17, 40, 100, 626, 640}) {
-    const StripedRows strands(pixels);
-    const int length = strands.size() / kStrands;
-    std::vector<std::uint32_t> laid(strands.size());
-    for (int x = 0; x < strands.size(); ++x) laid[x % length * kStrands + x / length] = x;
+    const StripedRows lanes(pixels);
+    const int length = lanes.size() / kLanes;
+    std::vector<std::uint32_t> laid(lanes.size());
+    for (int x = 0; x < lanes.size(); ++x) laid[x % length * kLanes + x / length] = x;
     for (int taken = 1; taken <= pixels; taken += taken < 20 ? 1 : 7) {
       std::vector<std::uint32_t> expected;
       for (const std::uint32_t x : laid) {
         if (x < static_cast<std::uint32_t>(taken)) expected.push_back(x);
       }
-      std::vector<std::uint32_t> row(strands.size() + 1, 12345);
-      strands.take(taken, laid.data(), row.data());
+      std::vector<std::uint32_t> row(lanes.size() + 1, 12345);
+      lanes.take(taken, laid.data(), row.data());
       ASSERT_EQ(row.back(), 12345u);
       row.resize(taken);
       ASSERT_EQ(row, expected);
 
       std::vector<std::uint32_t> in_place = laid;
-      strands.take(taken, in_place.data(), in_place.data());
+      lanes.take(taken, in_place.data(), in_place.data());
       in_place.resize(taken);
       ASSERT_EQ(in_place, expected);
     }

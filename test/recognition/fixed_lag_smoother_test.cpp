@@ -170,11 +170,11 @@ TEST(FixedLagSmoother, HoldsNoMoreThanItsMostFramesWhereStampsStandStill) {
   TemporalFilter filter = filterOf();
   FixedLagSmoother smoother(row(), {}, 1);
   std::size_t held = 0;
-  for (std::size_t i = 0; i < FixedLagSmoother::kMostFrames + 50; ++i, ++held) {
+  for (std::size_t i = 0; i < FixedLagSmoother::kMaxFrames + 50; ++i, ++held) {
     filter.update(100, seen(0));
     smoother.add(filter);
     held -= readyOnes(smoother).size();
-    ASSERT_LT(held, FixedLagSmoother::kMostFrames);
+    ASSERT_LT(held, FixedLagSmoother::kMaxFrames);
   }
 }
 

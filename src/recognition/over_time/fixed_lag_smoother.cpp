@@ -24,7 +24,7 @@ void FixedLagSmoother::add(const TemporalFilter& filter) {
 
 /// One past the last frame that tells of the oldest one.
 std::size_t FixedLagSmoother::windowEnd() const {
-  const std::size_t last = std::min(seen_.size(), kMostFrames);
+  const std::size_t last = std::min(seen_.size(), kMaxFrames);
   std::size_t end = 1;
   while (end < last && !seen_[end].step.first &&
          seen_[end].step.stamp - seen_.front().step.stamp <= lag_) {

@@ -7,7 +7,7 @@ namespace place_recognition {
 namespace {
 
 constexpr const char* kMethods[] = {"shared-greedy", "shared-qr", "qr"};
-constexpr std::size_t kMostSamplesForAuto = 4000;
+constexpr std::size_t kMaxSamplesForAuto = 4000;
 constexpr double kFractions[] = {0.70, 0.50, 0.35, 0.25, 0.15};
 
 /// Log losses of the held-out samples with one reduction, against those with another.
@@ -48,7 +48,7 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
   ReductionOptions reduction = options;
   reduction.method = "none";
   std::vector<ReductionOptions> reductions{reduction};
-  if (samples > kMostSamplesForAuto) return reductions;
+  if (samples > kMaxSamplesForAuto) return reductions;
   for (const char* method : kMethods) {
     reduction.method = method;
     for (const double fraction : kFractions) {

@@ -33,7 +33,7 @@ void checkCue(const CueOptions& cue) {
   }
 }
 
-constexpr double kMostSeconds = 1e6;
+constexpr double kMaxSeconds = 1e6;
 
 std::string notSeconds(const char* key, double value) {
   return std::string("Option 'validation.") + key + "' is " + std::to_string(value) +
@@ -114,8 +114,8 @@ void ValidationOptions::check() const {
     throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to " +
                 std::to_string(kMaxFolds) + ".");
   }
-  if (!(block >= 0 && block <= kMostSeconds)) throw Error(notSeconds("block", block));
-  if (!(gap >= 0 && gap <= kMostSeconds)) throw Error(notSeconds("gap", gap));
+  if (!(block >= 0 && block <= kMaxSeconds)) throw Error(notSeconds("block", block));
+  if (!(gap >= 0 && gap <= kMaxSeconds)) throw Error(notSeconds("gap", gap));
   if (block > 0 && gap > largestGap(block, folds) * (1 + 1e-9)) {
     throw Error("Option 'validation.gap' is " + std::to_string(gap) +
                 " s, which leaves too little to train on beside blocks of " +

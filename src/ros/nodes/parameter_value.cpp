@@ -100,8 +100,8 @@ int toInteger(const XmlRpcValue& value, const std::string& where) {
   } else if (!parse(value, number)) {
     refuse(value, where, "a whole number");
   }
-  constexpr double kMost = std::numeric_limits<int>::max();
-  if (number != std::nearbyint(number) || std::abs(number) > kMost) {  // true if it is NaN, too
+  constexpr double kMax = std::numeric_limits<int>::max();
+  if (number != std::nearbyint(number) || std::abs(number) > kMax) {  // true if it is NaN, too
     refuse(value, where, "a whole number");
   }
   return static_cast<int>(number);
