@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
-#include <map>
 #include <new>
 #include <string>
 #include <utility>
@@ -21,61 +20,22 @@
 
 #include "base/process_limits.h"
 #include "datasets/depth_scale.h"
-#include "place_recognition/camera_correlation.h"
 #include "place_recognition/depth_extent.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/bag_guard.h"
-#include "ros/bags/bag_recording.h"
+#include "ros/bags/bag_time_span.h"
+#include "ros/bags/bag_topics.h"
 #include "ros/messages/bag_records.h"
 #include "ros/messages/conversions.h"
 
 namespace place_recognition {
 namespace {
 
-const std::string kImageType = "sensor_msgs/Image";
-const std::string kCompressedType = "sensor_msgs/CompressedImage";
-const std::string kLabelType = "std_msgs/String";
-
-struct Topic {
-  std::string type;
-  std::uint32_t messages = 0;
-
-  bool hasImages() const { return type == kImageType || type == kCompressedType; }
-};
-
-/// A name without the slashes at its start, which old recorders leave out, and at its end.
-std::string bareName(const std::string& topic) {
-  const std::size_t start = topic.find_first_not_of('/');
-  return start == std::string::npos ? ""
-                                    : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
-}
-
-/// Whether the images are distances, which no camera's image can be taken for.
-bool isCompressedDepth(const std::string& topic) {
-  const std::string ending = "compressedDepth";
-  return topic.size() >= ending.size() &&
-         topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-/// By name.
-using Topics = std::map<std::string, Topic>;
-
 void send(const BagRecord& record) {
   restartWorkLimit();
   // The reader of the pipe has gone, so nobody is left to tell.
   if (!writeRecord(STDOUT_FILENO, record)) std::exit(1);
-}
-
-Topics listTopics(const rosbag::Bag& bag) {
-  Topics topics;
-  for (const rosbag::ConnectionInfo* connection : rosbag::View(bag).getConnections()) {
-    topics[connection->topic].type = connection->datatype;
-  }
-  for (auto& [name, topic] : topics) {
-    topic.messages = rosbag::View(bag, rosbag::TopicQuery(name)).size();
-  }
-  return topics;
 }
 
 template <typename Message>
@@ -111,51 +71,8 @@ cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
   return image;
 }
 
-/// The first and the last of most images: those that no gap of more than a day sets apart, as a
-/// clock does that was not set.
-std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
-  constexpr double kGap = 24 * 60 * 60;  // s
-  std::pair<ros::Time, ros::Time> span;
-  std::uint32_t most = 0, count = 0;
-  ros::Time first, last;
-  for (const rosbag::MessageInstance& image : images) {
-    const ros::Time time = image.getTime();
-    if (count == 0 || time.toSec() - last.toSec() > kGap) {
-      first = time;
-      count = 0;
-    }
-    last = time;
-    if (++count >= most) {
-      most = count;
-      span = {first, last};
-    }
-  }
-  return span;
-}
-
-/// The time of the bag: of the images, and of all messages that no gap of more than ten minutes
-/// sets apart from them.
-std::pair<ros::Time, ros::Time> spanOf(const rosbag::Bag& bag) {
-  constexpr double kGap = 10 * 60;  // s
-  rosbag::View all(bag);
-  if (all.size() == 0) return {};
-  rosbag::View images(bag, rosbag::TypeQuery({kImageType, kCompressedType}));
-  if (images.size() == 0) return {all.getBeginTime(), all.getEndTime()};
-  const auto [first, last] = spanOfImages(images);
-  ros::Time begin = all.getBeginTime(), before = begin, end = last;
-  for (const rosbag::MessageInstance& message : rosbag::View(bag, ros::TIME_MIN, first)) {
-    if (message.getTime().toSec() - before.toSec() > kGap) begin = message.getTime();
-    before = message.getTime();
-  }
-  for (const rosbag::MessageInstance& message : rosbag::View(bag, last)) {
-    if (message.getTime().toSec() - end.toSec() > kGap) break;
-    end = message.getTime();
-  }
-  return {begin, end};
-}
-
 void sendSpan(const rosbag::Bag& bag) {
-  const auto [begin, end] = spanOf(bag);
+  const auto [begin, end] = timeSpan(bag);
   BagRecord record;
   record.kind = BagRecordKind::kSpan;
   record.time = begin.toSec();
@@ -163,7 +80,7 @@ void sendSpan(const rosbag::Bag& bag) {
   send(record);
 }
 
-void sendTopics(const rosbag::Bag& bag, const Topics& topics, bool with_sizes) {
+void sendTopics(const rosbag::Bag& bag, const RecordedTopics& topics, bool with_sizes) {
   for (const auto& [name, topic] : topics) {
     BagRecord record;
     if (with_sizes && topic.hasImages() && topic.messages > 0) {
@@ -178,31 +95,11 @@ void sendTopics(const rosbag::Bag& bag, const Topics& topics, bool with_sizes) {
   }
 }
 
-std::string join(const Topics& topics, bool images_only) {
-  std::string text;
-  for (const auto& [name, topic] : topics) {
-    if (images_only && (!topic.hasImages() || isCompressedDepth(name))) continue;
-    text += (text.empty() ? "" : ", ") + name + " (" + topic.type + ")";
-  }
-  return text.empty() ? "none" : text;
-}
-
-void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string& label_topic) {
-  auto found = topics.find(label_topic);
-  for (auto topic = topics.begin(); found == topics.end() && topic != topics.end(); ++topic) {
-    if (bareName(topic->first) == bareName(label_topic)) found = topic;
-  }
-  if (found == topics.end()) {
-    if (label_topic.empty() || label_topic == BagRecordingOptions().label_topic) return;
-    throw Error("it has no topic " + label_topic + " for labels; its topics are " +
-                join(topics, false));
-  }
-  if (found->second.type != kLabelType) {
-    throw Error("the label topic " + label_topic + " is of " + found->second.type + ", not of " +
-                kLabelType);
-  }
-  for (const rosbag::MessageInstance& instance :
-       rosbag::View(bag, rosbag::TopicQuery(found->first))) {
+void sendLabels(const rosbag::Bag& bag, const RecordedTopics& topics,
+                const std::string& label_topic) {
+  const std::string topic = chooseLabelTopic(topics, label_topic);
+  if (topic.empty()) return;
+  for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
     const auto message = instance.instantiate<std_msgs::String>();
     BagRecord record;
     record.kind = BagRecordKind::kLabel;
@@ -210,67 +107,6 @@ void sendLabels(const rosbag::Bag& bag, const Topics& topics, const std::string&
     if (message) record.text = message->data;
     send(record);
   }
-}
-
-/// The topic of a camera by that of its images, which may end in "/compressed".
-std::string cameraOf(const std::string& topic) {
-  const std::string ending = "/compressed";
-  const bool ends = topic.size() > ending.size() &&
-                    topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
-  return "/" + bareName(topic.substr(0, topic.size() - (ends ? ending.size() : 0)));
-}
-
-/// The topic that is meant by `wanted`, also by its name without "/compressed" or slashes at its
-/// start; the only camera's if it is empty.
-std::string chooseImageTopic(const Topics& topics, const std::string& wanted) {
-  std::vector<std::string> candidates;  // in order of name, so that compressed ones follow raw ones
-  for (const auto& [name, topic] : topics) {
-    if (!topic.hasImages() || isCompressedDepth(name)) continue;
-    if (name == wanted) return name;
-    candidates.push_back(name);
-  }
-  if (candidates.empty()) throw Error("it has no images; its topics are " + join(topics, false));
-  if (!wanted.empty()) {
-    for (const char* suffix : {"", "/compressed"}) {
-      const auto meant = [&](const std::string& name) {
-        return bareName(name) == bareName(wanted) + suffix;
-      };
-      const auto found = std::find_if(candidates.begin(), candidates.end(), meant);
-      if (found != candidates.end()) return *found;
-    }
-    throw Error("it has no images on " + wanted + "; topics of images are " + join(topics, true));
-  }
-  const std::string& first = candidates.front();
-  const bool one_camera = std::all_of(
-      candidates.begin(), candidates.end(),
-      [&first](const std::string& name) { return name == first || name == first + "/compressed"; });
-  if (!one_camera) {
-    throw Error(
-        "it has several topics of images; name one with --image-topic, or those of several cameras "
-        "of one robot with commas between them: " +
-        join(topics, true));
-  }
-  return first;
-}
-
-/// The topics that are meant by `wanted`, one per camera; the only camera's if there are none.
-std::vector<std::string> chooseImageTopics(const Topics& topics,
-                                           const std::vector<std::string>& wanted) {
-  std::vector<std::string> chosen;
-  if (wanted.size() > kMaxCameras) {
-    throw Error("a robot has at most " + std::to_string(kMaxCameras) +
-                " cameras here; name fewer topics of images");
-  }
-  if (wanted.empty()) chosen.push_back(chooseImageTopic(topics, ""));
-  for (const std::string& one : wanted) {
-    const std::string topic = chooseImageTopic(topics, one);
-    const bool again = std::any_of(chosen.begin(), chosen.end(), [&](const std::string& other) {
-      return cameraOf(other) == cameraOf(topic);
-    });
-    if (again) throw Error("its camera " + cameraOf(topic) + " is named twice; name each once");
-    chosen.push_back(topic);
-  }
-  return chosen;
 }
 
 /// Tells the extent of images of 16 bits, by some from all of the topics.
@@ -329,7 +165,7 @@ void sendImages(const rosbag::Bag& bag, const std::vector<std::string>& topics) 
 
 void sendAll(const rosbag::Bag& bag, bool images, const std::string& label_topic,
              const std::vector<std::string>& image_topics) {
-  const Topics topics = listTopics(bag);
+  const RecordedTopics topics = listTopics(bag);
   sendSpan(bag);
   sendTopics(bag, topics, !images);
   std::vector<std::string> chosen;

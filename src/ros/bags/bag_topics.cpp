@@ -1,0 +1,130 @@
+#include "ros/bags/bag_topics.h"
+
+#include <rosbag/query.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+
+#include "place_recognition/camera_correlation.h"
+#include "place_recognition/error.h"
+#include "ros/bags/bag_recording.h"
+
+namespace place_recognition {
+namespace {
+
+const std::string kLabelType = "std_msgs/String";
+
+/// A name without the slashes at its start, which old recorders leave out, and at its end.
+std::string bareName(const std::string& topic) {
+  const std::size_t start = topic.find_first_not_of('/');
+  return start == std::string::npos ? ""
+                                    : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
+}
+
+/// Whether the images are distances, which no camera's image can be taken for.
+bool isCompressedDepth(const std::string& topic) {
+  const std::string ending = "compressedDepth";
+  return topic.size() >= ending.size() &&
+         topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// Names and types, for a message.
+std::string listed(const RecordedTopics& topics, bool images_only) {
+  std::string text;
+  for (const auto& [name, topic] : topics) {
+    if (images_only && (!topic.hasImages() || isCompressedDepth(name))) continue;
+    text += (text.empty() ? "" : ", ") + name + " (" + topic.type + ")";
+  }
+  return text.empty() ? "none" : text;
+}
+
+/// The topic that is meant by `wanted`, also by its name without "/compressed" or slashes at its
+/// start; the only camera's if it is empty.
+std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wanted) {
+  std::vector<std::string> candidates;  // in order of name, so that compressed ones follow raw ones
+  for (const auto& [name, topic] : topics) {
+    if (!topic.hasImages() || isCompressedDepth(name)) continue;
+    if (name == wanted) return name;
+    candidates.push_back(name);
+  }
+  if (candidates.empty()) throw Error("it has no images; its topics are " + listed(topics, false));
+  if (!wanted.empty()) {
+    for (const char* suffix : {"", "/compressed"}) {
+      const auto meant = [&](const std::string& name) {
+        return bareName(name) == bareName(wanted) + suffix;
+      };
+      const auto found = std::find_if(candidates.begin(), candidates.end(), meant);
+      if (found != candidates.end()) return *found;
+    }
+    throw Error("it has no images on " + wanted + "; topics of images are " + listed(topics, true));
+  }
+  const std::string& first = candidates.front();
+  const bool one_camera = std::all_of(
+      candidates.begin(), candidates.end(),
+      [&first](const std::string& name) { return name == first || name == first + "/compressed"; });
+  if (!one_camera) {
+    throw Error(
+        "it has several topics of images; name one with --image-topic, or those of several cameras "
+        "of one robot with commas between them: " +
+        listed(topics, true));
+  }
+  return first;
+}
+
+}  // namespace
+
+RecordedTopics listTopics(const rosbag::Bag& bag) {
+  RecordedTopics topics;
+  for (const rosbag::ConnectionInfo* connection : rosbag::View(bag).getConnections()) {
+    topics[connection->topic].type = connection->datatype;
+  }
+  for (auto& [name, topic] : topics) {
+    topic.messages = rosbag::View(bag, rosbag::TopicQuery(name)).size();
+  }
+  return topics;
+}
+
+std::string chooseLabelTopic(const RecordedTopics& topics, const std::string& wanted) {
+  auto found = topics.find(wanted);
+  for (auto topic = topics.begin(); found == topics.end() && topic != topics.end(); ++topic) {
+    if (bareName(topic->first) == bareName(wanted)) found = topic;
+  }
+  if (found == topics.end()) {
+    if (wanted.empty() || wanted == BagRecordingOptions().label_topic) return "";
+    throw Error("it has no topic " + wanted + " for labels; its topics are " +
+                listed(topics, false));
+  }
+  if (found->second.type != kLabelType) {
+    throw Error("the label topic " + wanted + " is of " + found->second.type + ", not of " +
+                kLabelType);
+  }
+  return found->first;
+}
+
+std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
+                                           const std::vector<std::string>& wanted) {
+  std::vector<std::string> chosen;
+  if (wanted.size() > kMaxCameras) {
+    throw Error("a robot has at most " + std::to_string(kMaxCameras) +
+                " cameras here; name fewer topics of images");
+  }
+  if (wanted.empty()) chosen.push_back(chooseImageTopic(topics, ""));
+  for (const std::string& one : wanted) {
+    const std::string topic = chooseImageTopic(topics, one);
+    const bool again = std::any_of(chosen.begin(), chosen.end(), [&](const std::string& other) {
+      return cameraOf(other) == cameraOf(topic);
+    });
+    if (again) throw Error("its camera " + cameraOf(topic) + " is named twice; name each once");
+    chosen.push_back(topic);
+  }
+  return chosen;
+}
+
+std::string cameraOf(const std::string& topic) {
+  const std::string ending = "/compressed";
+  const bool ends = topic.size() > ending.size() &&
+                    topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
+  return "/" + bareName(topic.substr(0, topic.size() - (ends ? ending.size() : 0)));
+}
+
+}  // namespace place_recognition
