@@ -1,9 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 namespace place_recognition {
+
+/// The probability, 0..1, that log odds stand for.
+inline double logistic(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
 
 /// What speaks for a frame showing any of the trained places at all, see Calibration::evidence().
 struct EvidenceWeights {
@@ -30,7 +34,7 @@ struct Calibration {
   /// Decision values alone cannot either: far from all support vectors they are just the biases.
   double logOdds(const Eigen::RowVectorXd& decision_values, double familiarity = 0) const;
 
-  /// The same, 0..1: the logistic function of logOdds().
+  /// The same, 0..1: logistic(logOdds()).
   double evidence(const Eigen::RowVectorXd& decision_values, double familiarity = 0) const;
 
   /// log sum_k exp(slope f_k).

@@ -71,7 +71,7 @@ double Calibration::logOdds(const Eigen::RowVectorXd& decision_values, double fa
 }
 
 double Calibration::evidence(const Eigen::RowVectorXd& decision_values, double familiarity) const {
-  return 1 / (1 + std::exp(-logOdds(decision_values, familiarity)));
+  return logistic(logOdds(decision_values, familiarity));
 }
 
 Calibration fitCalibration(const Eigen::MatrixXd& decision_values, const std::vector<int>& labels) {

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "place_recognition/calibration.h"
+
 namespace place_recognition {
 namespace {
 
@@ -52,7 +54,7 @@ void LightEstimate::estimate() {
   const double determinant = (Eigen::Matrix3d::Identity() + prior * known).determinant();
   const double log_odds =
       std::log(kOddsOfChange) - std::log(determinant) / 2 + pull.dot(change) / 2;
-  const double changed = 1 / (1 + std::exp(-log_odds));
+  const double changed = logistic(log_odds);
   const double variance =
       changed * covariance.trace() / 3 + changed * (1 - changed) * change.squaredNorm() / 3;
   certainty_ = 1 / (1 + variance / (kKnownWithin * kKnownWithin));

@@ -135,7 +135,7 @@ void Recognizer::decide(double evidence_shift) {
   recognition_.place = largest(recognition_.probabilities);
   recognition_.confidence = recognition_.probabilities[recognition_.place];
   log_odds_ = model_->calibration.logOdds(recognition_.decision_values, mean_->familiarity());
-  recognition_.evidence = 1 / (1 + std::exp(-(log_odds_ + evidence_shift)));
+  recognition_.evidence = logistic(log_odds_ + evidence_shift);
   recognition_.known = recognition_.evidence >= unknown_threshold_;
   recognition_.reason.clear();
 }

@@ -29,6 +29,18 @@ void forEachComposition(std::size_t count, int total, std::vector<int>& parts,
 /// Steps of the grid that keep it below about a thousand points.
 int stepsFor(std::size_t cues) { return cues <= 3 ? 10 : cues == 4 ? 8 : 4; }
 
+/// Parts of the cues, each of which sums to 1: even ones, and all of a grid.
+std::vector<std::vector<double>> gridOfParts(std::size_t cues) {
+  std::vector<std::vector<double>> grid{std::vector<double>(cues, 1 / static_cast<double>(cues))};
+  const int steps = stepsFor(cues);
+  std::vector<int> counts;
+  forEachComposition(cues, steps, counts, [&] {
+    grid.emplace_back();
+    for (const int count : counts) grid.back().push_back(static_cast<double>(count) / steps);
+  });
+  return grid;
+}
+
 /// The prior weights, each times its part; they sum to 1.
 std::vector<double> scaled(const std::vector<double>& prior, const std::vector<double>& parts) {
   std::vector<double> weights(prior.size());
@@ -37,6 +49,31 @@ std::vector<double> scaled(const std::vector<double>& prior, const std::vector<d
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights) weight /= sum;
   return weights;
+}
+
+/// How right the answers are with these parts of the cues, and the standard error of that rate.
+struct Trial {
+  std::vector<double> parts;
+  double rate, error;
+};
+
+/// The sum of all parts that are as good as the best; zero for a cue that has hardly any.
+std::vector<double> sumOfTheBest(const std::vector<Trial>& trials) {
+  constexpr double kAsGood = 2;     // standard errors
+  constexpr double kNothing = 0.2;  // of an even part
+  const Trial& best = *std::max_element(
+      trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.rate < b.rate; });
+  const std::size_t cues = best.parts.size();
+  std::vector<double> sums(cues, 0);
+  double count = 0;
+  for (const Trial& trial : trials) {
+    if (trial.rate < best.rate - kAsGood * best.error) continue;
+    for (std::size_t c = 0; c < cues; ++c) sums[c] += trial.parts[c];
+    count += 1;
+  }
+  const double even = 1 / static_cast<double>(cues);
+  for (double& sum : sums) sum = sum < kNothing * even * count ? 0 : sum;
+  return sums;
 }
 
 }  // namespace
@@ -75,39 +112,14 @@ std::vector<double> priorWeights(const std::vector<CueOptions>& cues) {
 std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
                                      const std::vector<double>& prior,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
-  struct Trial {
-    std::vector<double> parts;
-    double rate, error;
+  const auto judge = [&](const std::vector<double>& parts) -> Trial {
+    const HeldOutValues combined = combine(cues, scaled(prior, parts));
+    return {parts, averageRate(combined, samples, places),
+            averageRateError(combined, samples, places)};
   };
   std::vector<Trial> trials;
-  const auto judge = [&](const std::vector<double>& parts) {
-    const HeldOutValues combined = combine(cues, scaled(prior, parts));
-    trials.push_back({parts, averageRate(combined, samples, places),
-                      averageRateError(combined, samples, places)});
-  };
-  const double even = 1 / static_cast<double>(cues.size());
-  judge(std::vector<double>(cues.size(), even));
-  const int steps = stepsFor(cues.size());
-  std::vector<int> counts;
-  forEachComposition(cues.size(), steps, counts, [&] {
-    std::vector<double> parts;
-    for (const int count : counts) parts.push_back(static_cast<double>(count) / steps);
-    judge(parts);
-  });
-
-  constexpr double kAsGood = 2;     // standard errors
-  constexpr double kNothing = 0.2;  // of an even part
-  const Trial best = *std::max_element(
-      trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.rate < b.rate; });
-  std::vector<double> sums(cues.size(), 0);
-  double count = 0;
-  for (const Trial& trial : trials) {
-    if (trial.rate < best.rate - kAsGood * best.error) continue;
-    for (std::size_t c = 0; c < cues.size(); ++c) sums[c] += trial.parts[c];
-    count += 1;
-  }
-  for (double& sum : sums) sum = sum < kNothing * even * count ? 0 : sum;
-  std::vector<double> weights = scaled(prior, sums);
+  for (const std::vector<double>& parts : gridOfParts(cues.size())) trials.push_back(judge(parts));
+  std::vector<double> weights = scaled(prior, sumOfTheBest(trials));
   // Cues that tell the same have the same weight, whatever the rounding errors of the sums.
   for (double& weight : weights) weight = std::round(1e12 * weight) / 1e12;
   return weights;

@@ -1,7 +1,6 @@
 #include "place_recognition/recalibration.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -92,7 +91,7 @@ std::vector<double> evidenceOfStreams(const Model& model, const HeldOutValues& c
         combined.decision_values.row(static_cast<Eigen::Index>(i));
     const double log_odds = model.calibration.logOdds(
         decision_values, combined.familiarity[static_cast<Eigen::Index>(i)]);
-    evidence.push_back(1 / (1 + std::exp(-(log_odds + shift.value()))));
+    evidence.push_back(logistic(log_odds + shift.value()));
     shift.add(model.calibration.probabilities(decision_values), decision_values, log_odds);
   }
   return evidence;
