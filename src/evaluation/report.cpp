@@ -1,7 +1,6 @@
 #include "evaluation/report.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "base/text.h"
 #include "evaluation/plots.h"
@@ -13,24 +12,6 @@
 
 namespace place_recognition {
 namespace {
-
-std::string base64(const std::string& bytes) {
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
-}
 
 std::string figure(const std::string& value, const std::string& what) {
   return "<div><b>" + value + "</b>" + what + "</div>\n";
@@ -141,13 +122,12 @@ std::string wrongImages(const Evaluation& evaluation) {
   std::string html = "<h2>Most confidently wrong</h2>\n<div class=\"row\">\n";
   for (const WrongImage& image : evaluation.wrong) {
     const FrameResult& frame = evaluation.frames[image.frame];
-    html += "<figure><img width=\"280\" alt=\"\" src=\"data:image/jpeg;base64," +
-            base64(image.jpeg) + "\"><figcaption>" +
-            escapeMarkup(evaluation.places[static_cast<std::size_t>(frame.truth)]) +
-            ", taken for <b>" +
+    html += htmlImage(
+        image.jpeg, 280,
+        escapeMarkup(evaluation.places[static_cast<std::size_t>(frame.truth)]) + ", taken for <b>" +
             escapeMarkup(evaluation.places[static_cast<std::size_t>(frame.place)]) + "</b> (" +
             percent(frame.confidence) + (frame.known ? "" : ", answered &lsquo;unknown&rsquo;") +
-            ")<br>" + escapeMarkup(baseName(frame.name)) + "</figcaption></figure>\n";
+            ")<br>" + escapeMarkup(baseName(frame.name)));
   }
   return html + "</div>\n";
 }

@@ -22,10 +22,17 @@ struct Figure {
   std::string svg;
 };
 
+/// A page for a browser.
+struct Page {
+  std::string name;
+  std::string html;
+};
+
 /// What an experiment shows.
 struct Findings {
   std::vector<Table> tables;
-  std::vector<Figure> figures;
+  std::vector<Figure> figures = {};
+  std::vector<Page> pages = {};
 };
 
 /// Takes the result of a cell as soon as it is there.

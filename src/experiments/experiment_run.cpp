@@ -44,6 +44,9 @@ void write(const Findings& findings, const std::string& text, const Json& result
   for (const Figure& figure : findings.figures) {
     writeFileAtomically(folder + "/" + figure.name + ".svg", figure.svg);
   }
+  for (const Page& page : findings.pages) {
+    writeFileAtomically(folder + "/" + page.name + ".html", page.html);
+  }
   writeFileAtomically(folder + "/results.json", results.dump(1) + "\n");
   writeFileAtomically(folder + "/tables.txt", text);
 }

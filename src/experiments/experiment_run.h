@@ -23,8 +23,8 @@ struct ExperimentOutcome {
 };
 
 /// Computes the cells of `part` that `folder`/cells does not hold. Once all cells are there, writes
-/// the tables (text, CSV), figures (SVG) and results (JSON) to `folder`; their bytes depend on data
-/// and experiment only. `data_digest`: of the images. Throws Error, Cancelled.
+/// the tables (text, CSV), figures (SVG), pages (HTML) and results (JSON) to `folder`; their bytes
+/// depend on data and experiment only. `data_digest`: of the images. Throws Error, Cancelled.
 ExperimentOutcome runExperiment(Experiment& experiment, const std::string& folder,
                                 const std::string& data_digest, const Part& part,
                                 const Progress& progress);

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "experiments/place_training.h"
 #include "experiments/training_subsets.h"
+#include "experiments/viewpoint_page.h"
 
 namespace place_recognition {
 namespace {
@@ -128,6 +129,7 @@ Findings LearningCurveExperiment::findings(const std::vector<Json>& results) con
                    "Viewpoints (twelve successive images of a room) without which the rate on the "
                    "other sets falls most",
                    {{"trained on", "room", "viewpoint", "rate, %", "change, points"}}};
+  std::vector<ShownViewpoint> shown;
   for (std::size_t set = 0; set < results.size(); ++set) {
     const double all = results[set].at("all");
     for (const Json& view : salient(results[set])) {
@@ -135,9 +137,11 @@ Findings LearningCurveExperiment::findings(const std::vector<Json>& results) con
       viewpoints.rows.push_back({sets_[set].name, view.at("place").get<std::string>(),
                                  view.at("number").dump(), fixed(100 * rate, 1),
                                  fixed(100 * (rate - all), 1)});
+      shown.push_back({sets_[set].name, view.at("place"), view.at("number"), all, rate,
+                       imagesOf(sets_[set], view.at("place"), view.at("number"))});
     }
   }
-  return {{curve, viewpoints}, {}};
+  return {{curve, viewpoints}, {}, {{"viewpoints", viewpointPage(shown)}}};
 }
 
 }  // namespace place_recognition

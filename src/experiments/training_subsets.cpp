@@ -5,8 +5,6 @@
 namespace place_recognition {
 namespace {
 
-constexpr std::size_t kAngles = 12;  // of a marker of KTH-INDECS
-
 /// The samples of `train` by place, each list in their order.
 std::vector<std::vector<int>> byPlace(const std::vector<int>& train, const SetSamples& samples) {
   std::vector<std::vector<int>> places(static_cast<std::size_t>(samples.place_count));
@@ -39,10 +37,10 @@ std::vector<Viewpoint> viewpointsOf(const std::vector<int>& train, const SetSamp
   std::vector<Viewpoint> viewpoints;
   int place = 0;
   for (const std::vector<int>& all : byPlace(train, samples)) {
-    for (std::size_t begin = 0; begin < all.size(); begin += kAngles) {
-      const std::size_t end = std::min(all.size(), begin + kAngles);
+    for (std::size_t begin = 0; begin < all.size(); begin += kViewpointSamples) {
+      const std::size_t end = std::min(all.size(), begin + kViewpointSamples);
       viewpoints.push_back({place,
-                            static_cast<int>(begin / kAngles) + 1,
+                            static_cast<int>(begin / kViewpointSamples) + 1,
                             {all.begin() + static_cast<std::ptrdiff_t>(begin),
                              all.begin() + static_cast<std::ptrdiff_t>(end)}});
     }

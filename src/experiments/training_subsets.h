@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ enum class SubsetKind {
 std::vector<int> subsetOf(const std::vector<int>& train, const SetSamples& samples, int count,
                           SubsetKind kind);
 
-/// Twelve successive samples of one place, or what is left of them.
+constexpr std::size_t kViewpointSamples = 12;  ///< angles of a marker of KTH-INDECS
+
+/// As many successive samples of one place, or what is left of them.
 struct Viewpoint {
   int place = 0;
   int number = 0;  ///< within the place, from 1

@@ -1,5 +1,8 @@
 #include "report/html_page.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "report/svg.h"
 
 namespace place_recognition {
@@ -24,12 +27,36 @@ figcaption { font-size: 0.85em; color: #666; max-width: 320px }
 svg { max-width: 100% }
 )";
 
+std::string base64(const std::string& bytes) {
+  static constexpr char kDigits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string htmlPage(const std::string& title, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
          escapeMarkup(title) + "</title>\n<style>\n" + kStyle + "</style>\n</head>\n<body>\n" +
          body + "</body>\n</html>\n";
+}
+
+std::string htmlImage(const std::string& jpeg, int width, const std::string& caption) {
+  return "<figure><img width=\"" + std::to_string(width) +
+         "\" alt=\"\" src=\"data:image/jpeg;base64," + base64(jpeg) + "\"><figcaption>" + caption +
+         "</figcaption></figure>\n";
 }
 
 std::string htmlTable(const TextRows& rows) {

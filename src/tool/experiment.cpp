@@ -4,6 +4,7 @@
 
 #include "datasets/layout_sets.h"
 #include "experiments/categories_experiment.h"
+#include "experiments/cues_experiment.h"
 #include "experiments/experiment_run.h"
 #include "experiments/figures_experiment.h"
 #include "experiments/final_experiment.h"
@@ -60,6 +61,7 @@ std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
   if (options.name == "categories") {
     return std::make_unique<CategoriesExperiment>(std::move(sets), threads);
   }
+  if (options.name == "cues") return std::make_unique<CuesExperiment>(std::move(sets), threads);
   if (options.name == "figures") return std::make_unique<FiguresExperiment>();
   const auto sweep = options.name == "bins" ? HistogramSweep::kBins : HistogramSweep::kDescriptors;
   return std::make_unique<HistogramExperiment>(sweep, std::move(sets), options.max_dimensions,
@@ -113,13 +115,14 @@ void runExperimentVerb(const ExperimentOptions& options) {
 void addExperiment(CommandLine& tool) {
   Verb& verb = tool.verb("experiment", "Repeats an experiment of the thesis");
   const auto options = std::make_shared<ExperimentOptions>();
-  verb.argument("NAME", options->name,
-                "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
-                "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, which need no "
-                "--data; learning-curve: how many images and which viewpoints are needed; "
-                "categories: rooms of a building that was not learned")
+  verb.argument(
+          "NAME", options->name,
+          "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
+          "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, which need no "
+          "--data; learning-curve: how many images and which viewpoints are needed; "
+          "categories: rooms of a building that was not learned; cues: ways of combining several")
       .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials",
-              "figures", "learning-curve", "categories"});
+              "figures", "learning-curve", "categories", "cues"});
   verb.option("--data", "DIR", options->data,
               "Folder of images: CONDITION/ROOM/IMAGE; materials: MATERIAL/SAMPLE/IMAGE; "
               "categories: BUILDING/CONDITION/ROOM/IMAGE");

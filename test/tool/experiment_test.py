@@ -77,6 +77,27 @@ class PlacesTest(ExperimentCase):
         self.assertEqual(vectors, sorted(vectors, reverse=True))
         self.assertTrue((self.folder / "out/reduction_global.svg").is_file())
 
+    def test_salient_viewpoints_are_shown(self):
+        self.write_indecs(views=13)  # two viewpoints a room
+        self.experiment("learning-curve")
+        rows = self.table("out/viewpoints.csv")[1:]
+        self.assertEqual(len(rows), 3 * 5)
+        page = (self.folder / "out/viewpoints.html").read_text()
+        self.assertEqual(page.count("data:image/jpeg;base64,"), len(rows))
+        for row in rows:
+            self.assertIn(f"{row[1]}, viewpoint {row[2]}: {row[3]} % without it", page)
+
+    def test_cues_are_combined_in_two_ways(self):
+        self.write_indecs(views=8)
+        self.experiment("cues")
+        rows = self.table("out/cues.csv")[1:]
+        self.assertEqual([row[:2] for row in rows],
+                         [[cues, name] for cues in ("thesis", "default")
+                          for name in (*CONDITIONS, "mean")])
+        for row in rows:
+            for rate in row[3:]:
+                self.assertGreater(float(rate), 60, row)  # chance: 33 %
+
     def test_every_nth_picture(self):
         self.write_indecs()
         self.assertEqual(self.experiment("indecs-global", "--every", 2)["pictures"], 27)
