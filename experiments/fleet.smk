@@ -1,0 +1,90 @@
+# A model for each of many buildings, and one report of all.
+#
+#   snakemake -s experiments/fleet.smk --cores all --config buildings=site out=fleet
+#   snakemake -s experiments/fleet.smk --profile experiments/slurm --config buildings=site out=fleet
+#
+# `buildings` holds a folder for each building: BUILDING/train with the recordings to learn (bags, or
+# folders of room/image), and BUILDING/test, if there is one, with those to evaluate the model on.
+# `out` gets models/BUILDING.places, BUILDING/report/report.html and, of all, report.html and
+# report.md. It must lie on a disk that all machines see. A job that is killed is started again.
+# --config:
+#   config   preset or YAML file of `train`; left out: the default
+#   tune     1: search for a configuration of each building first; slow
+#   options  further options of `train`, as in "--set sampling.rate=5"
+#   tool     place_tool, if it is not on PATH
+
+from pathlib import Path
+
+BUILDINGS, OUT = Path(config["buildings"]), config["out"]
+TOOL, OPTIONS = config.get("tool", "place_tool"), config.get("options", "")
+TUNE = str(config.get("tune", "0")) not in ("0", "no", "false", "False")
+REPORT = Path(workflow.basedir) / "fleet_report.py"
+
+names = sorted(folder.name for folder in BUILDINGS.iterdir() if (folder / "train").is_dir())
+if not names:
+    raise SystemExit(f"{BUILDINGS} holds no BUILDING/train folder with recordings.")
+tested = [name for name in names if (BUILDINGS / name / "test").is_dir()]
+
+
+def configuration(wildcards):
+    return [f"{OUT}/{wildcards.name}/tuned.yaml"] if TUNE else []
+
+
+def configured(wildcards, input):
+    chosen = input[0] if input else config.get("config")
+    return f"--config {chosen}" if chosen else ""
+
+
+wildcard_constraints:
+    name="[^/]+",
+
+
+localrules: all, report
+
+
+rule all:
+    input: OUT + "/report.html"
+
+
+rule tune:
+    output: OUT + "/{name}/tuned.yaml"
+    params: runs=lambda wildcards: BUILDINGS / wildcards.name / "train"
+    threads: 2
+    retries: 3
+    shell: "{TOOL} tune {params.runs:q} --out {output:q} --threads {threads} --progress none"
+
+
+rule train:
+    input: configuration
+    output:
+        model=OUT + "/models/{name}.places",
+        figures=OUT + "/{name}/training.json",
+    params:
+        runs=lambda wildcards: BUILDINGS / wildcards.name / "train",
+        configured=configured,
+    threads: 2
+    retries: 3
+    shell:
+        "{TOOL} train {params.runs:q} --model {output.model:q} --json {output.figures:q}"
+        " {params.configured} {OPTIONS} --threads {threads} --progress none"
+
+
+rule evaluate:
+    input: OUT + "/models/{name}.places"
+    output:
+        figures=OUT + "/{name}/evaluation.json",
+        report=directory(OUT + "/{name}/report"),
+    params: runs=lambda wildcards: BUILDINGS / wildcards.name / "test"
+    retries: 3
+    shell:
+        "{TOOL} evaluate --model {input:q} {params.runs:q} --json {output.figures:q}"
+        " --report {output.report:q} --progress none"
+
+
+rule report:
+    input:
+        expand(OUT + "/{name}/training.json", name=names),
+        expand(OUT + "/{name}/evaluation.json", name=tested),
+    output: OUT + "/report.html", OUT + "/report.md"
+    params: script=REPORT
+    shell: "python3 {params.script:q} {OUT:q}"

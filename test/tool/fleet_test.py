@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""experiments/fleet.smk on painted buildings, and the report of all of them."""
+import json
+import shutil
+import subprocess
+import sys
+import unittest
+
+from tool_case import PLACE_TOOL, SOURCE, ToolCase
+
+
+def training(images=40, warnings=()):
+    return {"images": images, "rooms": {"hall": {"count": 20}, "lab": {"count": 20}},
+            "support_vectors": 12, "model_bytes": 2048, "warnings": list(warnings),
+            "validation": {"average_rate": 0.975, "calibration_error": 0.01,
+                           "rooms": ["hall", "lab"]}}
+
+
+def evaluation(rate):
+    return {"average_rate": rate, "calibration_error": 0.125, "unknown_share": 0.05,
+            "rooms": {"hall": {"rate": 1.0, "count": 9}, "lab": {"rate": 2 * rate - 1, "count": 9}},
+            "warnings": []}
+
+
+class ReportTest(ToolCase):
+    def write(self, name, content):
+        path = self.folder / "out" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(json.dumps(content))
+
+    def report(self):
+        result = subprocess.run([sys.executable, str(SOURCE / "experiments/fleet_report.py"), "out"],
+                                cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return [(self.folder / "out" / name).read_text() for name in ("report.md", "report.html")]
+
+    def test_the_worst_building_comes_first_and_one_without_a_test_last(self):
+        self.write("annex/training.json", training())
+        self.write("good/training.json", training())
+        self.write("good/evaluation.json", evaluation(0.95))
+        self.write("poor/training.json", training())
+        self.write("poor/evaluation.json", evaluation(0.75))
+        markdown, page = self.report()
+        rows = markdown.splitlines()[2:]
+        self.assertEqual(rows[0], "| poor | 2 | 40 | 12 | 2 | 97.5 % | 75.0 % | 0.125 | 5.0 % | "
+                                  "lab (50.0 %) |")
+        self.assertEqual([row.split(" | ")[0] for row in rows], ["| poor", "| good", "| annex"])
+        self.assertIn('<a href="poor/report/report.html">poor</a>', page)
+        self.assertNotIn("annex/report", page)
+
+    def test_names_and_warnings_are_shown_as_they_are(self):
+        self.write("B & <C>/training.json", training(warnings=["'a' and <b> look alike"]))
+        markdown, page = self.report()
+        self.assertIn("- 'a' and <b> look alike", markdown)
+        self.assertIn("B &amp; &lt;C&gt;", page)
+        self.assertIn("&#x27;a&#x27; and &lt;b&gt; look alike", page)
+
+
+@unittest.skipUnless(shutil.which("snakemake"), "snakemake is not installed")
+class WorkflowTest(ToolCase):
+    def run_workflow(self, *options, **config):
+        settings = {"buildings": "site", "out": "fleet", "tool": PLACE_TOOL, **config}
+        return subprocess.run(
+            ["snakemake", "-s", str(SOURCE / "experiments/fleet.smk"), "--cores", "2", *options,
+             "--config", *(f"{key}={value}" for key, value in settings.items())],
+            cwd=self.folder, env=self.environment(), capture_output=True, text=True, timeout=300,
+            check=False)
+
+    def test_each_building_gets_the_model_that_train_makes(self):
+        for seed, name in enumerate(("north wing", "south")):
+            self.write_run(f"site/{name}/train/monday", seed=seed)
+        self.write_run("site/south/test/tuesday", seed=7)
+        result = self.run_workflow(options="--config crfh")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for name in ("north wing", "south"):
+            self.run_tool("train", f"site/{name}/train", "--model", f"by_hand/{name}.places",
+                          "--config", "crfh")
+            self.assertEqual((self.folder / f"fleet/models/{name}.places").read_bytes(),
+                             (self.folder / f"by_hand/{name}.places").read_bytes())
+        report = (self.folder / "fleet/report.md").read_text()
+        self.assertIn("| south | 3 | 24 |", report)
+        self.assertTrue((self.folder / "fleet/south/report/report.html").is_file())
+        self.assertIn("Nothing to be done", self.run_workflow(options="--config crfh").stderr)
+
+    def test_a_folder_without_buildings_is_refused(self):
+        (self.folder / "site").mkdir()
+        result = self.run_workflow()
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("site holds no BUILDING/train folder", result.stderr + result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
