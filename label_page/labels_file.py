@@ -39,9 +39,9 @@ def check_name(name):
         raise Problem(f"The name of a room has 1 to {MAX_NAME_BYTES} bytes; this one has {size}.")
     if any(unicodedata.category(character) == "Cc" for character in name):
         raise Problem("The name of a room has no line breaks, tabs or control characters.")
-    if name == UNKNOWN:
-        raise Problem(f"'{UNKNOWN}' is the answer for places that are not known; choose another "
-                      "name.")
+    if name.casefold() == UNKNOWN:
+        raise Problem(f"'{name}' is the answer for places that are not known; rename the place, or "
+                      "leave it without a label.")
 
 
 def checked(spans):

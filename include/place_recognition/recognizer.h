@@ -40,8 +40,8 @@ class Recognizer {
 
   /// An image by itself, of whose light nothing is known: CV_8UC3 in BGR order or CV_8UC1, not
   /// empty. The result stays valid until the next call. An image from which no cue could be
-  /// extracted, or that shows too little (InformationOptions), has place -1, uniform probabilities
-  /// and a reason.
+  /// extracted, or that shows one colour or too little (InformationOptions), has place -1, uniform
+  /// probabilities and a reason.
   const Recognition& recognize(const cv::Mat& image);
 
   /// The next frame of a stream, of `stamp`, s: those before it that are neither black nor white
@@ -86,7 +86,7 @@ class Recognizer {
   const Recognition& combine(const CueAnswers& answers, double certainty, bool embeddings_are_held,
                              double evidence_shift);
   void decide(double evidence_shift);
-  void answerNothing(const std::string& reason);
+  const Recognition& answerNothing(const std::string& reason);
 
   std::shared_ptr<const Model> model_;
   std::unique_ptr<CueExtraction> extraction_;

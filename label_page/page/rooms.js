@@ -39,7 +39,9 @@ export function faultOfName(name) {
   if (!name) return "A room has a name.";
   if (bytes > kMaxBytes) return `A name has at most ${kMaxBytes} bytes; this one has ${bytes}.`;
   if (/[\p{Cc}\p{Cs}]/u.test(name)) return "A name has no control characters.";
-  if (name === "unknown") return "“unknown” is the answer for places that are not known.";
+  if (name.toLowerCase() === "unknown") {
+    return "“unknown” is the answer for places that are not known; leave it without a label.";
+  }
   return "";
 }
 

@@ -51,6 +51,20 @@ bool isPlaceName(const std::string& name) {
 
 std::string placeName(const std::string& text) { return isUtf8(text) ? tidied(text) : text; }
 
+std::string whyNoPlaceName(const std::string& text) {
+  if (!isUtf8(text)) return "is no place name, for it is not UTF-8; save it in UTF-8.";
+  const std::string name = placeName(text);
+  if (!isPlaceName(name)) {
+    return "is no place name (1 to 128 bytes of UTF-8 without line breaks and the like); rename "
+           "the place.";
+  }
+  if (caseFolded(name) == kUnknownPlace) {
+    return "is the answer for places that are not known; rename the place, or leave it without a "
+           "label.";
+  }
+  return "";
+}
+
 std::vector<std::string> warnOfLikeNames(const std::vector<std::string>& names) {
   std::vector<std::string> warnings;
   std::map<std::string, std::string> seen;

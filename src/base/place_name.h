@@ -9,7 +9,7 @@ namespace place_recognition {
 /// What a model may know at most; what is kept of pairs of places takes memory by its square.
 constexpr std::size_t kMaxPlaces = 2000;
 
-/// What stands for a place that is not known; no place may be called so.
+/// What stands for a place that is not known; no place may be called so, in any case of letters.
 constexpr const char* kUnknownPlace = "unknown";
 
 /// Whether `text` is well-formed UTF-8 (RFC 3629).
@@ -23,6 +23,10 @@ bool isPlaceName(const std::string& name);
 /// ends, so that one room written in two ways is one place. Text that is not UTF-8 is left as it
 /// is.
 std::string placeName(const std::string& text);
+
+/// Why placeName() of `text` cannot name a place that is learned, and what to do; a sentence that
+/// goes on from the name. Empty: it can.
+std::string whyNoPlaceName(const std::string& text);
 
 /// A sentence for each two of `names` that may be meant for one place, as they differ in upper and
 /// lower case only, or are alike (see likeness()).

@@ -28,6 +28,12 @@ constexpr std::array<std::string_view, 20> kUnread{
     "gif", "heic", "heif", "avif", "jxl", "svg", "psd", "dng", "cr2", "nef",
     "arw", "raw",  "exr",  "mp4",  "mov", "avi", "mkv", "zip", "tar", "gz"};
 
+/// Endings behind that of an image, of copies that editors keep and of files that are not whole
+/// yet.
+constexpr std::array<std::string_view, 16> kCopies{
+    "tmp",        "temp", "part",   "partial", "filepart", "crdownload", "download", "opdownload",
+    "unfinished", "bak",  "backup", "old",     "orig",     "save",       "swp",      "copy"};
+
 constexpr std::array<std::string_view, 18> kCameAlong{
     "__macosx",    "thumbs.db",   "ehthumbs.db",
     "desktop.ini", "@eadir",      "#recycle",
@@ -55,6 +61,12 @@ bool lacksEnding(const std::string& name) {
   return std::all_of(ending.begin(), ending.end(), isDigit);
 }
 
+/// As in "0017.jpg.part" and "0017.jpg~".
+bool isCopyOfImage(const std::string& name) {
+  if (!name.empty() && name.back() == '~') return isImageName(name.substr(0, name.size() - 1));
+  return isOneOf(endingOf(name), kCopies) && isImageName(fs::path(name).stem().string());
+}
+
 /// The number that starts at `i`, without leading zeros, as digits; moves `i` behind it.
 std::string digits(const std::string& text, std::size_t& i) {
   const std::size_t start = i;
@@ -78,17 +90,20 @@ bool hasImagesOrDatesOfThem(const fs::path& folder) {
   });
 }
 
-/// "3 .heic files and 1 .gif file", of the endings that `told` is true for.
+/// "3 .heic files and 1 .gif file", of the names that `told` is true for.
 template <typename Told>
 std::string countedByEnding(const std::vector<std::string>& names, Told told) {
   std::map<std::string, int> counts;
   for (const std::string& name : names) {
-    if (told(endingOf(name))) ++counts[endingOf(name)];
+    if (told(name)) ++counts[endingOf(name)];
   }
   std::string text;
-  for (const auto& [ending, count] : counts) {
-    text += (text.empty() ? "" : " and ") + std::to_string(count) +
-            (ending.empty() ? "" : " ." + ending) + (count == 1 ? " file" : " files");
+  for (auto next = counts.begin(); next != counts.end(); ++next) {
+    const auto& [ending, count] = *next;
+    const bool is_last = std::next(next) == counts.end();
+    text += text.empty() ? "" : is_last ? " and " : ", ";
+    text += std::to_string(count) + (ending.empty() ? "" : " ." + ending) +
+            (count == 1 ? " file" : " files");
   }
   return text;
 }
@@ -131,11 +146,18 @@ class Search {
     for (const std::string& name : entries.dead) {
       warn(folder / name, "it is a link that leads nowhere");
     }
+    if (entries.images.empty()) return;  // whyNothing() tells of the others
     const std::string unread = countedByEnding(
-        entries.others, [](const std::string& ending) { return isOneOf(ending, kUnread); });
-    if (!unread.empty() && !entries.images.empty()) {
+        entries.others, [](const std::string& name) { return isOneOf(endingOf(name), kUnread); });
+    if (!unread.empty()) {
       found_.warnings.push_back(folder.string() + ": " + unread +
                                 " cannot be read; convert them to PNG or JPEG.");
+    }
+    const std::string copies = countedByEnding(entries.others, isCopyOfImage);
+    if (!copies.empty()) {
+      found_.warnings.push_back(folder.string() + ": left out are " + copies +
+                                ", by their names unfinished or older copies of images; rename "
+                                "those that are to count.");
     }
   }
 

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
+#include "recognition/frames/left_out_frames.h"
 
 namespace place_recognition {
 namespace {
@@ -59,16 +60,10 @@ class Evaluator {
     }
     const std::string stage = "Recognizing " + recording.name();
     report(progress, stage, 0);
-    std::uint64_t unlabelled = 0, unreadable = 0;
-    std::string first_problem;
+    LeftOutFrames left_out;
     for (Frame frame; recording.next(frame);) {
       ++images_;
-      if (frame.place.empty()) {
-        ++unlabelled;
-      } else if (frame.image.empty()) {
-        if (unreadable++ == 0) first_problem = frame.name + ": " + frame.problem;
-        if (first_problem_.empty()) first_problem_ = first_problem;
-      } else {
+      if (!left_out.takes(frame)) {
         for (const std::string& warning : recognizer_.judge(frame)) {
           evaluation_.warnings.push_back(recording.name() + ": " + warning);
         }
@@ -80,8 +75,10 @@ class Evaluator {
     takeSmoothed();
     evaluation_.warnings.insert(evaluation_.warnings.end(), recording.warnings().begin(),
                                 recording.warnings().end());
-    warn(recording.name(), unlabelled, "without label");
-    warn(recording.name(), unreadable, "that cannot be used (" + first_problem + ")");
+    for (const std::string& sentence : left_out.sentences(recording.name())) {
+      evaluation_.warnings.push_back(sentence);
+    }
+    if (first_problem_.empty()) first_problem_ = left_out.firstProblem();
   }
 
   Evaluation finish() {
@@ -137,12 +134,6 @@ class Evaluator {
     if (static_cast<std::size_t>(place - wrong.begin()) >= wrong_images_) return;
     wrong.insert(place, {evaluation_.frames.size() - 1, thumbnail(image)});
     if (wrong.size() > wrong_images_) wrong.pop_back();
-  }
-
-  void warn(const std::string& recording, std::uint64_t count, const std::string& why) {
-    if (count == 0) return;
-    evaluation_.warnings.push_back(recording + ": left out are " + counted(count, "image") + " " +
-                                   why + ".");
   }
 
   void requireLearnedPlaces() const {

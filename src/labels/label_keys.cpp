@@ -18,7 +18,7 @@ constexpr char kNoPlaceKey = '0';
 LabelKeys::LabelKeys(std::vector<std::string> places, std::vector<int> buttons, int no_place_button)
     : places_(std::move(places)), buttons_(std::move(buttons)), no_place_button_(no_place_button) {
   for (std::string& place : places_) {
-    checkNewLabel(place, "The parameter ~places");
+    checkLabel(place, "The parameter ~places");
     place = placeName(place);
   }
   if (places_.size() > kKeys.size()) {

@@ -123,24 +123,8 @@ std::string addLines(const std::vector<LabelLine>& lines, const std::string& pat
 }  // namespace
 
 void checkLabel(const std::string& label, const std::string& where) {
-  if (isPlaceName(placeName(label))) return;
-  if (!isUtf8(label)) {
-    throw Error(where + ": the label " + inQuotes(label) +
-                " is no place name, for it is not UTF-8; save it in UTF-8.");
-  }
-  throw Error(
-      where + ": the label " + inQuotes(label) +
-      " is no place name (1 to 128 bytes of UTF-8 without line breaks and the like); a file "
-      "RUN.labels.yaml beside RUN.bag can set it right.");
-}
-
-void checkNewLabel(const std::string& label, const std::string& where) {
-  checkLabel(label, where);
-  if (placeName(label) == kUnknownPlace) {
-    throw Error(where +
-                ": 'unknown' is the answer for places that are not known; choose another "
-                "name, or an empty one for no place.");
-  }
+  const std::string why_not = whyNoPlaceName(label);
+  if (!why_not.empty()) throw Error(where + ": the label " + inQuotes(label) + " " + why_not);
 }
 
 Labels Labels::wholeBag(const std::string& place) {

@@ -8,12 +8,9 @@
 
 namespace place_recognition {
 
-/// Throws Error unless placeName() of `label` can name a place (see isPlaceName()); `where` tells
-/// where it stands.
+/// Throws Error unless `label` can name a place that is learned (see whyNoPlaceName()); `where`
+/// tells where it stands.
 void checkLabel(const std::string& label, const std::string& where);
-
-/// The same for a label that is being given, which may not be 'unknown' either.
-void checkNewLabel(const std::string& label, const std::string& where);
 
 /// Which place a recording shows at which time. Times are bag times, when messages were recorded
 /// (as rosbag play and rqt_bag show them), s.

@@ -74,7 +74,7 @@ void checkOutline(const Polygon& outline, const std::string& where) {
 }
 
 RoomPolygon toPolygon(const PlaceEntry& entry, const std::string& where) {
-  checkNewLabel(entry.name, where);
+  checkLabel(entry.name, where);
   RoomPolygon room{placeName(entry.name), toOutline(entry, where)};
   checkOutline(room.corners, where);
   return room;

@@ -19,8 +19,9 @@ void UnusableImages::requireOthers(std::size_t images) const {
 
 void UnusableImages::warn(std::ostream& out) const {
   if (count_ == 0) return;
-  out << "warning: " << count_ << (count_ == 1 ? " image" : " images")
-      << " cannot be used and were passed over (" << first_ << ").\n";
+  out << "warning: " << count_
+      << (count_ == 1 ? " image cannot be used and was" : " images cannot be used and were")
+      << " passed over (" << first_ << ").\n";
 }
 
 }  // namespace place_recognition::tool

@@ -78,14 +78,15 @@ TEST(Evaluate, AnswersEveryLabelledImage) {
   std::vector<Frame> frames = drawFrames(4, 6, 200);  // room3 was never learned
   frames[0].place.clear();
   frames[7].image = cv::Mat();
+  frames[8].image = cv::Mat::zeros(72, 96, CV_8UC3);  // no fault of the model
   const Evaluation evaluation =
       evaluate(model(), {opener(frames, "day"), opener(drawFrames(2, 3, 300), "night")}, 2);
-  EXPECT_EQ(evaluation.frames.size(), 24u - 2 + 6);
+  EXPECT_EQ(evaluation.frames.size(), 24u - 3 + 6);
   EXPECT_EQ(evaluation.places, (std::vector<std::string>{"room0", "room1", "room2", "room3"}));
   EXPECT_EQ(evaluation.model_places, 3u);
   EXPECT_EQ(evaluation.recordings, (std::vector<std::string>{"day", "night"}));
   EXPECT_EQ(evaluation.frames.back().recording, 1);
-  EXPECT_EQ(evaluation.warnings.size(), 3u);
+  EXPECT_EQ(evaluation.warnings.size(), 4u);
   EXPECT_GT(summarize(evaluation).average_rate, 0.8);
 }
 

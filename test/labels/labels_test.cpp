@@ -90,6 +90,9 @@ TEST_F(LabelFiles, FaultsAreNamed) {
   EXPECT_NE(errorOf("labels.dat", "1000 a\nkitchen\n").find("line 2"), std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "1000\n").find("line 1"), std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "1000 a\x80\n").find("no place name"), std::string::npos);
+  EXPECT_NE(errorOf("labels.dat", "1000 a\n1001 Unknown\n")
+                .find("line 2: the label 'Unknown' is the answer for places that are not known"),
+            std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "").find("no label falls into the bag"), std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "990 a\n").find("no label falls"), std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "1101 a\n").find("no label falls"), std::string::npos);
@@ -102,6 +105,8 @@ TEST_F(LabelFiles, FaultsAreNamed) {
   EXPECT_NE(yaml("labels: [{from: .nan, to: 8, place: a}]"), "");
   EXPECT_NE(yaml("labels: [{from: 1, to: 8, place: \"a\\nb\"}]").find("'a?b'"), std::string::npos);
   EXPECT_NE(yaml("labels: [{from: 1, to: 8}]").find("no place name"), std::string::npos);
+  EXPECT_NE(yaml("labels: [{from: 1, place: unknown}]").find("is the answer for places"),
+            std::string::npos);
   EXPECT_NE(yaml("labels: [{from: 1, until: 8, place: a}]").find("until"), std::string::npos);
   EXPECT_NE(yaml("times: bag\nlabels: [{from: 1, place: a}]").find("'bag'"), std::string::npos);
   EXPECT_NE(yaml("labels: [{from: 101, place: a}]").find("no label falls"), std::string::npos);

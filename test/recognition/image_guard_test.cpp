@@ -77,19 +77,21 @@ TEST(ImageGuard, SaysOnceWhatIsWrong) {
   expectSaidOnce({grey_in_colour, grey(two)}, "grey");
 }
 
-TEST(ImageGuard, KnowsACameraThatIsBlackOrWhite) {
-  ImageProfile profile = drawn();
-  profile.colour = false;
-  ImageGuard guard(profile, {});
-  ASSERT_EQ(guard.judge(uniform(3, 0), 0).size(), 1u);
+TEST(ImageGuard, KnowsACameraThatShowsOneColour) {
+  ImageGuard guard(drawn(), {});
+  ASSERT_EQ(guard.judge(uniform(0, 0), 0).size(), 1u);
   EXPECT_EQ(guard.problem(), "Images are black");
   ASSERT_EQ(guard.judge(uniform(254, 1), 1).size(), 1u);
   EXPECT_EQ(guard.problem(), "Images are white");
-  EXPECT_EQ(guard.judge(uniform(100, 2), 2), Sentences());
+  ASSERT_EQ(guard.judge(uniform(100, 2), 2).size(), 1u);
+  EXPECT_EQ(guard.problem(), "Images show nothing but one colour");
+  EXPECT_TRUE(guard.blind());
+  const cv::Mat green(72, 96, CV_8UC3, cv::Scalar(0, 135, 0));  // zeros as YUV
+  guard.judge(green, 3);
+  EXPECT_EQ(guard.problem(), "Images show nothing but one colour");
+  guard.judge(drawRoom(0, 1), 4);
   EXPECT_EQ(guard.problem(), "");
-
-  profile.darkest = 4;  // rooms without any light
-  EXPECT_EQ(ImageGuard(profile, {}).judge(uniform(3, 0), 0), Sentences());
+  EXPECT_FALSE(guard.blind());
 }
 
 TEST(ImageGuard, LargerImagesAreNoProblemButWorthAWord) {

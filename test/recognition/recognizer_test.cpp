@@ -69,7 +69,9 @@ TEST(Recognizer, AnswersImagesThatShowTooLittleWithTheReason) {
   const std::shared_ptr<const Model> model = modelOf(options);
   Recognizer recognizer(std::make_shared<const Model>(parseModel(serializeModel(*model), "test")));
   EXPECT_GE(recognizer.recognize(drawRoom(0, 300)).place, 0);
-  const cv::Mat wall(72, 96, CV_8UC3, cv::Scalar(200, 210, 220));
+  cv::Mat wall(72, 96, CV_8UC3, cv::Scalar(200, 210, 220));
+  cv::rectangle(wall, {0, 0, 20, 72}, cv::Scalar(170, 180, 190), cv::FILLED);  // a soft shadow
+  cv::blur(wall, wall, {31, 31});
   for (const Recognition& answer : {recognizer.recognize(wall), recognizer.recognize(wall, 1.0)}) {
     EXPECT_EQ(answer.place, -1);
     EXPECT_FALSE(answer.known);
@@ -77,6 +79,19 @@ TEST(Recognizer, AnswersImagesThatShowTooLittleWithTheReason) {
   }
   EXPECT_GE(recognizer.recognize(drawRoom(0, 300), 1.1).place, 0);
   EXPECT_GE(Recognizer(modelOf(quickOptions())).recognize(wall).place, 0) << "off by default";
+}
+
+TEST(Recognizer, AnswersImagesOfOneColourWithTheReason) {
+  Recognizer recognizer(modelOf(quickOptions()));
+  const Recognition before = recognizer.recognize(drawRoom(0, 300), 1.0);
+  const cv::Mat covered(72, 96, CV_8UC3, cv::Scalar(20, 10, 60));
+  for (const Recognition& answer :
+       {recognizer.recognize(covered), recognizer.recognize(covered, 1.1)}) {
+    EXPECT_EQ(answer.place, -1);
+    EXPECT_FALSE(answer.known);
+    EXPECT_EQ(answer.reason, "the image shows nothing but one colour");
+  }
+  EXPECT_EQ(recognizer.recognize(drawRoom(0, 300), 1.2).decision_values, before.decision_values);
 }
 
 TEST(Recognizer, LeavesOutACueThatTheImageLacks) {

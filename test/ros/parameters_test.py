@@ -32,8 +32,7 @@ class ParametersTest(NodeCase):
         say.wait_for_service(60)
         self.assertEqual(say(" Ku\u0308che ").message, "In 'K\u00fcche'.")
         self.assertEqual(say(" ").message, "The place: the label ' ' is no place name (1 to 128 bytes of "
-                         "UTF-8 without line breaks and the like); a file RUN.labels.yaml beside RUN.bag "
-                         "can set it right.")
+                         "UTF-8 without line breaks and the like); rename the place.")
         node.interrupt()
 
     def test_typed_lists_are_read_as_they_are_meant(self):
@@ -80,7 +79,7 @@ class ParametersTest(NodeCase):
         node = self.start_node("place_recognizer", "_modle:=rooms", "_image_transport:=raw",
                                "lazy:=false", "_diagnostic_period:=1")
         self.expect(node, "~modle of /place_recognizer is not known", "is ~model meant?",
-                    "write _lazy:=false")
+                    "The argument lazy:=false sets no parameter of /place_recognizer; write _lazy:=false.")
         self.assertNotIn("~image_transport", node.output)
         self.assertNotIn("~diagnostic_period", node.output)
         self.assertEqual(node.interrupt(), 0)
@@ -89,9 +88,18 @@ class ParametersTest(NodeCase):
         (self.folder / "rooms.yaml").write_text("places: [{name: a, position: [[0, 0], [1, 0], [1, 1]]}]")
         self.expect_end(self.start_node("auto_labeler", "_rooms:=rooms.yaml", "_pose_timeout:=1e30"), 1,
                         "~pose_timeout is 1e+30; give a number from 0 to 3600")
+        self.expect_end(self.start_node("place_recognizer", "_model:=rooms", "image_timeout:=3"),
+                        1, "The argument image_timeout:=3", "write _image_timeout:=3")
         node = self.start_node("trainer", "_bag_root:=/data")
         self.expect(node, "is ~bag_roots meant?")
         node.interrupt()
+
+    def test_a_nodelet_names_arguments_that_set_nothing(self):
+        manager = self.start(os.environ["PLACE_RECOGNITION_NODELET_MANAGER"], "__name:=manager")
+        self.start("rosrun", "nodelet", "nodelet", "load", "place_recognition/PlaceRecognizer", "/manager",
+                   "__name:=eyes", "__ns:=/robot", "_model:=rooms", "lazy:=false", "image:=/camera")
+        self.expect(manager, "The argument lazy:=false sets no parameter of /robot/eyes; write _lazy:=false.")
+        self.assertNotIn("argument image", manager.output)
 
 
 if __name__ == "__main__":

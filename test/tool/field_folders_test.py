@@ -97,6 +97,20 @@ class FolderTest(FieldCase):
         self.assert_names(self.run_tool("import", "run", "--out", "run2.bag").stderr,
                           "'loft' is not in the bag: its images cannot be used (run/loft/1.jpg")
 
+    def test_copies_of_pictures_are_counted(self):
+        self.write_run("run")
+        kitchen = self.folder / "run/kitchen"
+        whole = next(kitchen.iterdir()).read_bytes()
+        for name in ("1.jpg.tmp", "2.jpg.tmp", "3.JPG.part", "4.png.crdownload", "5.jpg~", "6.jpg.bak",
+                     "7.jpg.swp", "notes.txt~", "8.jpg.json"):
+            (kitchen / name).write_bytes(whole)
+        for said in (self.train("run")[1],
+                     self.run_tool("import", "run", "--out", "run.bag").stderr):
+            self.assertEqual(said.count("run/kitchen: left out are 1 .bak file, 1 .crdownload file, "
+                                        "1 .jpg~ file, 1 .part file, 1 .swp file and 2 .tmp files, by "
+                                        "their names unfinished or older copies of images; rename those "
+                                        "that are to count."), 1, said)
+
     def test_a_model_of_any_name_is_told_from_other_files(self):
         self.write_run("run")
         self.succeed("train", "run", "--model", "./plain", "--config", "crfh_colour")

@@ -13,6 +13,9 @@ namespace {
 /// would change them.
 constexpr int kFrozenRepeats = 9;
 constexpr double kFrozenTime = 3;
+/// Uniform images of such a brightness are called black and white.
+constexpr double kBlackest = 10;
+constexpr double kWhitest = 245;
 /// Ratios of width to height that differ by less than this, relatively, are due to rounding.
 constexpr double kSameRatio = 0.02;
 /// Images that are enlarged by more than this lack detail that the model goes by.
@@ -23,15 +26,6 @@ std::string text(cv::Size size) {
 }
 
 double ratio(cv::Size size) { return static_cast<double>(size.width) / size.height; }
-
-/// Whether an image is darker, or brighter, than a room without light that was trained on.
-bool isTooDark(const ImageStatistics& image, const ImageProfile& trained) {
-  return isBlack(image) && (!trained.known() || image.brightness < trained.darkest / 2);
-}
-
-bool isTooBright(const ImageStatistics& image, const ImageProfile& trained) {
-  return isWhite(image) && (!trained.known() || image.brightness > trained.brightest);
-}
 
 }  // namespace
 
@@ -45,15 +39,12 @@ std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
   const ImageStatistics statistics = statisticsOf(image);
   if (trained_.known()) {
     judgeSize(image.size());
-    if (trained_.colour && !statistics.colour) {
+    if (trained_.colour && !statistics.colour && !isUniform(statistics)) {
       fault(kGrey, "Images are grey, but the model was trained on colour",
             "check the camera's encoding");
     }
   }
-  if (isTooDark(statistics, trained_)) {
-    fault(kBlack, "Images are black", "check the lens, the exposure and the light");
-  }
-  if (isTooBright(statistics, trained_)) fault(kWhite, "Images are white", "check the exposure");
+  if (isUniform(statistics)) judgeUniform(statistics.brightness);
   if (isFrozen(image, stamp)) {
     fault(kFrozen, "The camera sends the same image again and again", "check its driver");
   }
@@ -80,6 +71,16 @@ void ImageGuard::judgeSize(cv::Size size) {
   }
 }
 
+void ImageGuard::judgeUniform(double brightness) {
+  if (brightness <= kBlackest) {
+    fault(kBlack, "Images are black", "check the lens, the exposure and the light");
+  } else if (brightness >= kWhitest) {
+    fault(kWhite, "Images are white", "check the exposure");
+  } else {
+    fault(kOneColour, "Images show nothing but one colour", "check the lens and the cable");
+  }
+}
+
 /// Two images are taken for the same if sampledRows() are.
 bool ImageGuard::isFrozen(const cv::Mat& image, double stamp) {
   const cv::Mat rows = sampledRows(image);
@@ -97,7 +98,7 @@ bool ImageGuard::isFrozen(const cv::Mat& image, double stamp) {
 
 void ImageGuard::fault(Kind kind, const std::string& what, const std::string& advice) {
   problem_ += (problem_.empty() ? "" : "; ") + what;
-  blind_ |= kind == kBlack || kind == kWhite || kind == kFrozen;
+  blind_ |= kind >= kBlack;
   say(kind, what + "; " + advice + ".");
 }
 

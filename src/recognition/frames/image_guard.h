@@ -25,14 +25,14 @@ class ImageGuard {
   /// What is wrong with the last image, without a full stop; empty: nothing.
   const std::string& problem() const { return problem_; }
 
-  /// Whether the camera shows nothing: the last image was black or white, or the same again and
-  /// again.
+  /// Whether the camera shows nothing: the last image was uniform, or the same again and again.
   bool blind() const { return blind_; }
 
  private:
-  enum Kind { kSize, kAspectRatio, kGrey, kBlack, kWhite, kFrozen, kKinds };
+  enum Kind { kSize, kAspectRatio, kGrey, kBlack, kWhite, kOneColour, kFrozen, kKinds };
 
   void judgeSize(cv::Size size);
+  void judgeUniform(double brightness);
   bool isFrozen(const cv::Mat& image, double stamp);
   /// `what` is wrong now; it is said, with advice, once.
   void fault(Kind kind, const std::string& what, const std::string& advice);

@@ -16,17 +16,20 @@ cv::Mat sampledRows(const cv::Mat& image);
 /// One image as a whole, from sampledRows().
 struct ImageStatistics {
   double brightness = 0;  ///< mean of all pixels and channels, 0..255
-  double contrast = 0;    ///< their standard deviation
+  double contrast = 0;    ///< the largest standard deviation of a channel
   bool colour = false;    ///< the channels differ by more than what decoding grey JPEG leaves
 };
 
 /// `image`: CV_8UC3 or CV_8UC1, not empty.
 ImageStatistics statisticsOf(const cv::Mat& image);
 
-/// Nearly uniform, as no lit scene is but for the noise of a sensor, and as dark or as bright as
-/// images get: a covered lens, a camera that starts or is blinded.
-bool isBlack(const ImageStatistics& image);
-bool isWhite(const ImageStatistics& image);
+/// Whether all pixels are equal but for the noise of a sensor, as in no view of a room: a covered
+/// lens, a camera that starts, is blinded or has lost its signal. Such images are neither learned
+/// nor recognized.
+bool isUniform(const ImageStatistics& image);
+
+/// What is wrong with a uniform image; follows a noun that stands for the image.
+constexpr const char* kUniformProblem = "shows nothing but one colour";
 
 /// The size that `runs` are learned at: that of the run whose first image is the smallest, because
 /// detail can be taken from an image but not added; and the depth of all runs. Not known if no run

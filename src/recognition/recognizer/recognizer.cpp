@@ -14,11 +14,7 @@
 namespace place_recognition {
 namespace {
 
-/// A blank image tells neither the light nor the evidence of the frames that follow.
-bool isBlank(const cv::Mat& image) {
-  const ImageStatistics statistics = statisticsOf(image);
-  return isBlack(statistics) || isWhite(statistics);
-}
+const std::string kUniformReason = std::string("the image ") + kUniformProblem;
 
 }  // namespace
 
@@ -47,6 +43,7 @@ Recognizer::Recognizer(Recognizer&&) noexcept = default;
 Recognizer& Recognizer::operator=(Recognizer&&) noexcept = default;
 
 const Recognition& Recognizer::recognize(const cv::Mat& image) {
+  if (isUniform(statisticsOf(image))) return answerNothing(kUniformReason);
   askCues({}, image, true, image_answers_);
   return combine(image_answers_, unknown_light_, false, 0);
 }
@@ -54,12 +51,12 @@ const Recognition& Recognizer::recognize(const cv::Mat& image) {
 const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
   light_->beginFrame(stamp);
   evidence_shift_->beginFrame(stamp);
+  if (isUniform(statisticsOf(image))) return answerNothing(kUniformReason);
   const bool compute = embeddingsAreDue(stamp);
   if (compute) embedding_stamp_ = stamp;
   stamp_ = stamp;
   askCues(light_->correction(), image, compute, stream_answers_);
   combine(stream_answers_, light_->certainty(), !compute, evidence_shift_->value());
-  if (isBlank(image)) return recognition_;
   light_->add(extraction_->colour(), recognition_.probabilities);
   if (recognition_.place >= 0) {
     evidence_shift_->add(recognition_.probabilities, recognition_.decision_values, log_odds_);
@@ -140,7 +137,7 @@ void Recognizer::decide(double evidence_shift) {
   recognition_.reason.clear();
 }
 
-void Recognizer::answerNothing(const std::string& reason) {
+const Recognition& Recognizer::answerNothing(const std::string& reason) {
   const double places = static_cast<double>(model_->places.size());
   recognition_.decision_values.setZero();
   recognition_.probabilities.setConstant(1 / places);
@@ -149,6 +146,7 @@ void Recognizer::answerNothing(const std::string& reason) {
   recognition_.evidence = 0;
   recognition_.known = false;
   recognition_.reason = reason.empty() ? "the image has no feature of a cue that counts" : reason;
+  return recognition_;
 }
 
 }  // namespace place_recognition

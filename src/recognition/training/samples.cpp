@@ -13,6 +13,7 @@
 #include "recognition/frames/extraction_pool.h"
 #include "recognition/frames/image_guard.h"
 #include "recognition/frames/image_profile.h"
+#include "recognition/frames/left_out_frames.h"
 #include "recognition/frames/light.h"
 #include "recognition/training/halving_sample.h"
 #include "recognition/training/labelled_light.h"
@@ -41,29 +42,6 @@ struct Seen {
   double stamp = 0;
   std::string place;  // empty: unlabelled
 };
-
-/// Why frames of one recording were left out.
-struct Skipped {
-  std::uint64_t unlabelled = 0;
-  std::uint64_t problems = 0;
-  std::string first_problem;
-
-  std::uint64_t total() const { return unlabelled + problems; }
-  void add(const std::string& name, const std::string& problem) {
-    if (problems++ == 0) first_problem = name + ": " + problem;
-  }
-};
-
-std::string warningOf(const std::string& recording, const Skipped& skipped) {
-  std::string text = recording + ": left out are ";
-  if (skipped.unlabelled > 0) text += counted(skipped.unlabelled, "image") + " without label";
-  if (skipped.unlabelled > 0 && skipped.problems > 0) text += " and ";
-  if (skipped.problems > 0) {
-    text +=
-        counted(skipped.problems, "image") + " that cannot be used (" + skipped.first_problem + ")";
-  }
-  return text + ".";
-}
 
 /// One camera during a run.
 struct CameraStream {
@@ -108,7 +86,7 @@ class Collector {
  private:
   void read(Recording& recording, const Progress& progress) {
     inputs_.push_back(recording.name());
-    skipped_.emplace_back();
+    left_out_.emplace_back();
     seen_.emplace_back();
     recording.setDepthExtent(expected_.depth);
     std::vector<CameraStream> streams = streamsOf(recording);
@@ -150,8 +128,10 @@ class Collector {
     learnRooms(samples);
     samples.warnings.insert(samples.warnings.end(), warnings_.begin(), warnings_.end());
     for (std::size_t r = 0; r < inputs_.size(); ++r) {
-      samples.skipped += skipped_[r].total();
-      if (skipped_[r].total() > 0) samples.warnings.push_back(warningOf(inputs_[r], skipped_[r]));
+      samples.skipped += left_out_[r].count();
+      for (const std::string& sentence : left_out_[r].sentences(inputs_[r])) {
+        samples.warnings.push_back(sentence);
+      }
     }
     warnOfPlaces(samples);
     return samples;
@@ -160,36 +140,28 @@ class Collector {
   void add(Frame frame, CameraStream& camera) {
     ++frames_;
     seen_.back().push_back({frame.stamp, frame.place});
-    if (frame.place.empty()) {
-      ++skipped_.back().unlabelled;
-    } else if (!isPlaceName(frame.place)) {
-      throw Error("The label of " + frame.name +
-                  " is not 1 to 128 bytes of printable UTF-8 text; "
-                  "rename the place.");
-    } else if (frame.place == kUnknownPlace) {
-      throw Error("The label of " + frame.name +
-                  " is 'unknown', which is the answer for places that are not known; rename the "
-                  "place, or leave its images unlabelled.");
-    } else if (frame.image.empty()) {
-      leaveOut(skipped_.back(), frame.place, frame.name, frame.problem);
-    } else if (!camera.rate.admits(frame.stamp)) {
+    requirePlaceName(frame);
+    if (left_out_.back().takes(frame)) return;
+    if (!camera.rate.admits(frame.stamp)) {
       ++passed_over_;
-    } else if (const std::optional<int> level = fraction_.next(frame.place)) {
-      for (const std::string& warning : camera.guard.judge(frame.image, frame.stamp)) {
-        warnings_.push_back(inputs_.back() + ": " + warning);
-      }
-      include(statisticsOf(frame.image), profile_);
-      const int recording = static_cast<int>(inputs_.size()) - 1;
-      records_.push_back(
-          {frame.place, recording, frame.stamp, camera.number, frame.name, *level, {}, {}});
-      const Light light = camera.light.next(frame);
-      pool_.submit(frame.image, records_.back().extracted, light);
-      if (change_) {
-        const ChangedImage changed = change_(frame.image, frame.place);
-        pool_.submit(changed.image, records_.back().changed, light * changed.correction);
-      }
-      if (records_.size() > 2 * most_) dropHalf();
+      return;
     }
+    const std::optional<int> level = fraction_.next(frame.place);
+    if (!level) return;
+    for (const std::string& warning : camera.guard.judge(frame.image, frame.stamp)) {
+      warnings_.push_back(inputs_.back() + ": " + warning);
+    }
+    include(statisticsOf(frame.image), profile_);
+    const int recording = static_cast<int>(inputs_.size()) - 1;
+    records_.push_back(
+        {frame.place, recording, frame.stamp, camera.number, frame.name, *level, {}, {}});
+    const Light light = camera.light.next(frame);
+    pool_.submit(frame.image, records_.back().extracted, light);
+    if (change_) {
+      const ChangedImage changed = change_(frame.image, frame.place);
+      pool_.submit(changed.image, records_.back().changed, light * changed.correction);
+    }
+    if (records_.size() > 2 * most_) dropHalf();
   }
 
   /// So that memory stays bounded.
@@ -206,16 +178,17 @@ class Collector {
     records_.erase(std::remove_if(records_.begin(), records_.end(), condition), records_.end());
   }
 
-  void leaveOut(Skipped& skipped, const std::string& place, const std::string& name,
-                const std::string& problem) {
-    skipped.add(name, problem);
-    first_problem_of_.emplace(place, name + ": " + problem);
+  static void requirePlaceName(const Frame& frame) {
+    const std::string why_not = frame.place.empty() ? "" : whyNoPlaceName(frame.place);
+    if (!why_not.empty()) {
+      throw Error("The label '" + frame.place + "' of " + frame.name + " " + why_not);
+    }
   }
 
   void dropFeatureless() {
     const auto featureless = [this](const Record& record) {
       if (record.hasFeature()) return false;
-      leaveOut(skipped_[record.recording], record.place, record.name, record.extracted.problem);
+      left_out_[record.recording].add(record.place, record.name, record.extracted.problem);
       return true;
     };
     dropRecords(featureless);
@@ -239,11 +212,19 @@ class Collector {
     labelled.erase("");
     for (const auto& [place, count] : labelled) {
       if (places_.count(place) > 0) continue;
-      const auto problem = first_problem_of_.find(place);
-      samples.warnings.push_back(
-          "'" + place + "' is not learned: its " + counted(count, "image") + " cannot be used" +
-          (problem == first_problem_of_.end() ? "" : " (" + problem->second + ")") + ".");
+      const std::string problem = firstProblemOf(place);
+      samples.warnings.push_back("'" + place + "' is not learned: its " + counted(count, "image") +
+                                 " cannot be used" + (problem.empty() ? "" : " (" + problem + ")") +
+                                 ".");
     }
+  }
+
+  std::string firstProblemOf(const std::string& place) const {
+    for (const LeftOutFrames& recording : left_out_) {
+      const auto problem = recording.firstProblems().find(place);
+      if (problem != recording.firstProblems().end()) return problem->second;
+    }
+    return "";
   }
 
   std::string whyTooFewPlaces() const {
@@ -254,9 +235,9 @@ class Collector {
       return "All images in " + recordings + " show one place, '" + *places_.begin() +
              "'; a model needs two places or more to tell apart.";
     }
-    for (const Skipped& skipped : skipped_) {
-      if (skipped.problems == 0) continue;
-      return "None of the images in " + recordings + " can be used (" + skipped.first_problem +
+    for (const LeftOutFrames& recording : left_out_) {
+      if (recording.firstProblem().empty()) continue;
+      return "None of the images in " + recordings + " can be used (" + recording.firstProblem() +
              "); give a run that has some.";
     }
     return "None of the " + std::to_string(frames_) + " images in " + recordings +
@@ -343,12 +324,11 @@ class Collector {
   }
 
   std::vector<std::string> inputs_;
-  std::vector<std::string> cameras_;                     // of all recordings
-  std::vector<std::vector<Seen>> seen_;                  // one per recording
-  std::vector<Skipped> skipped_;                         // one per recording
-  std::vector<std::string> warnings_;                    // of the recordings
-  std::map<std::string, std::string> first_problem_of_;  // place
-  std::deque<Record> records_;  // stay where they are while threads fill them
+  std::vector<std::string> cameras_;     // of all recordings
+  std::vector<std::vector<Seen>> seen_;  // one per recording
+  std::vector<LeftOutFrames> left_out_;  // one per recording
+  std::vector<std::string> warnings_;    // of the recordings
+  std::deque<Record> records_;           // stay where they are while threads fill them
   std::set<std::string> places_;
   std::uint64_t frames_ = 0;
   const ImageOptions image_options_;

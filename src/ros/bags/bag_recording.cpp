@@ -120,7 +120,7 @@ Labels readLabels(BagRecords& records, const BagInfo& info, const BagRecordingOp
     if (!placeName(record.text).empty()) {
       std::ostringstream where;
       where << records.path() << ", " << options.label_topic << " at " << record.time - info.start
-            << " s";
+            << " s (a file RUN.labels.yaml beside RUN.bag replaces the labels)";
       checkLabel(record.text, where.str());
     }
     labels.add(record.time, record.text);

@@ -126,7 +126,7 @@ std::string LabelledRecording::say(const std::string& name, const ros::Time& tim
 }
 
 std::string LabelledRecording::change(const std::string& name, const ros::Time& time) {
-  if (!name.empty()) checkNewLabel(name, "The place");
+  if (!name.empty()) checkLabel(name, "The place");
   const std::string place = placeName(name);
   if (place == place_) return place;
   place_ = place;

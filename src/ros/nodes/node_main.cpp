@@ -8,6 +8,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
@@ -78,12 +83,40 @@ class ClockWatch {
   ros::WallTime next_warning_ = ros::WallTime::now() + ros::WallDuration(kClockPatience);
 };
 
+/// Starts ROS; throws Error if an argument cannot be one.
+void initialize(int argc, char** argv, const char* name) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  try {
+    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  } catch (const ros::InvalidNameException& e) {
+    for (const std::string& argument : arguments) {
+      const std::size_t to = argument.find(":=");
+      std::string ignored;
+      if (to == std::string::npos || to == 0 || argument[0] == '_' ||
+          (ros::names::validate(argument.substr(0, to), ignored) &&
+           ros::names::validate(argument.substr(to + 2), ignored))) {
+        continue;
+      }
+      throw Error("The argument " + argument +
+                  " is no remapping of one name to another; if it is a "
+                  "parameter, write _" +
+                  argument + ".");
+    }
+    throw Error(e.what());
+  }
+}
+
 }  // namespace
 
 int runNode(int argc, char** argv, const char* name, const std::function<void()>& work) {
   // Names of rooms are UTF-8; without it log4cxx writes '?' for all that is not ASCII.
   std::setlocale(LC_CTYPE, "C.UTF-8");
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  try {
+    initialize(argc, argv, name);
+  } catch (const Error& e) {
+    std::cerr << name << ": " << e.what() << "\n";
+    return EXIT_FAILURE;
+  }
   ros::start();  // else the last NodeHandle to go would end ROS, and logging with it
   endOnRequest();
   int status = EXIT_SUCCESS;

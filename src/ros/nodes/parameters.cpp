@@ -8,6 +8,7 @@
 
 #include "base/nearest_name.h"
 #include "base/options.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "ros/nodes/parameter_value.h"
 
@@ -55,6 +56,20 @@ void requireWithin(Number value, Number least, Number most, const std::string& n
       ".");
 }
 
+/// The value of an argument `name:=value` of the node or nodelet, which ROS takes for the new name
+/// of a topic; empty: there is no such argument.
+std::string remapped(const std::string& name, const ros::NodeHandle& private_node) {
+  const std::string space = ros::names::parentNamespace(private_node.getNamespace());
+  for (const std::string& from :
+       {ros::names::append(space, name), ros::names::append(private_node.getNamespace(), name)}) {
+    const std::string to = private_node.resolveName(from);
+    if (to == from) continue;
+    const bool is_below = space != "/" && startsWith(to, space + "/");
+    return to.substr(is_below ? space.size() + 1 : 1);
+  }
+  return "";
+}
+
 XmlRpcValue valuesBelow(const ros::NodeHandle& private_node) {
   XmlRpcValue values;
   private_node.getParam("", values);
@@ -64,7 +79,9 @@ XmlRpcValue valuesBelow(const ros::NodeHandle& private_node) {
 }  // namespace
 
 Parameters::Parameters(const ros::NodeHandle& private_node)
-    : Parameters(private_node.getNamespace(), valuesBelow(private_node)) {}
+    : Parameters(private_node.getNamespace(), valuesBelow(private_node)) {
+  private_node_ = private_node;
+}
 
 Parameters::Parameters(std::string node, XmlRpcValue values)
     : node_(std::move(node)), values_(std::move(values)) {}
@@ -160,10 +177,11 @@ std::vector<std::string> Parameters::doubts() const {
           (meant.empty() ? "known are " + listed(known_) + "." : "is ~" + meant + " meant?"));
     }
   }
-  for (const auto& [from, to] : ros::names::getUnresolvedRemappings()) {
-    if (!contains(known_, from)) continue;
-    sentences.push_back("The argument " + from + ":=" + to + " sets no parameter; write _" + from +
-                        ":=" + to + ".");
+  for (const std::string& name : known_) {
+    const std::string value = private_node_ ? remapped(name, *private_node_) : "";
+    if (value.empty()) continue;
+    sentences.push_back("The argument " + name + ":=" + value + " sets no parameter of " + node_ +
+                        "; write _" + name + ":=" + value + ".");
   }
   return sentences;
 }

@@ -4,6 +4,7 @@
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,9 @@ class Parameters {
 
   /// A sentence for all that a person may have meant otherwise: each parameter that is set but that
   /// no function above was asked for, with the name that may be meant, but for those that belong to
-  /// the libraries in use; each argument `name:=value` of the program that remaps the name of a
-  /// parameter, which rosrun wants to be `_name:=value`; and each single name with commas where a
-  /// list is wanted.
+  /// the libraries in use; each argument `name:=value` of the program or nodelet that remaps a
+  /// topic by the name of a parameter, which is to be `_name:=value`; and each single name with
+  /// commas where a list is wanted.
   std::vector<std::string> doubts() const;
 
   /// Logs doubts() as warnings.
@@ -49,6 +50,7 @@ class Parameters {
   /// The known name that the unknown one may stand for; empty: none.
   std::string meantBy(const std::string& name, const XmlRpc::XmlRpcValue& value) const;
 
+  std::optional<ros::NodeHandle> private_node_;
   std::string node_;
   XmlRpc::XmlRpcValue values_;
   std::vector<std::string> known_;  // those asked for
