@@ -33,14 +33,27 @@ using RecordingOpener = std::function<std::unique_ptr<Recording>()>;
 Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,
                unsigned threads = 0, const Progress& progress = {});
 
+/// How a model learns on.
+struct IncrementalOptions {
+  /// Support vectors that each cue keeps at most: the threshold of shared-greedy reduction is
+  /// adapted to it, which forgets what matters least to all decision values together. 0: as many as
+  /// it needs, or the reduction that was asked for if that has a number or a tau.
+  int vector_limit = 0;
+  /// Within that limit, how much less the decision values at a vector count each time that its
+  /// place is learned again, 0..1. 0: it is forgotten for its weight only, not for its age.
+  double forgetting = 0;
+  /// The model of another robot, of which the support vectors are learned, too.
+  const Model* other = nullptr;
+};
+
 /// Learns on (thesis section 9.1): trains on what `model` remembers, its support vectors, and on
-/// the labelled frames of new `recordings`, which may hold known places or new ones; features,
-/// kernels and gammas stay those of the model. No cue keeps more than `vector_limit` support
-/// vectors: shared-greedy reduction forgets what matters least to all decision values together (0:
-/// as many as it needs, or the reduction that was asked for if that has a number or a tau).
-/// Held-out frames of the new runs and those that judged the model decide together on the weights
-/// of the cues and on the calibration. Errors as train(), but one new place is enough.
+/// the labelled frames of new `recordings`, which may hold known places or new ones (none, if there
+/// is another model); features, kernels and gammas stay those of the model. Held-out frames of the
+/// new runs and those that judged the models decide together on the weights of the cues and on the
+/// calibration. Errors as train(), but one new place is enough; and if the models were trained with
+/// different features.
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
-                            int vector_limit, unsigned threads = 0, const Progress& progress = {});
+                            const IncrementalOptions& incremental, unsigned threads = 0,
+                            const Progress& progress = {});
 
 }  // namespace place_recognition

@@ -8,27 +8,27 @@ namespace place_recognition {
 
 Classifier ClassifierParts::assemble(ClassifierParts parts) {
   assert(supportVectors(parts.machines).size() == parts.support_set.size());
-  assert(parts.vector_places.size() == parts.support_set.size());
+  assert(parts.origins.size() == parts.support_set.size());
   return Classifier(std::make_unique<const ClassifierParts>(std::move(parts)));
 }
 
 Classifier ClassifierParts::assemble(const KernelOptions& kernel, BinarySvms machines,
                                      std::vector<Feature> vectors,
-                                     const std::vector<int>& vector_places) {
+                                     const std::vector<VectorOrigin>& origins) {
   assert(machines.weights.rows() == static_cast<Eigen::Index>(vectors.size()));
-  assert(vector_places.size() == vectors.size());
+  assert(origins.size() == vectors.size());
   const std::vector<int> used = supportVectors(machines);
   Eigen::MatrixXd weights(used.size(), machines.weights.cols());
   std::vector<Feature> kept;
-  std::vector<int> kept_places;
+  std::vector<VectorOrigin> kept_origins;
   for (std::size_t i = 0; i < used.size(); ++i) {
     weights.row(static_cast<Eigen::Index>(i)) = machines.weights.row(used[i]);
     const auto vector = static_cast<std::size_t>(used[i]);
     kept.push_back(std::move(vectors[vector]));
-    kept_places.push_back(vector_places[vector]);
+    kept_origins.push_back(origins[vector]);
   }
   machines.weights = std::move(weights);
-  return assemble({std::move(machines), SupportSet(Kernel(kernel), kept), std::move(kept_places)});
+  return assemble({std::move(machines), SupportSet(Kernel(kernel), kept), std::move(kept_origins)});
 }
 
 Classifier::Classifier(std::unique_ptr<const ClassifierParts> parts) : parts_(std::move(parts)) {}
@@ -38,7 +38,7 @@ Classifier& Classifier::operator=(Classifier&&) noexcept = default;
 
 void Classifier::decisionValues(const Feature& feature, Eigen::VectorXd& kernel_values,
                                 Eigen::RowVectorXd& place_values) const {
-  const auto& [machines, support_set, vector_places] = *parts_;
+  const auto& [machines, support_set, origins] = *parts_;
   kernel_values.resize(static_cast<Eigen::Index>(support_set.size()));
   support_set.kernelValues(feature, kernel_values);
   place_values = placeValues(machines, machines.decisionValues(kernel_values.transpose()));

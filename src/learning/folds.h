@@ -10,6 +10,7 @@ struct SampleOrigin {
   int recording = 0;  ///< number of the recording
   double stamp = 0;   ///< s; only differences within a run count
   int camera = 0;     ///< of several that record a run together
+  int age = 0;        ///< how many times its place has been learned again since
 };
 
 /// How a run is cut for cross-validation.

@@ -63,7 +63,8 @@ void warnOfStart(const std::string& recording, const BagInfo& bag, bool among_ot
 std::vector<std::string> carriedLabels(const std::vector<std::string>& recordings,
                                        const BagRecordingOptions& options) {
   std::vector<std::string> carried(recordings.size());
-  const bool may_lack = recordings.size() > 1 || isLaterPart(recordings.front());
+  const bool may_lack =
+      recordings.size() > 1 || (!recordings.empty() && isLaterPart(recordings.front()));
   if (!may_lack || !options.label.empty()) return carried;
   std::vector<BagInfo> bags;
   for (const std::string& recording : recordings) bags.push_back(infoOf(recording, options));

@@ -23,8 +23,10 @@ struct TrainOptions {
   std::vector<std::string> inputs;
   std::string model;
   std::string add_to;
+  std::string from_model;
   std::vector<std::string> validate;
   int limit = 0;
+  double forgetting = 0;
   unsigned threads = 0;
   InputOptions input;
   ConfigurationOptions configuration;
@@ -90,9 +92,10 @@ std::string heldOutText(const Model& model) {
 }
 
 void printSummary(const Training& training, const std::string& path, std::uint64_t bytes,
-                  std::ostream& out) {
+                  const std::string& from_model, std::ostream& out) {
   const Model& model = training.model;
   out << "Learned " << model.places.size() << " places from " << training.images << " images";
+  if (!from_model.empty()) out << " and the model " << from_model;
   if (training.passed_over > 0) out << " of " << training.images + training.passed_over;
   out << " in " << std::fixed << std::setprecision(1) << training.seconds << " s:\n";
   for (std::size_t i = 0; i < model.places.size(); ++i) {
@@ -109,13 +112,21 @@ void printSummary(const Training& training, const std::string& path, std::uint64
       << std::endl;
 }
 
-/// From nothing, or on from a model.
+/// From nothing, or on from a model, with another one or without.
 Training learn(const TrainOptions& options, const std::vector<RecordingOpener>& recordings,
                const TrainingOptions& training_options, const Progress& progress) {
   if (options.add_to.empty()) {
     return place_recognition::train(recordings, training_options, options.threads, progress);
   }
-  return trainIncrementally(loadModel(modelPath(options.add_to)), recordings, options.limit,
+  IncrementalOptions incremental;
+  incremental.vector_limit = options.limit;
+  incremental.forgetting = options.forgetting;
+  std::optional<Model> other;
+  if (!options.from_model.empty()) {
+    other = loadModel(modelPath(options.from_model));
+    incremental.other = &*other;
+  }
+  return trainIncrementally(loadModel(modelPath(options.add_to)), recordings, incremental,
                             options.threads, progress);
 }
 
@@ -133,6 +144,13 @@ std::optional<Replacement> replacementOf(const TrainOptions& options, const std:
 }
 
 void train(const TrainOptions& options) {
+  if (options.inputs.empty() && options.from_model.empty()) {
+    throw UsageError("INPUT is required, a run to learn from");
+  }
+  const BagRecordingOptions& bag = options.input.bag;
+  if (options.inputs.empty() && !(bag.label.empty() && bag.labels_file.empty())) {
+    throw UsageError("--label and --labels are of an INPUT; give one");
+  }
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);
   requireWritable(path);
@@ -147,7 +165,7 @@ void train(const TrainOptions& options) {
   display.clear();
 
   for (const std::string& warning : training.warnings) std::cerr << "warning: " << warning << "\n";
-  printSummary(training, path, bytes, options.output.text());
+  printSummary(training, path, bytes, options.from_model, options.output.text());
   Json json = figures(training, path, bytes);
   if (rate) {
     options.output.text() << "On the runs of --validate " << percent(*rate)
@@ -162,7 +180,7 @@ void train(const TrainOptions& options) {
 void addTrain(CommandLine& tool) {
   Verb& verb = tool.verb("train", "Learns a model from labelled runs");
   const auto options = std::make_shared<TrainOptions>();
-  verb.argument("INPUT", options->inputs, kInputHelp);
+  verb.argument("INPUT", options->inputs, kInputHelp, false);
   verb.option("--model", "NAME", options->model,
               "Name of the model, or a file: a name with a slash or ending in .places")
       .required();
@@ -170,10 +188,19 @@ void addTrain(CommandLine& tool) {
               "Learn on from this model: keep its features and what it remembers")
       .excludes("--config")
       .excludes("--set");
+  verb.option("--from-model", "NAME", options->from_model,
+              "With --add-to: learn what this model of another robot remembers, too; no INPUT is "
+              "needed then. Both must have been trained with the same configuration")
+      .needs("--add-to");
   verb.option("--limit", "N", options->limit,
               "With --add-to: support vectors that each cue may keep; 0: as many as it needs")
       .needs("--add-to")
       .range(0, 1000000);
+  verb.option("--forgetting", "SHARE", options->forgetting,
+              "With --limit: by how much less a view counts each time that its room is learned "
+              "again, 0..0.99; 0: what is forgotten does not depend on its age")
+      .needs("--limit")
+      .range(0, 0.99);
   verb.option(
       "--validate", "RUN", options->validate,
       "Replace the model only if the new one is no worse, by more than a standard error, on "
@@ -185,7 +212,8 @@ void addTrain(CommandLine& tool) {
   verb.footer(
       "Example:\n"
       "  place_tool train monday.bag tuesday.bag --model office --config crfh_colour\n"
-      "  place_tool train wednesday.bag --add-to office --limit 500 --model office");
+      "  place_tool train wednesday.bag --add-to office --limit 500 --model office\n"
+      "  place_tool train --add-to office --from-model other_robot --model both");
   verb.run([options] { train(*options); });
 }
 

@@ -287,7 +287,7 @@ TEST(TrainingOnCameras, LearnsTheirCorrelationWhichTheFileKeeps) {
   EXPECT_EQ(read.cameras.cameras, model.cameras.cameras);
   EXPECT_EQ(read.cameras.coefficients, model.cameras.coefficients);
 
-  const Model more = trainIncrementally(model, {opener(drawFrames(3, 10, 500))}, 0).model;
+  const Model more = trainIncrementally(model, {opener(drawFrames(3, 10, 500))}, {0}).model;
   EXPECT_EQ(more.cameras.coefficients, model.cameras.coefficients);
   EXPECT_FALSE(train({opener(drawFrames(3, 20))}, quickOptions()).model.cameras.known());
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "features/small_network.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
@@ -35,7 +36,7 @@ std::vector<Frame> framesOf(const std::string& room, unsigned first_frame) {
 TEST(TrainIncrementally, ANewRoomJoinsTheOnesThatAreRemembered) {
   const Training before = train({opener(drawFrames(3, 15), "monday")}, quickOptions());
   const Training after =
-      trainIncrementally(before.model, {opener(framesOf("room3", 100), "tuesday")}, 0);
+      trainIncrementally(before.model, {opener(framesOf("room3", 100), "tuesday")}, {0});
   EXPECT_EQ(after.model.places, (std::vector<std::string>{"room0", "room1", "room2", "room3"}));
   EXPECT_EQ(after.images, 15u);
   EXPECT_EQ(after.model.provenance.place_images, (std::vector<std::uint64_t>{15, 15, 15, 15}));
@@ -47,7 +48,7 @@ TEST(TrainIncrementally, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
   options.reduction.method = "none";
   Training training = train({opener(drawFrames(3, 20), "monday")}, options);
   for (const unsigned first_frame : {100u, 200u, 300u}) {
-    training = trainIncrementally(training.model, {opener(framesOf("room1", first_frame))}, 20);
+    training = trainIncrementally(training.model, {opener(framesOf("room1", first_frame))}, {20});
     for (const Classifier& classifier : training.model.classifiers) {
       EXPECT_LE(classifier.supportVectorCount(), 20u);
     }
@@ -61,7 +62,7 @@ TEST(TrainIncrementally, KeepsTheNetworkThatTheModelCarries) {
   options.cues[1].kernel.type = "gaussian";
   const std::string file = serializeModel(train({opener(drawFrames(3, 12))}, options).model);
   const Training after =
-      trainIncrementally(parseModel(file, "once"), {opener(drawFrames(3, 6, 700))}, 15);
+      trainIncrementally(parseModel(file, "once"), {opener(drawFrames(3, 6, 700))}, {15});
   const auto& embedding = std::get<EmbeddingOptions>(after.model.options.cues[1].feature);
   EXPECT_EQ(embedding.loaded->onnx, SmallNetwork::onnx());
   EXPECT_EQ(embedding.loaded->sha256, SmallNetwork::network()->sha256);
@@ -74,8 +75,8 @@ TEST(TrainIncrementally, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
   const std::string file = serializeModel(before.model);
   const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 6, 700))};
   const std::string once =
-      serializeModel(trainIncrementally(before.model, recordings, 15, 1).model);
-  EXPECT_EQ(serializeModel(trainIncrementally(parseModel(file, "once"), recordings, 15, 3).model),
+      serializeModel(trainIncrementally(before.model, recordings, {15}, 1).model);
+  EXPECT_EQ(serializeModel(trainIncrementally(parseModel(file, "once"), recordings, {15}, 3).model),
             once);
 }
 
@@ -102,7 +103,7 @@ void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOpti
   const auto before =
       std::make_shared<const Model>(train({opener(drawFrames(3, 30))}, options).model);
   const auto after =
-      std::make_shared<const Model>(trainIncrementally(*before, {opener(frames)}, 0).model);
+      std::make_shared<const Model>(trainIncrementally(*before, {opener(frames)}, {0}).model);
   const std::vector<Frame> others = drawFrames(2, 50, 5000);
   EXPECT_NEAR(fractionsOf(after, others).right, fractionsOf(before, others).right, 0.02);
   EXPECT_NEAR(fractionsOf(after, others).unknown, fractionsOf(before, others).unknown, 0.02);
@@ -126,20 +127,124 @@ TEST(TrainIncrementally, ARoomOfManyImagesLeavesTheOtherRoomsAsTheyWere) {
 TEST(TrainIncrementally, WithoutALimitKeepsAsManyVectorsAsItNeeds) {
   TrainingOptions options = quickOptions();
   const Training before = train({opener(drawFrames(3, 30))}, options);
-  const Training after = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, 0);
+  const Training after = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, {0});
   EXPECT_EQ(after.model.asked.reduction.method, "auto");
   EXPECT_EQ(after.model.supportVectorCount(), after.unreduced_vectors[0]);
   // A limit holds for the run that it was given for.
-  const Training limited = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, 10);
+  const Training limited = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, {10});
   EXPECT_LE(limited.model.supportVectorCount(), 10u);
   EXPECT_EQ(limited.model.asked.reduction.method, "auto");
 }
 
 TEST(TrainIncrementally, FeaturesAndGammaStayThoseOfTheModel) {
   const Training before = train({opener(drawFrames(3, 12))}, quickOptions());
-  const Training after = trainIncrementally(before.model, {opener(drawFrames(3, 12, 60))}, 0);
+  const Training after = trainIncrementally(before.model, {opener(drawFrames(3, 12, 60))}, {0});
   EXPECT_EQ(after.model.options.cues[0].kernel.gamma, before.model.options.cues[0].kernel.gamma);
   EXPECT_GT(before.model.options.cues[0].kernel.gamma, 0);
+}
+
+IncrementalOptions from(const Model& other) {
+  IncrementalOptions incremental;
+  incremental.other = &other;
+  return incremental;
+}
+
+// Two robots, each of which has seen two of three rooms.
+TEST(TrainIncrementally, AnotherModelBringsItsRooms) {
+  std::vector<Frame> first, second;
+  for (const Frame& frame : drawFrames(3, 20)) {
+    if (frame.place != "room2") first.push_back(frame);
+  }
+  for (const Frame& frame : drawFrames(3, 20, 100)) {
+    if (frame.place != "room0") second.push_back(frame);
+  }
+  TrainingOptions options = twoCueOptions();
+  options.reduction.method = "none";
+  const Model a = train({opener(first, "first")}, options).model;
+  const Model b = train({opener(second, "second")}, options).model;
+  Training joined = trainIncrementally(a, {}, from(b));
+  EXPECT_EQ(joined.images, 0u);
+  EXPECT_EQ(joined.model.places, (std::vector<std::string>{"room0", "room1", "room2"}));
+  EXPECT_EQ(joined.model.provenance.place_images, (std::vector<std::uint64_t>{20, 40, 20}));
+  EXPECT_EQ(joined.model.provenance.inputs, (std::vector<std::string>{"first", "second"}));
+  EXPECT_EQ(joined.model.validatedPlaces(), joined.model.places) << "by the frames of both";
+  EXPECT_EQ(joined.model.held_out.places.size(),
+            a.held_out.places.size() + b.held_out.places.size());
+  EXPECT_GT(rateOn(std::move(joined.model), 3), 0.85);
+}
+
+TEST(TrainIncrementally, ARunCanComeWithAnotherModel) {
+  const Model a = train({opener(drawFrames(2, 15))}, quickOptions()).model;
+  const Model b = train({opener(drawFrames(3, 15, 200))}, quickOptions()).model;
+  const Training joined = trainIncrementally(a, {opener(framesOf("room3", 400))}, from(b));
+  EXPECT_EQ(joined.images, 15u);
+  EXPECT_EQ(joined.model.places, (std::vector<std::string>{"room0", "room1", "room2", "room3"}));
+}
+
+TEST(TrainIncrementally, AModelOfOtherFeaturesCannotJoin) {
+  const auto problem = [](const TrainingOptions& options, std::vector<Frame> frames) {
+    Model a = train({opener(drawFrames(2, 8))}, quickOptions()).model;
+    Model b = train({opener(std::move(frames))}, options).model;
+    a.name = "ours", b.name = "theirs";
+    try {
+      trainIncrementally(a, {}, from(b));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  TrainingOptions options = quickOptions();
+  EXPECT_EQ(problem(options, drawFrames(3, 8)), "");
+  EXPECT_EQ(problem(twoCueOptions(), drawFrames(2, 8)),
+            "The model 'theirs' cannot join 'ours': it has other cues; train both with the same "
+            "configuration.");
+  std::get<CrfhOptions>(options.cues[0].feature).bins = {7};
+  EXPECT_NE(problem(options, drawFrames(2, 8)).find("cue"), std::string::npos);
+  options = quickOptions();
+  options.image.max_width = 50;
+  EXPECT_NE(problem(options, drawFrames(2, 8)).find("pixels"), std::string::npos);
+}
+
+/// How many of a model's support vectors are of some age, of a room or, if empty, of all.
+int countOfAge(const Model& model, int age, const std::string& room) {
+  int count = 0;
+  for (const VectorOrigin& origin : ClassifierParts::of(model.classifiers[0]).origins) {
+    const std::string& place = model.places[static_cast<std::size_t>(origin.place)];
+    count += origin.age == age && (room.empty() || place == room) ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(TrainIncrementally, ViewsAgeAsTheirRoomIsLearnedAgain) {
+  TrainingOptions options = quickOptions();
+  options.reduction.method = "none";
+  Model model = train({opener(drawFrames(3, 15))}, options).model;
+  EXPECT_EQ(countOfAge(model, 0, ""), static_cast<int>(model.supportVectorCount()));
+  for (const unsigned first_frame : {100u, 200u}) {
+    const Model read = parseModel(serializeModel(model), "read");
+    model = trainIncrementally(read, {opener(framesOf("room1", first_frame))}, {}).model;
+  }
+  EXPECT_GT(countOfAge(model, 0, "room1"), 0);
+  EXPECT_GT(countOfAge(model, 1, "room1"), 0);
+  EXPECT_GT(countOfAge(model, 2, "room1"), 0);
+  EXPECT_GT(countOfAge(model, 0, "room0"), 0);
+  EXPECT_EQ(countOfAge(model, 1, "room0") + countOfAge(model, 2, "room0"), 0)
+      << "a room that does not come again is not forgotten";
+}
+
+// After the light has changed, the views of before only matter for themselves.
+TEST(TrainIncrementally, ForgettingKeepsFewerOldViews) {
+  TrainingOptions options = quickOptions();
+  options.reduction.method = "none";
+  const Model before = train({opener(drawFrames(3, 25))}, options).model;
+  std::vector<Frame> darker = drawFrames(3, 25, 300);
+  for (Frame& frame : darker) frame.image = frame.image / 2;
+  const auto oldViews = [&](double forgetting) {
+    const Model after = trainIncrementally(before, {opener(darker)}, {12, forgetting}).model;
+    EXPECT_EQ(after.supportVectorCount(), 12u);
+    return countOfAge(after, 1, "");
+  };
+  EXPECT_LT(oldViews(0.95), oldViews(0));
 }
 
 }  // namespace

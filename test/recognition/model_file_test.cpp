@@ -133,7 +133,7 @@ TEST(ModelFile, ReadsFilesOfEarlierVersions) {
   EXPECT_EQ(read.asked.validation.folds, 4);
   EXPECT_EQ(read.asked.validation.gap, 0);  // it was a number of frames
   EXPECT_TRUE(read.validatedPlaces().empty());
-  EXPECT_NO_THROW(trainIncrementally(read, {opener(drawFrames(3, 6, 700))}, 0));
+  EXPECT_NO_THROW(trainIncrementally(read, {opener(drawFrames(3, 6, 700))}, {0}));
 }
 
 TEST(ModelFile, KeepsWhichRoomsAdjoin) {
@@ -288,8 +288,8 @@ INSTANTIATE_TEST_SUITE_P(
                   [](auto& c) { std::fill_n(classifier(c).weights.begin(), 3, 0); }},
         Tampering{"BiasNan", [](auto& c) { classifier(c).biases[0] = kNan; }},
         Tampering{"BiasMissing", [](auto& c) { classifier(c).biases.pop_back(); }},
-        Tampering{"VectorOfNoPlace", [](auto& c) { classifier(c).vector_places[0] = 3; }},
-        Tampering{"VectorWithoutPlace", [](auto& c) { classifier(c).vector_places.pop_back(); }},
+        Tampering{"VectorOfNoPlace", [](auto& c) { classifier(c).vector_origins[0] = 3; }},
+        Tampering{"VectorWithoutPlace", [](auto& c) { classifier(c).vector_origins.pop_back(); }},
         Tampering{"SetsOfDescriptorsToo", [](auto& c) { classifier(c).set_sizes = {0}; }},
         Tampering{"DescriptorsToo", [](auto& c) { classifier(c).descriptors = {0}; }},
         Tampering{"TotalMissing", [](auto& c) { lists(c).totals.pop_back(); }},

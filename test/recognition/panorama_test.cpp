@@ -193,7 +193,7 @@ TEST(OmniTraining, FindsTheMirrorOnceAndKeepsIt) {
   // What is learned later is unrolled likewise, though no mirror can be found in it.
   std::vector<Frame> dark = omniFrames(3, 6, 900);
   for (Frame& frame : dark) frame.image = frame.image * 0.1;
-  const Model more = trainIncrementally(*model, {opener(dark)}, 0).model;
+  const Model more = trainIncrementally(*model, {opener(dark)}, {0}).model;
   EXPECT_EQ(more.asked.image.panorama.mirror, "found");
   EXPECT_EQ(more.options.image.panorama.outer, model->options.image.panorama.outer);
 }

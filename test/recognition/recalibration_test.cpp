@@ -92,7 +92,7 @@ TEST(TrainIncrementally, KeepsTheLightOfTheTraining) {
   for (CueOptions& cue : options.cues) cue.normalize = "run";
   const Model model = train({opener(drawFrames(3, 30))}, options).model;
   const Model after =
-      trainIncrementally(model, {opener(inDimLight(drawFrames(3, 30, 800)))}, 0).model;
+      trainIncrementally(model, {opener(inDimLight(drawFrames(3, 30, 800)))}, {0}).model;
   EXPECT_LT((after.colours.means - model.colours.means).cwiseAbs().maxCoeff(), 0.1);
 }
 

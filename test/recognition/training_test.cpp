@@ -161,7 +161,7 @@ TEST(Training, RunsOfDifferentSizesAreLearnedAtTheSmallest) {
 TEST(Training, LearnsOnAtTheSizeOfTheModel) {
   const Training before = train({opener(drawFrames(3, 12), "monday")}, quickOptions());
   const std::vector<Frame> same = drawFrames(3, 12, 100);
-  Training after = trainIncrementally(before.model, {opener(resized(same, 2), "tuesday")}, 0);
+  Training after = trainIncrementally(before.model, {opener(resized(same, 2), "tuesday")}, {0});
   EXPECT_EQ(after.model.images.width, 96);
   ASSERT_FALSE(after.warnings.empty());
   EXPECT_NE(after.warnings.back().find("192 x 144 are scaled to 96 x 72"), std::string::npos);

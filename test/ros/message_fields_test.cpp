@@ -24,6 +24,7 @@ Retrain::Request request() {
   request.model = "home";
   request.yaml = "seed: 2\nsvm: {c: 10}\n";
   request.vector_limit = 300;
+  request.forgetting = 0.3;
   request.recognizers = {"/front"};
   return request;
 }
@@ -68,6 +69,7 @@ TEST(FieldsOf, AGoalAreItsFieldsInTheirOrder) {
   EXPECT_EQ(fields["yaml"].values, Texts{request().yaml});
   EXPECT_EQ(fields["vector_limit"].values, Texts{"300"});
   EXPECT_EQ(fields["vector_limit"].type, "uint32");
+  EXPECT_EQ(fields["forgetting"].values, Texts{"0.3"});
   EXPECT_EQ(fields["recognizers"].values, Texts{"/front"});
 }
 

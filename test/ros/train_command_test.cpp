@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -83,6 +84,11 @@ TEST_F(TrainCommand, ToLearnOn) {
   EXPECT_TRUE(has("--add-to=monday"));
   EXPECT_TRUE(has("--limit=300"));
   EXPECT_TRUE(has("--threads=1"));
+  goal_.forgetting = 0.25;
+  goal_.from_model = "tuesday";
+  goal_.bags.clear();
+  EXPECT_TRUE(has("--forgetting=0.25"));
+  EXPECT_TRUE(has("--from-model=tuesday"));
 }
 
 TEST_F(TrainCommand, ToCalibrate) {
@@ -116,6 +122,12 @@ TEST_F(TrainCommand, BadFieldsAreNamed) {
   expectNamed("add_to", [](TrainGoal& g) { g.add_to = "monday", g.preset = "crfh"; });
   expectNamed("vector_limit", [](TrainGoal& g) { g.vector_limit = 10; });
   expectNamed("vector_limit", [](TrainGoal& g) { g.add_to = "a", g.vector_limit = 2000000; });
+  expectNamed("from_model", [](TrainGoal& g) { g.from_model = "a"; });
+  expectNamed("from_model", [](TrainGoal& g) { g.add_to = "a", g.from_model = "../b"; });
+  expectNamed("forgetting", [](TrainGoal& g) { g.add_to = "a", g.forgetting = 0.5; });
+  expectNamed("forgetting", [](TrainGoal& g) {
+    g.add_to = "a", g.vector_limit = 10, g.forgetting = std::nan("");
+  });
   expectNamed("calibrate", [](TrainGoal& g) { g.calibrate = true, g.preset = "crfh"; });
   expectNamed("calibrate", [](TrainGoal& g) { g.calibrate = true, g.add_to = "home"; });
   expectNamed("threads", [](TrainGoal& g) { g.threads = 100000; });

@@ -78,6 +78,27 @@ class TrainTest(ToolCase):
                                               status=2))
 
 
+    def test_it_learns_from_the_model_of_another_robot(self):
+        self.write_run("first", rooms=("kitchen", "corridor"))
+        self.write_run("second", seed=1, rooms=("corridor", "office"))
+        self.succeed("train", "first", "--model", "./a.places", *COLOUR)
+        self.succeed("train", "second", "--model", "./b.places", *COLOUR)
+        joined = ("train", "--add-to", "./a.places", "--from-model", "./b.places", "--model",
+                  "./both.places")
+        self.assertIn("Learned 3 places from 0 images and the model ./b.places",
+                      self.succeed(*joined))
+        self.assertEqual(self.figures(*joined, "--limit", 12, "--forgetting", "0.5")["rooms"],
+                         {"corridor": {"count": 16}, "kitchen": {"count": 8}, "office": {"count": 8}})
+        self.write_run("later", seed=2)
+        self.assertEqual(self.figures("evaluate", "later", "--model", "./both.places")["average_rate"],
+                         1)
+        self.succeed("train", "second", "--model", "./b.places", "--config", "lbp")
+        self.assertIn("cannot join", self.refuse(*joined))
+        self.assertIn("INPUT is required", self.refuse("train", "--add-to", "./a.places", "--model",
+                                                       "./a.places", status=2))
+        self.assertIn("--limit", self.refuse("train", "first", "--add-to", "./a.places", "--model",
+                                             "./a.places", "--forgetting", "0.5", status=2))
+
     def test_a_worse_model_replaces_none(self):
         self.write_run("monday")
         self.write_run("tuesday", seed=1)

@@ -88,4 +88,11 @@ void include(const ImageStatistics& image, ImageProfile& profile) {
   profile.brightest = std::max(profile.brightest, image.brightness);
 }
 
+void include(const ImageProfile& others, ImageProfile& profile) {
+  profile.colour = profile.colour || others.colour;
+  profile.darkest = std::min(profile.darkest, others.darkest);
+  profile.brightest = std::max(profile.brightest, others.brightest);
+  profile.depth = united(profile.depth, others.depth);
+}
+
 }  // namespace place_recognition

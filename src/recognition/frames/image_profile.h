@@ -36,7 +36,8 @@ constexpr const char* kUniformProblem = "shows nothing but one colour";
 /// has an image. Reads the runs up to their first image.
 ImageProfile commonSize(const std::vector<RecordingOpener>& recordings, const Progress& progress);
 
-/// Widens the ranges of `profile` so that they hold `image`; its size stays.
+/// Widens the ranges of `profile` so that they hold `image`, or all of `others`; its size stays.
 void include(const ImageStatistics& image, ImageProfile& profile);
+void include(const ImageProfile& others, ImageProfile& profile);
 
 }  // namespace place_recognition

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "base/place_name.h"
 #include "base/require.h"
 #include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
@@ -48,7 +49,7 @@ BinarySvms machinesOf(const ClassifierNumbers& numbers, const Model& model) {
   BinarySvms machines;
   machines.places = model.places.size();
   machines.one_against_one = model.options.svm.multiclass == "one-against-one";
-  const std::size_t vectors = numbers.vector_places.size();
+  const std::size_t vectors = numbers.vector_origins.size();
   const std::size_t count = machineCount(machines.places, machines.one_against_one);
   require(numbers.biases.size() == count, "the number of machines is not that of the places");
   require(numbers.weights.size() == vectors * count,
@@ -63,11 +64,27 @@ BinarySvms machinesOf(const ClassifierNumbers& numbers, const Model& model) {
   return machines;
 }
 
-std::vector<int> placesOf(const ClassifierNumbers& numbers, const Model& model) {
-  for (const std::uint32_t place : numbers.vector_places) {
-    require(place < model.places.size(), "a support vector is of a place that there is not");
+constexpr int kAgeBits = 16;
+constexpr std::uint32_t kLargest = (1u << kAgeBits) - 1;  // place, or age
+static_assert(kMaxPlaces <= kLargest);
+
+std::vector<std::uint32_t> packed(const std::vector<VectorOrigin>& origins) {
+  std::vector<std::uint32_t> numbers;
+  for (const VectorOrigin& origin : origins) {
+    const std::uint32_t age = std::min(kLargest, static_cast<std::uint32_t>(origin.age));
+    numbers.push_back(static_cast<std::uint32_t>(origin.place) | age << kAgeBits);
   }
-  return {numbers.vector_places.begin(), numbers.vector_places.end()};
+  return numbers;
+}
+
+std::vector<VectorOrigin> originsOf(const ClassifierNumbers& numbers, const Model& model) {
+  std::vector<VectorOrigin> origins;
+  for (const std::uint32_t number : numbers.vector_origins) {
+    const std::uint32_t place = number & kLargest;
+    require(place < model.places.size(), "a support vector is of a place that there is not");
+    origins.push_back({static_cast<int>(place), static_cast<int>(number >> kAgeBits)});
+  }
+  return origins;
 }
 
 /// The sizes must add up before anything is allocated for the sets.
@@ -77,7 +94,7 @@ std::vector<Feature> descriptorSets(const ClassifierNumbers& numbers) {
     require(size > 0, "a support vector is empty");
     total += size;
   }
-  require(numbers.set_sizes.size() == numbers.vector_places.size() &&
+  require(numbers.set_sizes.size() == numbers.vector_origins.size() &&
               numbers.descriptors.size() == total * DescriptorSet::kDimension,
           "the sizes of the support vectors do not add up");
   std::vector<Feature> sets;
@@ -99,7 +116,7 @@ SupportSet supportSetOf(ClassifierNumbers& numbers, const CueOptions& cue) {
           "the support vectors are not what the extractor gives");
   const Kernel kernel(cue.kernel);
   if (local) return SupportSet(kernel, descriptorSets(numbers));
-  require(lists.vectors() == numbers.vector_places.size(),
+  require(lists.vectors() == numbers.vector_origins.size(),
           "there are not as many totals as support vectors");
   numbers.lists.dimension = dimensionOf(cue.feature);
   return SupportSet(kernel, std::move(numbers.lists));
@@ -110,7 +127,7 @@ SupportSet supportSetOf(ClassifierNumbers& numbers, const CueOptions& cue) {
 ClassifierNumbers numbersOf(const Classifier& classifier) {
   ClassifierNumbers numbers;
   const ClassifierParts& parts = ClassifierParts::of(classifier);
-  numbers.vector_places.assign(parts.vector_places.begin(), parts.vector_places.end());
+  numbers.vector_origins = packed(parts.origins);
   const RowMajor weights = parts.machines.weights;
   const Eigen::RowVectorXd& biases = parts.machines.biases;
   numbers.weights.assign(weights.data(), weights.data() + weights.size());
@@ -121,9 +138,9 @@ ClassifierNumbers numbersOf(const Classifier& classifier) {
 
 Classifier classifierOf(ClassifierNumbers numbers, const Model& model, std::size_t cue) {
   BinarySvms machines = machinesOf(numbers, model);
-  std::vector<int> places = placesOf(numbers, model);
+  std::vector<VectorOrigin> origins = originsOf(numbers, model);
   return ClassifierParts::assemble(
-      {std::move(machines), supportSetOf(numbers, model.options.cues[cue]), std::move(places)});
+      {std::move(machines), supportSetOf(numbers, model.options.cues[cue]), std::move(origins)});
 }
 
 }  // namespace place_recognition

@@ -12,17 +12,18 @@ namespace place_recognition {
 /// The numbers of one classifier as a model file holds them. Support vectors are bin by bin, or, if
 /// they are sets of local descriptors, one after the other; the arrays of the other kind are empty.
 struct ClassifierNumbers {
-  std::vector<std::uint32_t> vector_places;  ///< where each vector was recorded, indices of places
-  std::vector<double> weights;               ///< vectors x machines, row-major
-  std::vector<double> biases;                ///< one per machine
-  PostingLists lists;                        ///< sparse and dense vectors
-  std::vector<std::uint32_t> set_sizes;      ///< descriptors of each set
-  HugeVector<std::uint8_t> descriptors;      ///< DescriptorSet::kDimension bytes each
+  /// Where each vector was recorded: the index of the place, in the upper 16 bits its age.
+  std::vector<std::uint32_t> vector_origins;
+  std::vector<double> weights;           ///< vectors x machines, row-major
+  std::vector<double> biases;            ///< one per machine
+  PostingLists lists;                    ///< sparse and dense vectors
+  std::vector<std::uint32_t> set_sizes;  ///< descriptors of each set
+  HugeVector<std::uint8_t> descriptors;  ///< DescriptorSet::kDimension bytes each
 
   /// Calls visitor(array) for each array, in the order of the file.
   template <typename Visitor>
   void visit(Visitor& visitor) {
-    visitor(vector_places);
+    visitor(vector_origins);
     visitor(weights);
     visitor(biases);
     visitor(lists.totals);

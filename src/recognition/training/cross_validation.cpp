@@ -68,17 +68,34 @@ HeldOutValues noneHeldOut(const TrainingTask& task) {
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.samples.size()))};
 }
 
-/// trainReduced() on some rows of a Gram matrix; the vectors are numbered among these.
-ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const PackedGram& gram,
-                               const std::vector<int>& labels, const TrainingTask& task,
+/// How much the decision values of each sample count in a reduction: the less, the more often its
+/// place has been learned again.
+Eigen::VectorXd importanceOf(const std::vector<int>& samples, const TrainingTask& task) {
+  Eigen::VectorXd importance(static_cast<Eigen::Index>(samples.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const int age = task.samples[static_cast<std::size_t>(samples[i])].age;
+    importance[static_cast<Eigen::Index>(i)] = std::pow(1 - task.forgetting, age);
+  }
+  return importance;
+}
+
+/// trainReduced() on the rows `train_rows`, of `samples`, of a Gram matrix; the vectors are
+/// numbered among these.
+ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
+                               const PackedGram& gram, const TrainingTask& task,
                                const std::vector<ReductionOptions>& reductions) {
+  std::vector<int> labels;
+  for (const int sample : samples) labels.push_back(task.samples[sample].place);
   const BinarySvms machines =
       trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
   const std::vector<int> vectors = supportVectors(machines);
   BinarySvms supported = machines;
   supported.weights = rows(machines.weights, vectors);
-  return {vectors, reduceEach(supported, gram.values(train_rows, pick(train_rows, vectors)),
-                              reductions, task.threads)};
+  Eigen::MatrixXd kernel_values = gram.values(train_rows, pick(train_rows, vectors));
+  if (task.forgetting > 0) {
+    kernel_values.array().colwise() *= importanceOf(samples, task).array();
+  }
+  return {vectors, reduceEach(supported, kernel_values, reductions, task.threads)};
 }
 
 constexpr double kSmallestProbability = 1e-3;
@@ -98,12 +115,12 @@ Calibration calibrationOf(const HeldOutValues& held_out, const std::vector<Sampl
 
 }  // namespace
 
-ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& labels,
+ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& samples,
                              const TrainingTask& task,
                              const std::vector<ReductionOptions>& reductions) {
-  std::vector<int> all(labels.size());
+  std::vector<int> all(samples.size());
   std::iota(all.begin(), all.end(), 0);
-  return trainReducedOn(all, gram, labels, task, reductions);
+  return trainReducedOn(all, samples, gram, task, reductions);
 }
 
 std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vector<int>& cue_rows,
@@ -114,15 +131,11 @@ std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vect
     const std::vector<int> train = withCue(fold.train, cue_rows);
     const std::vector<int> test = withCue(fold.test, cue_rows);
     if (train.empty() || test.empty()) continue;
-    std::vector<int> labels;
     std::vector<bool> trained(task.places, false);
-    for (const int sample : train) {
-      labels.push_back(task.samples[sample].place);
-      trained[labels.back()] = true;
-    }
+    for (const int sample : train) trained[task.samples[sample].place] = true;
 
     const std::vector<int> train_rows = pick(cue_rows, train);
-    const ReducedMachines reduced = trainReducedOn(train_rows, gram, labels, task, reductions);
+    const ReducedMachines reduced = trainReducedOn(train_rows, train, gram, task, reductions);
     const Eigen::MatrixXd kernel_values =
         gram.values(pick(cue_rows, test), pick(train_rows, reduced.vectors));
     for (std::size_t r = 0; r < reductions.size(); ++r) {

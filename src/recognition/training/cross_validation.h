@@ -22,6 +22,7 @@ struct TrainingTask {
   unsigned threads;
   const Progress& progress;
   std::uint64_t seed = 1;  ///< of what is drawn at random
+  double forgetting = 0;   ///< see IncrementalOptions
 };
 
 /// Decision values of samples by machines that were trained without them and their neighbours in
@@ -39,9 +40,9 @@ struct ReducedMachines {
   std::vector<BinarySvms> machines;  ///< over `vectors`, one for each reduction
 };
 
-/// Trains on the Gram matrix of the training vectors and reduces; see reduceEach() for the order of
-/// `reductions`.
-ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& labels,
+/// Trains on the Gram matrix of the training vectors, which are of `samples`, and reduces; see
+/// reduceEach() for the order of `reductions`.
+ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& samples,
                              const TrainingTask& task,
                              const std::vector<ReductionOptions>& reductions);
 

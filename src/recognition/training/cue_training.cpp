@@ -37,7 +37,7 @@ class CueTrainer {
       rows_.push_back(missing ? -1 : static_cast<int>(features_.size()));
       if (missing) continue;
       features_.push_back(std::move(features[i]));
-      labels_.push_back(task.samples[i].place);
+      samples_.push_back(static_cast<int>(i));
     }
   }
 
@@ -70,15 +70,17 @@ class CueTrainer {
     report(task_.progress, "Validating", 0);
     std::vector<HeldOutValues> held_out = crossValidate(gram, rows_, task_, reductions);
     report(task_.progress, "Training", 0);
-    ReducedMachines reduced = trainReduced(gram, labels_, task_, reductions);
+    ReducedMachines reduced = trainReduced(gram, samples_, task_, reductions);
     std::vector<Feature> vectors;
-    std::vector<int> vector_places;
+    std::vector<VectorOrigin> origins;
     for (const int i : reduced.vectors) {
       vectors.push_back(std::move(features_[static_cast<std::size_t>(i)]));
-      vector_places.push_back(labels_[static_cast<std::size_t>(i)]);
+      const int sample = samples_[static_cast<std::size_t>(i)];
+      const SampleOrigin& origin = task_.samples[static_cast<std::size_t>(sample)];
+      origins.push_back({origin.place, origin.age});
     }
-    return {cue_.kernel.gamma, std::move(vectors), std::move(vector_places),
-            std::move(reduced.machines), std::move(held_out)};
+    return {cue_.kernel.gamma, std::move(vectors), std::move(origins), std::move(reduced.machines),
+            std::move(held_out)};
   }
 
  private:
@@ -110,7 +112,7 @@ class CueTrainer {
   const TrainingTask& task_;
   std::vector<int> rows_;          // of each sample among the features; -1: it lacks the cue
   std::vector<Feature> features_;  // none missing
-  std::vector<int> labels_;        // of the features
+  std::vector<int> samples_;       // of the features
   Eigen::MatrixXd measures_;
   double measured_gamma_ = 0;
 };

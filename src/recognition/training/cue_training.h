@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "learning/binary_svms.h"
+#include "learning/classifier_parts.h"
 #include "place_recognition/feature.h"
 #include "place_recognition/training_options.h"
 #include "recognition/training/cross_validation.h"
@@ -11,10 +12,10 @@ namespace place_recognition {
 
 /// What is learned for one cue, for each of the reductions in question.
 struct TrainedCue {
-  double gamma;                      ///< of the kernel; as given, or as found by cross-validation
-  std::vector<Feature> vectors;      ///< the support vectors before reduction
-  std::vector<int> vector_places;    ///< where each of them was recorded
-  std::vector<BinarySvms> machines;  ///< over `vectors`, trained on all samples
+  double gamma;                       ///< of the kernel; as given, or as found by cross-validation
+  std::vector<Feature> vectors;       ///< the support vectors before reduction
+  std::vector<VectorOrigin> origins;  ///< of each of them
+  std::vector<BinarySvms> machines;   ///< over `vectors`, trained on all samples
   std::vector<HeldOutValues> held_out;  ///< decision values of each sample by cross-validation
 };
 

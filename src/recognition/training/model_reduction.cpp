@@ -59,7 +59,7 @@ double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<i
 
 /// How much less familiar frames look to the vectors that `machines` use than to all.
 double familiarityLost(const Classifier& classifier, const BinarySvms& machines) {
-  const auto& [used, support_set, vector_places] = ClassifierParts::of(classifier);
+  const auto& [used, support_set, origins] = ClassifierParts::of(classifier);
   const Eigen::MatrixXd values =
       kernelValues(pointers(support_set.vectors()), support_set, Progress());
   return meanFamiliarity(values, supportVectors(used)) -
@@ -176,9 +176,9 @@ Model withMachines(Model model, std::vector<BinarySvms> machines, const Reductio
                                         model.cue_weights[c] *
                                         familiarityLost(model.classifiers[c], machines[c]);
     std::vector<Feature> vectors = ClassifierParts::of(model.classifiers[c]).support_set.vectors();
-    const std::vector<int> vector_places = ClassifierParts::of(model.classifiers[c]).vector_places;
+    const std::vector<VectorOrigin> origins = ClassifierParts::of(model.classifiers[c]).origins;
     model.classifiers[c] = ClassifierParts::assemble(
-        model.options.cues[c].kernel, std::move(machines[c]), std::move(vectors), vector_places);
+        model.options.cues[c].kernel, std::move(machines[c]), std::move(vectors), origins);
   }
   return model;
 }

@@ -1,10 +1,18 @@
 #include "recognition/training/remembered_samples.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
+#include <numeric>
+#include <set>
 #include <utility>
 
+#include "base/options.h"
 #include "learning/classifier_parts.h"
+#include "place_recognition/error.h"
+#include "recognition/frames/image_profile.h"
+#include "recognition/frames/image_scaling.h"
+#include "recognition/model/embeddings.h"
 
 namespace place_recognition {
 namespace {
@@ -47,10 +55,58 @@ void append(Samples part, int first_recording, Samples& samples) {
       samples.adjacency.join(places[a], places[b]);
     }
   }
+  for (JudgedBefore& judged : part.judged_before) {
+    for (int& place : judged.place_of) place = places[static_cast<std::size_t>(place)];
+    samples.judged_before.push_back(std::move(judged));
+  }
+  samples.remembered += part.remembered;
   samples.inputs.insert(samples.inputs.end(), part.inputs.begin(), part.inputs.end());
   samples.skipped += part.skipped;
   samples.passed_over += part.passed_over;
   samples.warnings.insert(samples.warnings.end(), part.warnings.begin(), part.warnings.end());
+}
+
+int runCount(const Samples& samples) {
+  int count = 0;
+  for (const SampleOrigin& origin : samples.origins) count = std::max(count, origin.recording + 1);
+  return count;
+}
+
+/// Remembered samples of places that the fresh ones show again.
+void growOlder(Samples& samples) {
+  std::set<int> seen;
+  for (std::size_t i = samples.remembered; i < samples.origins.size(); ++i) {
+    seen.insert(samples.origins[i].place);
+  }
+  for (std::size_t i = 0; i < samples.remembered; ++i) {
+    samples.origins[i].age += static_cast<int>(seen.count(samples.origins[i].place));
+  }
+}
+
+/// What a cue's features depend on, and the kernel but for what was found within the runs.
+std::string featuresOf(CueOptions cue) {
+  cue.weight = 1;
+  cue.kernel.gamma = 0;
+  return writeOptions(cue);
+}
+
+std::vector<std::string> networksOf(const Model& model) {
+  std::vector<std::string> checksums;
+  for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
+    checksums.push_back(embedding->loaded->sha256);
+  }
+  return checksums;
+}
+
+/// The size to which `model` brings the images that `camera` was trained on, and what a mirror
+/// does to them.
+std::string workingSize(const Model& model, const Model& camera) {
+  if (!camera.images.known()) return "unknown";
+  const cv::Size recorded(camera.images.width, camera.images.height);
+  const cv::Size size = ImageScaler(model.images, model.options.image.max_width).sizeFor(recorded);
+  const bool mirror = model.options.image.panorama.mirror != "none";
+  return std::to_string(size.width) + "x" + std::to_string(size.height) +
+         (mirror ? " with a mirror" : "");
 }
 
 }  // namespace
@@ -69,31 +125,58 @@ Samples rememberedSamples(const Model& model) {
     std::vector<Feature> vectors = parts.support_set.vectors();
     for (std::size_t i = 0; i < vectors.size(); ++i) {
       samples.source.push_back(static_cast<int>(samples.origins.size()));
-      samples.origins.push_back({parts.vector_places[i], 0, static_cast<double>(i)});
+      const VectorOrigin& origin = parts.origins[i];
+      samples.origins.push_back({origin.place, 0, static_cast<double>(i), 0, origin.age});
       for (std::size_t other = 0; other < model.classifiers.size(); ++other) {
         samples.features[other].push_back(other == c ? std::move(vectors[i]) : Feature());
       }
     }
   }
   samples.recorded = samples.remembered = samples.origins.size();
-  samples.judged_before = model.held_out;
+  std::vector<int> same(model.places.size());
+  std::iota(same.begin(), same.end(), 0);
+  samples.judged_before.push_back({model.held_out, std::move(same)});
+  samples.image_profile = model.images;
   return samples;
 }
 
-Samples joinSamples(Samples remembered, Samples fresh) {
+Samples joinSamples(Samples remembered, Samples others) {
+  assert(remembered.remembered == remembered.origins.size());
   Samples all;
-  std::set_union(remembered.places.begin(), remembered.places.end(), fresh.places.begin(),
-                 fresh.places.end(), std::back_inserter(all.places));
+  std::set_union(remembered.places.begin(), remembered.places.end(), others.places.begin(),
+                 others.places.end(), std::back_inserter(all.places));
   all.images.assign(all.places.size(), 0);
   all.colours.assign(all.places.size(), {});
   all.adjacency = Adjacency(all.places.size());
-  all.remembered = remembered.remembered;
-  all.image_profile = fresh.image_profile;
-  all.judged_before = std::move(remembered.judged_before);
-  all.place_before = positions(remembered.places, all.places);
+  all.image_profile = remembered.image_profile;
+  include(others.image_profile, all.image_profile);
+  const int recordings = runCount(remembered);
   append(std::move(remembered), 0, all);
-  append(std::move(fresh), 1, all);
+  append(std::move(others), recordings, all);
+  growOlder(all);
   return all;
+}
+
+void requireJoinable(const Model& model, const Model& other) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error("The model '" + other.name + "' cannot join '" + model.name + "': " + why +
+                "; train both with the same configuration.");
+  };
+  const std::vector<CueOptions>& cues = model.options.cues;
+  if (cues.size() != other.options.cues.size()) refuse("it has other cues");
+  for (std::size_t c = 0; c < cues.size(); ++c) {
+    if (featuresOf(cues[c]) != featuresOf(other.options.cues[c])) {
+      refuse("its cue '" + other.options.cues[c].name + "' is another one than '" + cues[c].name +
+             "'");
+    }
+  }
+  if (networksOf(model) != networksOf(other)) refuse("it has another network");
+  const std::string size = workingSize(other, other), here = workingSize(model, other);
+  if (size != here) refuse("its images were worked at " + size + " pixels, not at " + here);
+  const ImageProfile &images = model.images, &others = other.images;
+  if (images.depth.low != others.depth.low || images.depth.high != others.depth.high) {
+    refuse("images of 16 bits were brought to 8 bits in another way");
+  }
 }
 
 }  // namespace place_recognition

@@ -10,7 +10,12 @@ namespace place_recognition {
 /// the cue is there that it belongs to.
 Samples rememberedSamples(const Model& model);
 
-/// The samples of `remembered` and, behind them, those of `fresh`, whose runs are counted on.
-Samples joinSamples(Samples remembered, Samples fresh);
+/// The samples of `remembered`, all of which are, and behind them those of `others`, whose runs are
+/// counted on: fresh ones, or those that another model remembers.
+Samples joinSamples(Samples remembered, Samples others);
+
+/// Throws Error, a sentence that names both, if `other` cannot join `model`: if its features are
+/// not those that `model` would have extracted from the same images.
+void requireJoinable(const Model& model, const Model& other);
 
 }  // namespace place_recognition

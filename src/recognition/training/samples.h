@@ -23,6 +23,12 @@ struct ChangedImage {
 };
 using ImageChange = std::function<ChangedImage(const cv::Mat& image, const std::string& place)>;
 
+/// Frames that judged a model before.
+struct JudgedBefore {
+  HeldOutFrames frames;
+  std::vector<int> place_of;  ///< for each place of that model, its index in `places`
+};
+
 /// What training keeps of the labelled frames of its runs: first those as they were recorded, in
 /// the order of the recordings, then the same frames changed, if that is asked for.
 struct Samples {
@@ -31,7 +37,7 @@ struct Samples {
   std::vector<std::vector<Feature>> features;  ///< [cue][sample]; some may be missing
   std::vector<int> source;                     ///< of each sample: the recorded one that it shows
   std::size_t recorded = 0;                    ///< how many show the light of the recording
-  std::size_t remembered = 0;          ///< the first of these, from a model, not from these runs
+  std::size_t remembered = 0;          ///< the first of these, from models, not from these runs
   std::vector<std::uint64_t> images;   ///< of each place, that it was learned from in all
   std::vector<ColourMoments> colours;  ///< of each place, of the recorded images
   std::vector<std::string> inputs;     ///< names of the recordings
@@ -40,9 +46,8 @@ struct Samples {
   Adjacency adjacency{0};              ///< of `places`, from the recordings that are drives
   std::uint64_t skipped = 0;           ///< frames without label, image or any feature
   std::uint64_t passed_over = 0;       ///< usable ones, see SamplingOptions
-  HeldOutFrames judged_before;         ///< of the model that the remembered ones are from
-  std::vector<int> place_before;       ///< for each place of that model, its index in `places`
-  std::vector<std::string> warnings;   ///< what was skipped and why, a sentence per run
+  std::vector<JudgedBefore> judged_before;  ///< of the models that the remembered ones are from
+  std::vector<std::string> warnings;        ///< what was skipped and why, a sentence per run
 
   std::vector<SampleOrigin> recordedOrigins() const {
     return {origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(recorded)};

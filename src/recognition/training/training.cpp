@@ -43,7 +43,9 @@ CalibrationSet judgesOf(const Samples& samples, const std::vector<Fold>& folds,
     std::vector<HeldOutValues>& held_out = calibration_set.reductions.emplace_back();
     for (TrainedCue& cue : cues) held_out.push_back(std::move(cue.held_out[r]));
   }
-  calibration_set.add(samples.judged_before, samples.place_before, samples.remembered);
+  for (const JudgedBefore& before : samples.judged_before) {
+    calibration_set.add(before.frames, before.place_of, samples.remembered);
+  }
   // Support vectors are the hard cases of a recording: they do not judge.
   for (std::vector<HeldOutValues>& held_out : calibration_set.reductions) {
     for (HeldOutValues& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
@@ -100,13 +102,13 @@ std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, Training
 }
 
 /// The road from samples to a model, whose options are those asked for and what was found.
-Training learn(Samples samples, TrainingOptions options, unsigned threads,
+Training learn(Samples samples, TrainingOptions options, double forgetting, unsigned threads,
                const Progress& progress) {
   const std::size_t places = samples.places.size();
   report(progress, "Choosing blocks of time", 0);
   const std::vector<Fold> folds = chooseFolds(samples, threads, options);
-  const TrainingTask task{samples.origins, places,   folds,       options.svm,
-                          threads,         progress, options.seed};
+  const TrainingTask task{samples.origins, places,   folds,        options.svm,
+                          threads,         progress, options.seed, forgetting};
 
   const std::vector<ReductionOptions> reductions =
       reductionsInQuestion(options.reduction, samples.origins.size());
@@ -132,9 +134,8 @@ Training learn(Samples samples, TrainingOptions options, unsigned threads,
     KernelOptions& kernel = model.options.cues[c].kernel;
     kernel.gamma = cues[c].gamma;
     training.unreduced_vectors.push_back(cues[c].vectors.size());
-    model.classifiers.push_back(
-        ClassifierParts::assemble(kernel, std::move(cues[c].machines[chosen]),
-                                  std::move(cues[c].vectors), cues[c].vector_places));
+    model.classifiers.push_back(ClassifierParts::assemble(
+        kernel, std::move(cues[c].machines[chosen]), std::move(cues[c].vectors), cues[c].origins));
   }
 
   report(progress, "Calibrating", 0);
@@ -197,23 +198,34 @@ Training train(const std::vector<RecordingOpener>& recordings, const TrainingOpt
   return timed([&] {
     const TrainingOptions ready = withMirror(withNetworks(options), recordings);
     Training training =
-        learn(collectSamples(recordings, ready, threads, progress), ready, threads, progress);
+        learn(collectSamples(recordings, ready, threads, progress), ready, 0, threads, progress);
     training.model.asked = options;
     return training;
   });
 }
 
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
-                            int vector_limit, unsigned threads, const Progress& progress) {
+                            const IncrementalOptions& incremental, unsigned threads,
+                            const Progress& progress) {
+  if (incremental.other) requireJoinable(model, *incremental.other);
   TrainingOptions options = model.asked;
   options.image = model.options.image;
   options.cues = model.options.cues;
-  options.reduction = learningOnReduction(options.reduction, vector_limit);
+  options.reduction = learningOnReduction(options.reduction, incremental.vector_limit);
   options.check();
   return timed([&] {
-    Samples fresh = collectSamplesFor(model, recordings, options, threads, progress, 1);
+    Samples samples = rememberedSamples(model);
+    if (incremental.other) {
+      samples = joinSamples(std::move(samples), rememberedSamples(*incremental.other));
+    }
+    if (recordings.empty()) {
+      options.validation = model.options.validation;  // nothing that is new judges
+    } else {
+      samples = joinSamples(std::move(samples),
+                            collectSamplesFor(model, recordings, options, threads, progress, 1));
+    }
     Training training =
-        learn(joinSamples(rememberedSamples(model), std::move(fresh)), options, threads, progress);
+        learn(std::move(samples), options, incremental.forgetting, threads, progress);
     training.model.asked = model.asked;
     if (!training.model.cameras.known()) training.model.cameras = model.cameras;
     return training;

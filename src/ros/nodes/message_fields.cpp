@@ -19,6 +19,14 @@ std::string readValue(const std::string& type, Stream& stream) {
     stream.next(flag);
     return std::to_string(flag);
   }
+  if (type == "float64") {
+    double number = 0;
+    stream.next(number);
+    std::ostringstream text;
+    text.precision(15);
+    text << number;
+    return text.str();
+  }
   assert(type == "uint32");
   std::uint32_t number = 0;
   stream.next(number);

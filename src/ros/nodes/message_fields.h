@@ -11,7 +11,7 @@ namespace place_recognition {
 
 /// A field of a message: one value, or those of a list.
 struct MessageField {
-  std::string type;  ///< "string", "bool" or "uint32", also of the elements of a list
+  std::string type;  ///< "string", "bool", "uint32" or "float64", also of the elements of a list
   std::string name;
   std::vector<std::string> values;  ///< text as it is, numbers in decimal, bool as 0 or 1
 };
@@ -27,7 +27,7 @@ MessageBytes serialized(const Message& message) {
 }
 
 /// The fields of a message by its `definition` (the text of its .msg file), in their order. They
-/// must be strings, bools, uint32, or lists of these (asserted).
+/// must be strings, bools, uint32, float64, or lists of these (asserted).
 std::vector<MessageField> fieldsOf(const std::string& definition, MessageBytes bytes);
 
 template <typename Message>

@@ -44,7 +44,7 @@ bool areGraphNames(const std::string& names) {
 }
 
 void check(const TrainGoal& goal) {
-  requireOfGoal(!goal.bags.empty(), "bags are missing");
+  requireOfGoal(!goal.bags.empty() || !goal.from_model.empty(), "bags are missing");
   requireOfGoal(goal.bags.size() <= kMaxBags, "bags are more than " + std::to_string(kMaxBags));
   requireOfGoal(isPlainName(goal.model), "model must be 1 to 64 letters, digits, '_' or '-'");
   requireOfGoal(goal.preset.empty() || isPlainName(goal.preset),
@@ -60,6 +60,9 @@ void check(const TrainGoal& goal) {
   requireOfGoal(
       goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
       "add_to excludes preset, yaml and reduction, which the model has");
+  requireOfGoal(goal.from_model.empty() || isPlainName(goal.from_model),
+                "from_model must be 1 to 64 letters, digits, '_' or '-'");
+  requireOfGoal(goal.from_model.empty() || !goal.add_to.empty(), "from_model needs add_to");
   requireOfGoal(
       !goal.calibrate || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty() &&
                           goal.add_to.empty() && goal.validate.empty()),
@@ -69,6 +72,8 @@ void check(const TrainGoal& goal) {
   requireOfGoal(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
   requireOfGoal(goal.vector_limit <= kMaxVectorLimit,
                 "vector_limit is above " + std::to_string(kMaxVectorLimit));
+  requireOfGoal(goal.forgetting >= 0 && goal.forgetting <= 0.99, "forgetting is not in 0..0.99");
+  requireOfGoal(goal.forgetting == 0 || goal.vector_limit > 0, "forgetting needs vector_limit");
   requireOfGoal(goal.threads <= kMaxThreads,
                 "threads are more than " + std::to_string(kMaxThreads));
   requireOfGoal(areGraphNames(goal.image_topic), "image_topic is no topic's name");
