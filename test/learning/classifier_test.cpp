@@ -20,8 +20,8 @@ TEST(Classifier, DecisionValuesAreTheDirectSum) {
   machines.weights.row(29).setZero();
   machines.biases = Eigen::RowVector3d(0.5, -0.25, 0);
 
-  const Classifier classifier = ClassifierParts::assemble(kernel.options(), machines, vectors,
-                                                          std::vector<int>(vectors.size(), 0));
+  const Classifier classifier = ClassifierParts::assemble(
+      kernel.options(), machines, vectors, std::vector<VectorOrigin>(vectors.size()));
   EXPECT_EQ(classifier.places(), 3u);
   EXPECT_EQ(classifier.supportVectorCount(), 28u);
   EXPECT_EQ(ClassifierParts::of(classifier).machines.weights.rows(), 28);
@@ -41,8 +41,8 @@ TEST(Classifier, WithoutAnyVectorAnswersItsBias) {
   machines.places = 2;
   machines.weights = Eigen::MatrixXd::Zero(1, 2);
   machines.biases = Eigen::RowVector2d(1, -1);
-  const Classifier classifier =
-      ClassifierParts::assemble(kernelOptions("linear"), machines, {random.dense(3)}, {0});
+  const Classifier classifier = ClassifierParts::assemble(kernelOptions("linear"), machines,
+                                                          {random.dense(3)}, {VectorOrigin()});
   EXPECT_EQ(classifier.supportVectorCount(), 0u);
   Eigen::VectorXd scratch;
   Eigen::RowVectorXd decision_values;
