@@ -37,20 +37,20 @@ struct EmbeddingOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor("network", self.network,
             "ONNX network: the name of one in $ROS_HOME/place_recognition/networks, or a file if "
-            "it has "
-            "a slash or ends in .onnx; a model keeps a copy");
+            "it has a slash or ends in .onnx; a model contains a copy");
     visitor("layer", self.layer,
-            "name of the layer, or of its output, that is taken; empty: the output of the network");
-    visitor("width", self.width, "of the network's input, pixels, 16..1024; 0: as it declares");
-    visitor("height", self.height, "of the network's input, pixels, 16..1024; 0: as it declares");
+            "name of the layer to use, or of its output; empty: the output of the network");
+    visitor("width", self.width,
+            "width of the network's input, pixels, 16..1024; 0: as the network declares");
+    visitor("height", self.height,
+            "height of the network's input, pixels, 16..1024; 0: as the network declares");
     visitor("fit", self.fit,
             "stretch: the whole image is scaled to width x height; crop: its largest central part "
-            "of that shape is");
+            "of that shape is scaled");
     visitor("channels", self.channels, "order of the network's input channels: rgb, bgr or grey");
-    visitor(
-        "mean", self.mean,
-        "the network's input is (pixel - mean) * scale, of pixels 0..255; one number or one for "
-        "each channel, in their order");
+    visitor("mean", self.mean,
+            "the network's input is (pixel - mean) * scale, for pixels 0..255; one number, or one "
+            "per channel, in their order");
     visitor("scale", self.scale, "see mean; not 0");
   }
   void check() const;

@@ -38,8 +38,8 @@ struct CrfhOptions {
     visitor("sigmas", self.sigmas, "the scales as sigma, pixels; replaces scales if not empty");
     visitor("bins", self.bins, "quantization levels: one number, or one for each descriptor");
     visitor("levels", self.levels,
-            "linear: grey levels v as they are; logarithmic: log(1 + v / 16), scaled to 0..255, so "
-            "that an edge is a ratio of brightness, which a change of light leaves as it is");
+            "linear: grey levels v unchanged; logarithmic: log(1 + v / 16), scaled to 0..255, so "
+            "that an edge is a ratio of brightness, which a change of light does not alter");
     visitor("derivatives", self.derivatives,
             "central-difference (of the smoothed image) or gaussian (sampled, eq. 4.10)");
     visitor("derivative_range", self.derivative_range,
@@ -47,7 +47,7 @@ struct CrfhOptions {
             "det(.) in a quarter of it, grey levels^2");
     visitor("half_width", self.half_width, "half-width of the Gaussian, in sigma");
     visitor("border", self.border,
-            "pixels at each side that are not counted; grows by itself for large scales");
+            "pixels at each side that are not counted; larger for large scales");
   }
   /// The scales as t = sigma^2, from whichever of the two keys gives them.
   std::vector<double> variances() const;

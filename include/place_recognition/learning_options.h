@@ -52,20 +52,18 @@ struct ReductionOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor(
-        "method", self.method,
-        "none; qr: each machine by itself (section 6.3); shared-qr: one basis for all "
-        "machines; shared-greedy: the basis that reproduces all decision values best; auto: the "
-        "method "
-        "and the fraction (of 15, 25, 35, 50, 70 or all 100 %) of the fewest vectors that lose "
-        "neither log loss nor rate on held-out blocks of the training runs; all where more than "
-        "4000 images are learned");
+    visitor("method", self.method,
+            "none; qr: each machine separately (section 6.3); shared-qr: one basis for all "
+            "machines; shared-greedy: the basis that reproduces all decision values best; auto: "
+            "the method and the fraction (of 15, 25, 35, 50, 70 or all 100 %) with the fewest "
+            "vectors that lose neither log loss nor rate on held-out blocks of the training runs; "
+            "all vectors if more than 4000 images are learned");
     visitor("tau", self.tau, "rank threshold, relative to the largest pivot, 0..1");
     visitor("normalise", self.normalize, "scale the columns of the matrix to norm one first");
     visitor("share", self.share,
-            "fraction of each cue's support vectors to keep, 0..1, instead of tau; 0: as tau says");
+            "fraction of each cue's support vectors to keep, 0..1, instead of tau; 0: use tau");
     visitor("support_vectors", self.support_vectors,
-            "number of vectors to keep, of each cue, instead of tau; 0: as tau says");
+            "number of vectors of each cue to keep, instead of tau; 0: use tau");
   }
   void check() const;
 };

@@ -20,17 +20,17 @@ struct LocalFeatureOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("sigma", self.sigma, "finest integration scale sigma_I, pixels, 1..10");
-    visitor("steps", self.steps, "integration scales an octave: 2, 4, 6 or 8");
-    visitor("octaves", self.octaves, "octaves of scale at most, 1..10; fewer in small images");
+    visitor("steps", self.steps, "integration scales per octave: 2, 4, 6 or 8");
+    visitor("octaves", self.octaves, "most octaves of scale, 1..10; fewer in small images");
     visitor("alpha", self.alpha,
             "weight of the squared trace in the cornerness (eq. 4.26), 0..0.2");
     visitor("cornerness_threshold", self.cornerness_threshold,
-            "weakest corner taken, grey levels^4, > 0");
+            "weakest corner accepted, grey levels^4, > 0");
     visitor("laplacian_threshold", self.laplacian_threshold,
             "smallest Laplacian t |Lxx + Lyy| at the characteristic scale, grey levels, >= 0");
     visitor("upright", self.upright,
-            "true: descriptors are not turned with the image, for cameras that never roll");
-    visitor("max_points", self.max_points, "points at most, the strongest first, 1..20000");
+            "true: descriptors are not rotated with the image, for cameras that never roll");
+    visitor("max_points", self.max_points, "most points, the strongest first, 1..20000");
     visitor("min_points", self.min_points, "images with fewer points have no feature, >= 1");
   }
   void check() const;

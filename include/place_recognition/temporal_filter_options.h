@@ -21,24 +21,27 @@ struct TemporalFilterOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("dwell_time", self.dwell_time, "s, mean stay in a room, > 0");
-    visitor("dwell_distance", self.dwell_distance, "m, mean way within a room, > 0");
+    visitor("dwell_distance", self.dwell_distance, "m, mean distance travelled within a room, > 0");
     visitor("unknown_share", self.unknown_share,
             "fraction of the time spent in rooms that the model does not know, 0..0.5");
-    visitor("jump_share", self.jump_share,
-            "fraction of the changes that go to any room, adjoining or not (carried robots), 0..1");
+    visitor(
+        "jump_share", self.jump_share,
+        "fraction of the changes that lead to any room, adjoining or not (carried robots), 0..1");
     visitor("decorrelation_time", self.decorrelation_time,
             "s, frames closer than this share their evidence, > 0");
-    visitor("decorrelation_distance", self.decorrelation_distance, "m, likewise, > 0");
-    visitor("decorrelation_angle", self.decorrelation_angle, "rad, likewise, > 0");
+    visitor("decorrelation_distance", self.decorrelation_distance,
+            "m, frames closer than this share their evidence, > 0");
+    visitor("decorrelation_angle", self.decorrelation_angle,
+            "rad, frames closer than this share their evidence, > 0");
     visitor("outlier_share", self.outlier_share,
-            "fraction of frames that tell nothing, whatever their probabilities say, 0.0001..1");
+            "fraction of frames without information, whatever their probabilities, 0.0001..1");
     visitor("minimum_confidence", self.minimum_confidence,
-            "the answer is 'unknown' if no room is as probable as this, 0..1");
-    visitor("minimum_dwell", self.minimum_dwell, "s, an answer stays for at least as long");
+            "the answer is 'unknown' if no room has this probability, 0..1");
+    visitor("minimum_dwell", self.minimum_dwell, "s, shortest time for which an answer stays");
     visitor("maximum_gap", self.maximum_gap,
-            "s, after a longer time without frames everything is forgotten, > 0");
+            "s, everything is forgotten after a longer time without frames, > 0");
     visitor("camera_gap", self.camera_gap,
-            "s, one of several cameras that is silent for longer does not count, > 0");
+            "s, one of several cameras does not count if it is silent for longer, > 0");
   }
   /// Throws Error naming the first field out of range.
   void check() const;

@@ -27,7 +27,7 @@ struct LbpOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("circles", self.circles, "a histogram of points + 2 bins each, one after the other");
+    visitor("circles", self.circles, "one histogram of points + 2 bins each, concatenated");
   }
   void check() const;
 };
@@ -45,9 +45,10 @@ struct Mr8Options {
     visitor("bins", self.bins, "quantization levels of each of the 8 responses, 2..200");
     visitor("range", self.range,
             "edges and bars are quantized in 0..range, the Gaussian and its Laplacian in "
-            "-range..range; beyond it they count as the last level");
+            "-range..range; values beyond it count as the last level");
     visitor("weber", self.weber,
-            "scale each pixel's responses r by log(1 + |r| / 0.03) / |r|, against contrast");
+            "scale each pixel's responses r by log(1 + |r| / 0.03) / |r|, to reduce the effect of "
+            "contrast");
   }
   void check() const;
 };

@@ -20,15 +20,17 @@ struct PanoramaOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("mirror", self.mirror,
-            "of an omnidirectional camera. none: it is an ordinary one; given: where its ring is, "
-            "the next four tell; found: likewise, looked for in the first images of the runs");
-    visitor("center_x", self.center_x, "of the ring, in fractions of the image's width");
-    visitor("center_y", self.center_y, "of the ring, in fractions of the image's height");
+    visitor(
+        "mirror", self.mirror,
+        "mirror of an omnidirectional camera. none: an ordinary camera; given: the next four keys "
+        "state the position of the ring; found: they are found in the first images of the runs");
+    visitor("center_x", self.center_x, "centre of the ring, in fractions of the image's width");
+    visitor("center_y", self.center_y, "centre of the ring, in fractions of the image's height");
     visitor("inner", self.inner,
             "radius within which the mirror shows the camera itself, in fractions of the image's "
             "shorter side");
-    visitor("outer", self.outer, "radius of the mirror's rim, likewise");
+    visitor("outer", self.outer,
+            "radius of the mirror's rim, in fractions of the image's shorter side");
   }
   void check() const;
 };
@@ -41,8 +43,8 @@ struct ImageOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("max_width", self.max_width,
-            "pixels; wider images are scaled down to it; 0: never. Recognition brings images to "
-            "the size that was learned");
+            "pixels; wider images are scaled down to it; 0: never. Recognition scales images to "
+            "the size of the training images");
     visitor("panorama", self.panorama, "omnidirectional cameras");
   }
   void check() const;
@@ -56,11 +58,11 @@ struct SamplingOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("rate", self.rate,
-            "images that are learned of each second of a run, at most, by their stamps; 0: all");
-    visitor("most", self.most,
-            "images that are learned at most, those in other light included, 10 or more; of more, "
-            "the same fraction of each room, at random; memory is 16 bytes times the square");
+    visitor("rate", self.rate, "most images per second of a run to learn, by their stamps; 0: all");
+    visitor(
+        "most", self.most,
+        "most images to learn, including those in other light, 10 or more; if there are more, the "
+        "same fraction of each room is drawn at random; memory is 16 bytes times the square");
   }
   void check() const;
 };
@@ -74,15 +76,13 @@ struct InformationOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor(
-        "left_out_below", self.left_out_below,
-        "edge density, 0..1, below which an image is not learned; 0: all are. It is the fraction "
-        "of "
-        "the pixels that differ from their neighbours by more than 4 grey levels: less than 0.02 "
-        "of a bare wall, less than 0.05 of one with part of an image on it");
+    visitor("left_out_below", self.left_out_below,
+            "edge density, 0..1, below which an image is not learned; 0: all are learned. It is "
+            "the fraction of pixels that differ from their neighbours by more than 4 grey levels: "
+            "less than 0.02 for a bare wall, less than 0.05 for one with part of a poster on it");
     visitor("unknown_below", self.unknown_below,
             "edge density, 0..1, below which an image is answered 'unknown', whatever its room; 0: "
-            "none is");
+            "never");
   }
   void check() const;
 };
@@ -97,17 +97,18 @@ struct CueOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("name", self.name, "names the cue, as in --set cues.NAME.kernel.gamma=10");
+    visitor("name", self.name,
+            "name of the cue, for use in keys such as --set cues.NAME.kernel.gamma=10");
     visitor("normalize", self.normalize,
-            "what is done to the colours of an image first. none; brightness: one gain brings its "
-            "mean level to 110; grey-world: a gain per channel does; run: a gain per channel "
-            "brings the light of the run, as far as it is known, to that of the training, and the "
-            "cue counts the more the better it is known");
+            "normalization of an image's colours. none; brightness: one gain brings its mean level "
+            "to 110; grey-world: one gain per channel does; run: one gain per channel brings the "
+            "light of the run, as far as it is known, to that of the training, and the weight of "
+            "the cue grows with the certainty of the light");
     visitor("weight", self.weight,
-            "how much the cue counts beside the others, 0.01..100, unless held-out frames clearly "
-            "speak for other weights");
-    visitor("feature", self.feature, "what is extracted from each image");
-    visitor("kernel", self.kernel, "how two such features are compared");
+            "weight of the cue relative to the others, 0.01..100, unless held-out frames clearly "
+            "favour other weights");
+    visitor("feature", self.feature, "the feature extracted from each image");
+    visitor("kernel", self.kernel, "the comparison of two such features");
   }
 };
 
@@ -122,8 +123,8 @@ struct AugmentationOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("other_light", self.other_light,
-            "learn each image a second time as it would look darker, brighter, warmer or colder, "
-            "at random");
+            "learn each image a second time as it would look in other light, drawn at random: "
+            "darker, brighter, warmer or colder");
   }
 };
 
@@ -136,17 +137,15 @@ struct ValidationOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor(
-        "folds", self.folds,
-        "trainings, each without some blocks of time of the runs, 2..10000; as many as there are "
-        "images, which suits small sets: leave-one-out");
-    visitor(
-        "block", self.block,
-        "s, length of the blocks that are held out in turn; at most a fraction of 1 / folds of a "
-        "room; images of a folder count as a second apart; 0: as long as the gap");
+    visitor("folds", self.folds,
+            "number of trainings, each without some blocks of time of the runs, 2..10000; if it is "
+            "the number of images, validation is leave-one-out, for small sets");
+    visitor("block", self.block,
+            "s, length of the blocks that are held out in turn; at most 1 / folds of a room; "
+            "images of a folder count as one second apart; 0: as long as the gap");
     visitor("gap", self.gap,
-            "s, to each side of a held-out block, that is not trained on either; 0: found from how "
-            "fast the frames of the run cease to be alike");
+            "s, time on each side of a held-out block that is also left out of training; 0: "
+            "derived from how fast the frames of the run cease to be alike");
   }
   void check() const;
 };
@@ -179,17 +178,17 @@ struct TrainingOptions {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("image", self.image, "preparation of the image");
-    visitor("sampling", self.sampling, "which images of the runs are learned");
-    visitor("information", self.information, "images that say little");
-    visitor("augmentation", self.augmentation, "further images made of those of the runs");
+    visitor("sampling", self.sampling, "selection of the images to learn");
+    visitor("information", self.information, "images with little information");
+    visitor("augmentation", self.augmentation, "additional images derived from those of the runs");
     visitor("cues", self.cues, "one or more cues; their decision values are combined");
-    visitor("svm", self.svm, "the machines");
+    visitor("svm", self.svm, "the support vector machines");
     visitor("reduction", self.reduction, "support vector reduction");
     visitor("validation", self.validation, "cross-validation within the training runs");
     visitor("unknown", self.unknown, "when to answer 'unknown'");
     visitor("seed", self.seed,
-            "of what is drawn at random: which images are learned of too many, which of them gamma "
-            "and `tune` look at, and the light of each image with augmentation.other_light");
+            "seed of all random choices: the learned images if there are too many, the images that "
+            "gamma and `tune` use, and the light of each image with augmentation.other_light");
   }
   /// Throws Error naming the first field out of range.
   void check() const;

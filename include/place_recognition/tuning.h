@@ -31,24 +31,23 @@ struct SearchSpace {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("descriptors", self.descriptors,
-            "sets of CRFH descriptors; of each, the best scales and bins become one possible cue");
+    visitor(
+        "descriptors", self.descriptors,
+        "sets of CRFH descriptors; the best scales and bins of each set become one candidate cue");
     visitor("scales", self.scales, "sets of scales t = sigma^2, pixels^2");
     visitor("bins", self.bins, "quantization levels of each dimension");
     visitor("max_dimensions", self.max_dimensions,
-            "a histogram has at most this many dimensions, descriptors times scales");
+            "most dimensions of a histogram, descriptors times scales");
     visitor("c", self.c, "SVM penalty parameter C");
-    visitor("max_cues", self.max_cues, "that are combined at most, 1..8");
+    visitor("max_cues", self.max_cues, "most cues that are combined, 1..8");
     visitor("other_light", self.other_light,
-            "change the light, too, of the held-out images that are judged a second time; not "
-            "where the "
-            "rooms are only ever seen in the light of the runs");
+            "also change the light of the held-out images that are scored a second time; set to "
+            "false if the rooms are only ever seen in the light of the runs");
     visitor("first_pictures", self.first_pictures,
-            "the first of at most two rounds, which compare scales and bins, looks at about this "
-            "many, the second at twice as many");
+            "approximate number of images for the first of at most two rounds, which compare "
+            "scales and bins; the second round uses twice as many");
     visitor("max_pictures", self.max_pictures,
-            "about this many are looked at for the combination of cues and C, and at most "
-            "in the rounds");
+            "approximate number of images for choosing cues and C, and upper limit for the rounds");
   }
   /// Throws Error naming the first field out of range.
   void check() const;

@@ -90,19 +90,20 @@ void calibrateModel(const CalibrateOptions& options) {
 }  // namespace
 
 void addCalibrate(CommandLine& tool) {
-  Verb& verb = tool.verb("calibrate", "Fits confidence and 'unknown' of a model to another run");
+  Verb& verb = tool.verb("calibrate", "Fits a model's confidence and 'unknown' to another run");
   const auto options = std::make_shared<CalibrateOptions>();
   verb.argument("INPUT", options->inputs, kInputHelp);
   verb.option("--model", "NAME", options->model, "Name or file of the model; its file is replaced")
       .required();
-  verb.option("--out", "NAME2", options->out, "Name or file of the result, instead");
+  verb.option("--out", "NAME2", options->out,
+              "Name or file of the result, if the model is to be kept");
   options->input.addTo(verb);
   verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
-      "The weights of the cues, the slope of the probabilities and the threshold of 'unknown'\n"
-      "are fitted to labelled runs that the model was not trained on; what it has learned of the\n"
-      "rooms stays as it is.\n"
+      "Fits the weights of the cues, the slope of the probabilities and the threshold of "
+      "'unknown'\n"
+      "to labelled runs that the model was not trained on. The learned rooms do not change.\n"
       "Example:\n"
       "  place_tool calibrate --model office thursday.bag");
   verb.run([options] { calibrateModel(*options); });

@@ -62,9 +62,10 @@ TrainingOptions readPreset(const std::string& name) {
 }
 
 void ConfigurationOptions::addTo(Verb& verb) {
-  verb.option("--config", "FILE", config, "YAML file, or a preset's name, as crfh_colour");
+  verb.option("--config", "FILE", config,
+              "YAML file, or the name of a preset, such as crfh_colour");
   verb.option("--set", "KEY=VALUE", set,
-              "Set one option, as in svm.c=10 or cues.crfh.kernel.gamma=30; see "
+              "Set one option, for example svm.c=10 or cues.crfh.kernel.gamma=30; see "
               "doc/configuration.md. May be repeated");
 }
 

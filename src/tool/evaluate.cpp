@@ -49,19 +49,18 @@ void evaluateModel(const EvaluateOptions& options) {
 }  // namespace
 
 void addEvaluate(CommandLine& tool) {
-  Verb& verb = tool.verb("evaluate", "Measures how well a model knows labelled runs");
+  Verb& verb = tool.verb("evaluate", "Measures how well a model recognizes labelled runs");
   const auto options = std::make_shared<EvaluateOptions>();
   verb.argument("INPUT", options->inputs, kInputHelp);
   verb.option("--model", "NAME", options->model, "Name or file of the model").required();
   verb.option("--report", "DIR", options->report,
-              "Write DIR/report.html: figures, plots and the worst mistakes as images");
+              "Write DIR/report.html with metrics, plots and the images of the worst errors");
   options->input.addTo(verb);
   options->output.addTo(verb);
   verb.footer(
-      "Prints the rate of each room and their mean, each room of equal weight; the confusion\n"
-      "matrix; how far the confidence can be trusted; the time an image takes. Images of "
-      "places\n"
-      "that the model has not learned measure how well it says 'unknown'.\n"
+      "Prints the rate of each room and their unweighted mean, the confusion matrix, the\n"
+      "calibration of the confidence, and the time per image. Images of places that the model has\n"
+      "not learned measure how reliably it answers 'unknown'.\n"
       "Example:\n"
       "  place_tool evaluate --model office wednesday.bag --report report");
   verb.run([options] { evaluateModel(*options); });

@@ -115,31 +115,30 @@ void runExperimentVerb(const ExperimentOptions& options) {
 void addExperiment(CommandLine& tool) {
   Verb& verb = tool.verb("experiment", "Repeats an experiment of the thesis");
   const auto options = std::make_shared<ExperimentOptions>();
-  verb.argument(
-          "NAME", options->name,
-          "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
-          "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, which need no "
-          "--data; learning-curve: how many images and which viewpoints are needed; "
-          "categories: rooms of a building that was not learned; cues: ways of combining several")
+  verb.argument("NAME", options->name,
+                "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
+                "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, without "
+                "--data; learning-curve: number of images and viewpoints needed; categories: rooms "
+                "of a building outside the training set; cues: ways of combining several")
       .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials",
               "figures", "learning-curve", "categories", "cues"});
   verb.option("--data", "DIR", options->data,
               "Folder of images: CONDITION/ROOM/IMAGE; materials: MATERIAL/SAMPLE/IMAGE; "
               "categories: BUILDING/CONDITION/ROOM/IMAGE");
   verb.option("--out", "DIR", options->out,
-              "Folder for the tables and for finished cells, which are not computed again")
+              "Folder for the tables and the finished cells, which are not computed again")
       .required();
   verb.option("--layout", "NAME", options->layout,
-              "How the images of places lie: indecs (default); idol, cold: a folder of "
-              "sequences")
+              "Layout of the images of places: indecs (default); idol, cold: a folder of sequences")
       .oneOf({"indecs", "idol", "cold"});
-  verb.option("--every", "N", options->every, "Take every N-th image of each room only").positive();
+  verb.option("--every", "N", options->every, "Use only every N-th image of each room").positive();
   verb.option("--max-dimensions", "N", options->max_dimensions,
-              "descriptors: leave out histograms of more (default 16; the thesis' have 8 at most)")
+              "descriptors: leave out histograms with more dimensions (default 16; the thesis has "
+              "at most 8)")
       .positive();
-  verb.option("--part", "K/N", options->part,
-              "Compute the K-th of N parts of the cells only; tables are written once all cells "
-              "are there");
+  verb.option(
+      "--part", "K/N", options->part,
+      "Compute only the K-th of N parts of the cells; the tables are written when all cells exist");
   verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
   options->output.addTo(verb);
   verb.footer(

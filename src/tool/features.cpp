@@ -75,10 +75,10 @@ void addFeatures(CommandLine& tool) {
   verb.argument("IMAGE", options->image, "Image (png, jpg)");
   options->configuration.addTo(verb);
   verb.footer(
-      "A histogram is one line of index:value; local features are a line each, 128 numbers "
-      "0..255.\n"
-      "Without --config that of the preset crfh. Several cues follow each other, each behind a "
-      "line '# NAME'.\n"
+      "Prints a histogram as one line of index:value, and each local feature as a line of 128\n"
+      "numbers 0..255. The default configuration is the preset crfh. Several cues follow each "
+      "other,\n"
+      "each after a line '# NAME'.\n"
       "Example:\n"
       "  place_tool features now.jpg --config crfh_colour");
   verb.run([options] { features(*options); });

@@ -79,22 +79,22 @@ void importImages(const ImportOptions& options) {
 }  // namespace
 
 void addImport(CommandLine& tool) {
-  Verb& verb = tool.verb("import", "Makes a labelled bag of images on disk");
+  Verb& verb = tool.verb("import", "Makes a labelled bag from images on disk");
   const auto options = std::make_shared<ImportOptions>();
   verb.argument("FOLDER", options->folder, "Folder of images");
   verb.option("--out", "RUN.bag", options->out, "Bag to write").required();
   verb.option("--layout", "NAME", options->layout.name,
-              "How the images lie: rooms (default), indecs, idol or cold")
+              "Layout of the images: rooms (default), indecs, idol or cold")
       .oneOf({"rooms", "indecs", "idol", "cold"});
   verb.option("--condition", "NAME", options->layout.condition,
-              "indecs: the light to import, where the folder holds several: cloudy, night or sunny")
+              "indecs: the light to import if the folder holds several: cloudy, night or sunny")
       .oneOf({"cloudy", "night", "sunny"});
   verb.option("--rate", "HZ", options->layout.rate,
-              "rooms, indecs: images a second (default 5); the others have their own stamps")
+              "rooms, indecs: images per second (default 5); the other layouts have stamps")
       .positive();
   verb.option("--camera", "NAME", options->layout.camera,
-              "cold: the camera whose images are read, std_cam (default) or omni_cam; train on the "
-              "latter with --set image.panorama.mirror=found")
+              "cold: the camera, std_cam (default) or omni_cam; train on the latter with --set "
+              "image.panorama.mirror=found")
       .oneOf({"std_cam", "omni_cam"});
   verb.flag("--raw", options->raw, "Store pixels (sensor_msgs/Image) instead of JPEG");
   options->output.addTo(verb);

@@ -196,7 +196,7 @@ void info(const InfoOptions& options) {
 }  // namespace
 
 void addInfo(CommandLine& tool) {
-  Verb& verb = tool.verb("info", "Tells what is in a model or a bag");
+  Verb& verb = tool.verb("info", "Shows the contents of a model or a bag");
   const auto options = std::make_shared<InfoOptions>();
   verb.argument("NAME_OR_BAG", options->name, "Name or file of a model, or a bag");
   options->input.addTo(verb);

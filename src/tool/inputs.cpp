@@ -127,20 +127,19 @@ const char* const kInputHelp =
     "these";
 
 void InputOptions::addTo(Verb& verb) {
-  const char* const kGroup = "Options on bags";
+  const char* const kGroup = "Options for bags";
   verb.option("--image-topic", "TOPIC", bag.image_topics,
-              "Topic of the images; needed if there are several. Several with commas between them: "
-              "cameras of one robot")
+              "Topic of the images, required if there are several; for the cameras of one robot, "
+              "several topics separated by commas")
       .commaSeparated()
       .group(kGroup);
   verb.option("--label-topic", "TOPIC", bag.label_topic,
               "Topic of the labels, std_msgs/String (default " + bag.label_topic + ")")
       .group(kGroup);
   verb.option("--labels", "FILE", bag.labels_file,
-              "File of labels; RUN.labels.yaml or labels.dat beside RUN.bag is found by itself")
+              "File of labels; RUN.labels.yaml or labels.dat beside RUN.bag is found automatically")
       .group(kGroup);
-  verb.option("--label", "PLACE", bag.label, "The whole of every bag shows this place")
-      .group(kGroup);
+  verb.option("--label", "PLACE", bag.label, "Every bag shows only this place").group(kGroup);
 }
 
 std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string>& inputs) const {

@@ -77,18 +77,19 @@ void label(const LabelOptions& options) {
 void addLabel(CommandLine& tool) {
   Verb& verb = tool.verb("label", "Opens a page in the browser for labelling bags");
   const auto options = std::make_shared<LabelOptions>();
-  verb.argument("RUN", options->inputs,
-                "A bag; several, as those of a split recording, are one after the other");
-  verb.option("--model", "NAME", options->model, "Show what this model answers beside the labels");
-  verb.option("--port", "N", options->port, "Of the page's address; 0: any that is free")
+  verb.argument(
+      "RUN", options->inputs,
+      "A bag; several, such as the parts of a split recording, are shown one after the other");
+  verb.option("--model", "NAME", options->model, "Show this model's answers below the labels");
+  verb.option("--port", "N", options->port, "Port of the page's address; 0: any free port")
       .range(0, 65535);
-  verb.flag("--no-browser", options->no_browser, "Only tell the page's address");
+  verb.flag("--no-browser", options->no_browser, "Only print the page's address");
   options->input.addTo(verb);
   verb.footer(
-      "Save writes RUN.labels.yaml beside each RUN.bag and keeps the file that was there before "
-      "as\n"
-      "RUN.labels.yaml.old; nothing else is written. The page can be reached from this computer\n"
-      "only. Closing it, or Ctrl-C, ends the program.\n"
+      "Save writes RUN.labels.yaml beside each RUN.bag and keeps the previous file as\n"
+      "RUN.labels.yaml.old; nothing else is written. The page is reachable from this computer "
+      "only.\n"
+      "Closing it, or Ctrl-C, ends the program.\n"
       "Example:\n"
       "  place_tool label tuesday.bag --model monday");
   verb.run([options] { label(*options); });

@@ -63,9 +63,10 @@ int main(int argc, char** argv) {
   // A file that grows beyond what is allowed (ulimit -f) is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
 
-  CommandLine tool("place_tool",
-                   "Learns the rooms of a building from labelled bags or images, and names them.",
-                   PLACE_RECOGNITION_VERSION);
+  CommandLine tool(
+      "place_tool",
+      "Learns the rooms of a building from labelled bags or images, and recognizes them.",
+      PLACE_RECOGNITION_VERSION);
   place_recognition::tool::addVerbs(tool);
   return run(tool, {argv + std::min(argc, 1), argv + argc});
 }

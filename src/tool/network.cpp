@@ -137,24 +137,25 @@ void addNetworkAdd(CommandLine& tool) {
   Verb& verb = tool.verb("network add", "Installs a network for the cue `embedding`");
   const auto options = std::make_shared<NetworkAddOptions>();
   verb.argument("SOURCE", options->source,
-                "ONNX file, or a URL (https, http, ftp) that curl gets one from");
+                "ONNX file, or a URL (https, http, ftp), downloaded with curl");
   verb.option("--name", "NAME", options->name,
-              "What configurations call it; `mobilenet` in the presets")
+              "Name for use in configurations; `mobilenet` in the presets")
       .required();
-  verb.option("--sha256", "HEX", options->sha256, "Refuse a file of any other SHA-256");
+  verb.option("--sha256", "HEX", options->sha256, "Refuse a file with a different SHA-256");
   verb.option("--layer", "NAME", options->layer,
-              "The layer that will be taken; needed for a network of several outputs. The whole "
-              "file is installed all the same");
+              "Layer to use, required if the network has several outputs; the whole file is "
+              "installed in any case");
   options->output.addTo(verb);
   verb.footer(
-      "Networks live in $ROS_HOME/place_recognition/networks; doc/networks.md lists some.\n"
+      "Networks are installed in $ROS_HOME/place_recognition/networks; doc/networks.md lists "
+      "some.\n"
       "Example:\n"
       "  place_tool network add mobilenet_v1_1.0_224.onnx --name mobilenet");
   verb.run([options] { add(*options); });
 }
 
 void addNetworkList(CommandLine& tool) {
-  Verb& verb = tool.verb("network list", "Tells which networks are installed");
+  Verb& verb = tool.verb("network list", "Lists the installed networks");
   const auto output = std::make_shared<OutputOptions>();
   output->addTo(verb);
   verb.footer("Example:\n  place_tool network list");

@@ -97,10 +97,10 @@ NetworkFacts tryNetwork(const std::string& name, const std::string& layer) {
 }
 
 void addNetworkTry(CommandLine& tool) {
-  Verb& verb = tool.verb("network try", "Reads a network and runs it once, within bounds");
+  Verb& verb = tool.verb("network try", "Reads a network and runs it once, within limits");
   const auto options = std::make_shared<TryOptions>();
   verb.argument("NAME", options->name, "Name or file of the network");
-  verb.option("--layer", "NAME", options->layer, "The layer that is taken");
+  verb.option("--layer", "NAME", options->layer, "Layer to use");
   verb.option("--options", "YAML", options->yaml, "All options of a feature of type embedding")
       .excludes("--layer");
   verb.footer("Example:\n  place_tool network try mobilenet");

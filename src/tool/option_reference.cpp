@@ -18,16 +18,17 @@ constexpr const char* kIntroduction =
 
 <!-- Written by `place_tool document` from the comments in include/place_recognition. -->
 
-`place_tool train --config FILE` takes a YAML file of the keys below, or the name of one of the
-presets in `config/`; a key that the file does not name keeps its default. `--set KEY=VALUE`
-overwrites one key, as in `--set svm.c=10`; a cue is addressed by its name, as in
+`place_tool train --config FILE` accepts a YAML file with the keys below, or the name of a preset in
+`config/`. A key that the file lacks keeps its default. `--set KEY=VALUE` overrides one key, for
+example `--set svm.c=10`; a cue is addressed by its name, for example
 `--set cues.edges.kernel.gamma=3`. Unknown keys are refused. A list of cues in a file replaces the
-default one: `colours`, `tints`, `edges` and `shapes`, as in `config/default.yaml`. The model keeps
+default list: `colours`, `tints`, `edges` and `shapes`, as in `config/default.yaml`. The model stores
 the options that it was trained with; `place_tool info` shows them.
 )";
 
 constexpr const char* kSearchSpace =
-    "Where `place_tool tune --space FILE` looks; a YAML file of these keys, each with its default.";
+    "The search space of `place_tool tune --space FILE`: a YAML file of these keys, each with its "
+    "default.";
 
 /// YAML on one line.
 template <typename T>
@@ -79,7 +80,7 @@ class Reference {
       addRow(own, key, "", meaning + linkTo(path));
       add(path, path, sentence(meaning), field);
     } else if constexpr (IsVariant<Field>::value) {
-      addRow(own, key, "", meaning + "; its `type` says which of the tables of " + path);
+      addRow(own, key, "", meaning + "; its `type` selects one of the tables of " + path);
       addAlternatives<Field>(path, meaning);
     } else if constexpr (IsVector<Field>::value) {
       addList(own, key, path, field, meaning);
@@ -128,7 +129,7 @@ void addDocument(CommandLine& tool) {
   verb.hide();  // For those who change the options.
   verb.run([] {
     Reference reference;
-    reference.add("Top level", "", "What `train` can be told.", TrainingOptions());
+    reference.add("Top level", "", "The options of `train`.", TrainingOptions());
     reference.add("Search space", "", kSearchSpace, SearchSpace());
     std::cout << kIntroduction;
     reference.print(std::cout);

@@ -15,7 +15,7 @@ namespace place_recognition::tool {
 namespace fs = std::filesystem;
 
 void OutputOptions::addTo(Verb& verb) {
-  verb.option("--json", "FILE", json, "Write the figures as JSON to FILE; - for stdout")
+  verb.option("--json", "FILE", json, "Write the results as JSON to FILE; - for stdout")
       .checked([](const std::string& file) {
         if (!file.empty() && file != "-") requireWritable(file);
       });

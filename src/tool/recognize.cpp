@@ -230,7 +230,7 @@ void recognize(const RecognizeOptions& options) {
 }  // namespace
 
 void addRecognize(CommandLine& tool) {
-  Verb& verb = tool.verb("recognize", "Names the place that images show");
+  Verb& verb = tool.verb("recognize", "Names the place in images");
   const auto options = std::make_shared<RecognizeOptions>();
   verb.argument("IMAGE_OR_INPUT", options->inputs,
                 "Images (png, jpg, webp, bmp, tiff), bags or folders of room/image files");
@@ -238,11 +238,12 @@ void addRecognize(CommandLine& tool) {
   options->input.addTo(verb);
   options->output.addTo(verb);
   verb.footer(
-      "Prints a line per image: path, place (or unknown), confidence 0..1. With --json an object "
-      "a\n"
-      "line: image, place, known, confidence, evidence and the scores of every place; for a bag\n"
-      "also the smoothed answer, in the light of the frames around. Images that cannot be used\n"
-      "are told with the reason.\n"
+      "Prints one line per image: path, place (or unknown), confidence 0..1. With --json, prints "
+      "one\n"
+      "object per line: image, place, known, confidence, evidence and the scores of every place; "
+      "for a\n"
+      "bag also the smoothed answer, which uses the frames before and after. Unusable images are\n"
+      "reported with the reason.\n"
       "Example:\n"
       "  place_tool recognize --model office now.jpg");
   verb.run([options] { recognize(*options); });

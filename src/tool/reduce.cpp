@@ -154,48 +154,47 @@ void reduceModel(const ReduceOptions& options) {
 }  // namespace
 
 void addReduce(CommandLine& tool) {
-  Verb& verb = tool.verb("reduce", "Makes a model smaller and quicker");
+  Verb& verb = tool.verb("reduce", "Makes a model smaller and faster");
   const auto options = std::make_shared<ReduceOptions>();
   options->reduction.method = "shared-greedy";
   verb.option("--model", "NAME", options->model, "Name or file of the model").required();
   verb.option("--out", "NAME2", options->out, "Name or file of the reduced model").required();
   verb.option("--method", "NAME", options->reduction.method,
               "shared-greedy (default), shared-qr: one basis for all machines; qr: each machine "
-              "by itself")
+              "separately")
       .oneOf({"qr", "shared-qr", "shared-greedy"});
   verb.flag("--normalise", options->reduction.normalize,
             "Scale the columns of the kernel matrix to norm one first (default)");
-  verb.flag("--no-normalise", options->reduction.normalize, "Do not", false)
+  verb.flag("--no-normalise", options->reduction.normalize, "Do not scale them", false)
       .excludes("--normalise");
   verb.option("--tau", "T", options->reduction.tau, "Rank threshold, 0..1 (default 0.01)");
   verb.option("--support-vectors", "N", options->reduction.support_vectors,
-              "Number of vectors to keep, of each cue")
+              "Number of vectors of each cue to keep")
       .positive()
       .excludes("--tau");
   verb.option("--share", "S", options->reduction.share,
-              "Fraction of the vectors to keep, of each cue, 0..1")
+              "Fraction of each cue's vectors to keep, 0..1")
       .range(1e-6, 1)
       .excludes("--tau")
       .excludes("--support-vectors");
   verb.option("--max-loss", "PERCENT", options->max_loss,
-              "Fewest vectors that lose no more than this of the rate on --validate, percentage "
-              "points")
+              "Keep the fewest vectors whose rate on --validate falls by at most this much, in "
+              "percentage points")
       .range(0, 100)
       .needs("--validate")
       .excludes("--tau")
       .excludes("--support-vectors")
       .excludes("--share");
   verb.option("--validate", "INPUT", options->validate,
-              "Labelled runs to measure the rate on, before and after")
+              "Labelled runs on which the rate is measured before and after")
       .many();
   verb.option("--train", "INPUT", options->train,
-              "The runs that the model was trained on: the decision values are then kept on all of "
-              "their "
-              "images. Without it on the support vectors only, all that the model has of them")
+              "The runs that the model was trained on: decision values are then preserved on all "
+              "their images; otherwise only on the support vectors, the only images in the model")
       .many();
   verb.option("--report", "DIR", options->report,
-              "Compare all three methods, in the table and in DIR/reduction.html; with --validate, "
-              "with curves of the rate against the vectors");
+              "Compare all three methods in the table and in DIR/reduction.html; with --validate "
+              "also curves of the rate against the number of vectors");
   options->input.addTo(verb);
   options->output.addTo(verb);
   verb.footer(

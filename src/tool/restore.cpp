@@ -87,11 +87,11 @@ void restore(const RestoreOptions& options) {
 }  // namespace
 
 void addRestore(CommandLine& tool) {
-  Verb& verb = tool.verb("restore", "Puts an earlier model of a name back in use");
+  Verb& verb = tool.verb("restore", "Puts an earlier model of a name back into use");
   const auto options = std::make_shared<RestoreOptions>();
   verb.argument("NAME", options->name, "Name or file of the model");
-  verb.flag("--list", options->list, "Only tell which models there are, and change nothing");
-  verb.option("--age", "N", options->age, "Which backup; 1, the newest, if not given")
+  verb.flag("--list", options->list, "Only list the models, and change nothing");
+  verb.option("--age", "N", options->age, "Backup to restore; 1 (default): the newest")
       .range(1, kModelBackups)
       .excludes("--list");
   options->output.addTo(verb);

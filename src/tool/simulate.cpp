@@ -107,27 +107,27 @@ void addSimulate(CommandLine& tool) {
   const auto options = std::make_shared<SimulateOptions>();
   verb.option("--out", "DIR", options->out, "Folder for the runs").required();
   verb.option("--conditions", "LIST", options->conditions,
-              "cloudy, night, sunny: one run each (default all)")
+              "Lights, one run each: cloudy, night, sunny (default all)")
       .commaSeparated()
       .oneOf({"cloudy", "night", "sunny"});
   verb.option("--protocol", "NAME", options->protocol,
-              "indecs: markers, twelve angles each; drive: a path through the rooms")
+              "indecs: markers with twelve angles each; drive: a path through the rooms")
       .oneOf({"indecs", "drive"});
-  verb.option("--seed", "N", options->simulation.seed, "Another building; same seed, same pixels");
+  verb.option("--seed", "N", options->simulation.seed,
+              "Selects the building; the same seed gives the same pixels");
   verb.option("--visit", "N", options->simulation.visit,
-              "The same building another day: other things moved, from 1 (default)");
+              "Day of the visit, from 1 (default): on each day other things are moved");
   verb.option("--format", "NAME", options->format,
               "bag: DIR/cloudy.bag; images: DIR/cloudy/ROOM/NAME.png")
       .oneOf({"bag", "images"});
-  verb.option("--rate", "HZ", options->simulation.rate, "Frames a second");
+  verb.option("--rate", "HZ", options->simulation.rate, "Frames per second");
   verb.option("--size", "WxH", options->size, "Pixels (default 512x384)");
   verb.option("--camera", "NAME", options->camera,
-              "perspective, or omni: one that looks up into a mirror and sees all around")
+              "perspective; omni: the camera looks up into a mirror and sees all around")
       .oneOf({"perspective", "omni"});
-  verb.option(
-          "--cameras", "LIST", options->simulation.cameras,
-          "Cameras of the robot, front,left,rear,right: each with a topic /CAMERA/image_raw of its "
-          "own (default one that looks ahead, /camera/image_raw)")
+  verb.option("--cameras", "LIST", options->simulation.cameras,
+              "Cameras of the robot, front,left,rear,right, each on its own topic "
+              "/CAMERA/image_raw (default: one camera that looks ahead, on /camera/image_raw)")
       .commaSeparated()
       .oneOf({"front", "left", "rear", "right"});
   options->output.addTo(verb);

@@ -178,33 +178,32 @@ void train(const TrainOptions& options) {
 }  // namespace
 
 void addTrain(CommandLine& tool) {
-  Verb& verb = tool.verb("train", "Learns a model from labelled runs");
+  Verb& verb = tool.verb("train", "Trains a model on labelled runs");
   const auto options = std::make_shared<TrainOptions>();
   verb.argument("INPUT", options->inputs, kInputHelp, false);
   verb.option("--model", "NAME", options->model,
               "Name of the model, or a file: a name with a slash or ending in .places")
       .required();
   verb.option("--add-to", "NAME", options->add_to,
-              "Learn on from this model: keep its features and what it remembers")
+              "Continue from this model: keep its features and its support vectors")
       .excludes("--config")
       .excludes("--set");
   verb.option("--from-model", "NAME", options->from_model,
-              "With --add-to: learn what this model of another robot remembers, too; no INPUT is "
-              "needed then. Both must have been trained with the same configuration")
+              "With --add-to: also learn the support vectors of this model of another robot; INPUT "
+              "is then optional. Both models must have been trained with the same configuration")
       .needs("--add-to");
   verb.option("--limit", "N", options->limit,
-              "With --add-to: support vectors that each cue may keep; 0: as many as it needs")
+              "With --add-to: most support vectors that each cue may keep; 0: as many as it needs")
       .needs("--add-to")
       .range(0, 1000000);
   verb.option("--forgetting", "SHARE", options->forgetting,
-              "With --limit: by how much less a view counts each time that its room is learned "
-              "again, 0..0.99; 0: what is forgotten does not depend on its age")
+              "With --limit: fraction by which the weight of a view falls each time that its room "
+              "is learned again, 0..0.99; 0: forgetting does not depend on age")
       .needs("--limit")
       .range(0, 0.99);
-  verb.option(
-      "--validate", "RUN", options->validate,
-      "Replace the model only if the new one is no worse, by more than a standard error, on "
-      "this labelled run, which neither was trained on");
+  verb.option("--validate", "RUN", options->validate,
+              "Replace the model only if the new one is not worse, by more than a standard error, "
+              "on this labelled run; neither model may have been trained on it");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
   verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");

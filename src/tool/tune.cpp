@@ -165,20 +165,20 @@ void addTune(CommandLine& tool) {
               "Runs to test on instead of cross-validation within INPUT")
       .many();
   verb.option("--space", "FILE", options->space,
-              "YAML file that says what to try; see doc/configuration.md");
+              "YAML file of the search space; see doc/configuration.md");
   verb.flag("--same-light", options->same_light,
-            "The rooms will only be seen in the light of these runs: do not change it in the "
-            "held-out images that stand for the next run");
+            "The light never differs from that of these runs: do not vary it in the held-out "
+            "images that represent the next run");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
   verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
   options->output.addTo(verb);
   verb.footer(
-      "Starts from the configuration, the default one unless told, and leaves it only where "
-      "held-out\n"
-      "images, also changed as the next run might show them, clearly speak for it. One or two\n"
-      "rounds find the best scales and bins on few images (--space: first_pictures), then cues\n"
-      "and C are chosen on more of them (max_pictures). Ctrl-C keeps the best so far.\n"
+      "Starts from the default configuration, or that of --config, and leaves it only if held-out\n"
+      "images, unchanged and as the next run might show them, clearly favour another. One or two\n"
+      "rounds find the best scales and bins on few images (--space: first_pictures); cues and C "
+      "are\n"
+      "then chosen on more images (max_pictures). Ctrl-C keeps the best configuration so far.\n"
       "Example:\n"
       "  place_tool tune monday.bag tuesday.bag --out office.yaml\n"
       "  place_tool train monday.bag tuesday.bag --model office --config office.yaml");
