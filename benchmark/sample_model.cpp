@@ -37,8 +37,8 @@ RunOpener viewRun(std::size_t count) {
 
 Model sampleModel(std::size_t count) {
   TrainingOptions options;
+  options.cues = {CueOptions()};
   options.cues.front().kernel.gamma = 1;
-  options.cues.front().feature = CrfhOptions();
   options.svm.c = 0.01;
   options.reduction.method = "none";
   return train({viewRun(count)}, options, 1).model;

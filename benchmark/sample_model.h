@@ -9,7 +9,7 @@ namespace place_recognition {
 /// The first views as a run.
 RunOpener viewRun(std::size_t count);
 
-/// A model of the default preset, but trained at a price of errors so low that every one of `count`
+/// A model of the preset `crfh`, but trained at a price of errors so low that every one of `count`
 /// views is a support vector.
 Model sampleModel(std::size_t count);
 

@@ -1,6 +1,7 @@
-// training_growth FRAMES [GAMMA [REDUCTION]]: trains a model of five rooms on so many views with
-// the default preset, from images to the model; prints its cost as JSON. One process a number of
-// frames, so that memory is that of this training.
+// training_growth FRAMES [MOST [default]]: trains a model of five rooms on so many views with the
+// preset `crfh` or the default cues, from images to the model, and learns MOST of them at most
+// (0: all); prints its cost as JSON. One process a number of frames, so that memory is that of this
+// training.
 
 #include <sys/resource.h>
 
@@ -12,15 +13,15 @@
 
 int main(int argc, char** argv) {
   using namespace place_recognition;
-  if (argc < 2 || argc > 4) {
-    std::cerr << "usage: training_growth FRAMES [GAMMA [REDUCTION]]\n";
+  const bool default_cues = argc == 4 && std::string(argv[3]) == "default";
+  if (argc < 2 || argc > 4 || (argc == 4 && !default_cues)) {
+    std::cerr << "usage: training_growth FRAMES [MOST [default]]\n";
     return 2;
   }
   TrainingOptions options;
-  options.cues.front().feature = CrfhOptions();
-  options.sampling.most = std::numeric_limits<int>::max();
-  if (argc > 2) options.cues.front().kernel.gamma = std::stod(argv[2]);
-  if (argc > 3) options.reduction.method = argv[3];
+  if (!default_cues) options.cues = {CueOptions()};
+  const int most = argc > 2 ? std::stoi(argv[2]) : 0;
+  options.sampling.most = most > 0 ? most : std::numeric_limits<int>::max();
   const Training training = train({viewRun(std::stoul(argv[1]))}, options);
 
   rusage usage = {};
@@ -28,8 +29,8 @@ int main(int argc, char** argv) {
   const double processor =
       static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
       1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-  std::cout << "{\"frames\": " << training.images << ", \"seconds\": " << training.seconds
-            << ", \"processor_seconds\": " << processor
+  std::cout << "{\"frames\": " << training.images << ", \"passed_over\": " << training.passed_over
+            << ", \"seconds\": " << training.seconds << ", \"processor_seconds\": " << processor
             << ", \"megabytes\": " << usage.ru_maxrss / 1024
             << ", \"support_vectors\": " << training.model.supportVectorCount() << "}\n";
 }

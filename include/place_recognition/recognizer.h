@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
@@ -12,6 +13,7 @@
 
 namespace place_recognition {
 
+class CueBudget;
 class CueExtraction;
 class CueMean;
 class EvidenceShift;
@@ -27,6 +29,7 @@ struct Recognition {
   Eigen::RowVectorXd probabilities;    ///< one per place; sum to 1, the largest is `place`
   Eigen::RowVectorXd decision_values;  ///< one per place; as they come from the machines
   std::string reason;                  ///< why place is -1, for a person
+  std::vector<std::size_t> held;       ///< cues that were not computed for this frame, ascending
 };
 
 /// Image in, answer out. Keeps its buffers between frames: one recognizer a thread, any number of
@@ -47,16 +50,22 @@ class Recognizer {
   /// The next frame of a stream, of `stamp`, s: those before it that are neither black nor white
   /// tell the light, which cues with `normalize: run` need, and how evident the places are in it,
   /// see evidenceShift(). A stamp more than a second before the last one begins a new stream.
-  const Recognition& recognize(const cv::Mat& image, double stamp);
+  /// `seconds`: how long the answer may take. Cues for which that will not do, by what they took in
+  /// the frames before, are held; one cue at least is computed, the quickest.
+  const Recognition& recognize(const cv::Mat& image, double stamp,
+                               double seconds = std::numeric_limits<double>::infinity());
 
   /// The next frame begins a new stream.
   void forgetStream();
 
   /// Cues of type `embedding`, which cost much, are computed for at most `rate` frames of a stream
-  /// a second; 0: for each. In between their last decision values count, by their weight times
-  /// e^(-age / decorrelation_time): what was seen tells of what is seen now for about as long.
-  /// `decorrelation_time`, s: 0 lets them count for nothing.
-  void setEmbeddingRate(double rate, double decorrelation_time);
+  /// a second, and held in between; 0: for each.
+  void setEmbeddingRate(double rate) { embedding_rate_ = rate; }
+
+  /// The last decision values of a cue that is held count by its weight times e^(-age / time): what
+  /// was seen tells of what is seen now for about as long. `time`, s: 0, as it is until set, lets
+  /// them count for nothing.
+  void setDecorrelationTime(double time) { decorrelation_time_ = time; }
 
   /// What frames of the current stream are to be multiplied by to look as in the training, by what
   /// its frames so far have shown.
@@ -75,15 +84,17 @@ class Recognizer {
   /// What one cue says of an image.
   struct CueAnswer {
     bool missing = true;
+    double stamp = 0;  // of the image
     Eigen::RowVectorXd decision_values;
     double familiarity = 0;  // the largest kernel value
   };
   using CueAnswers = std::vector<CueAnswer>;
 
-  bool embeddingsAreDue(double stamp);
-  double weightOf(std::size_t cue, double certainty, bool embeddings_are_held) const;
-  void askCues(const Light& light, const cv::Mat& image, bool with_embeddings, CueAnswers& answers);
-  const Recognition& combine(const CueAnswers& answers, double certainty, bool embeddings_are_held,
+  void beginStreamFrame(double stamp);
+  void askCue(std::size_t cue, double stamp, CueAnswer& answer);
+  void askCuesInTime(double stamp);
+  double weightOf(std::size_t cue, double certainty, double age) const;
+  const Recognition& combine(const CueAnswers& answers, double stamp, double certainty,
                              double evidence_shift);
   void decide(double evidence_shift);
   const Recognition& answerNothing(const std::string& reason);
@@ -98,11 +109,11 @@ class Recognizer {
   double embedding_rate_ = 0;
   double decorrelation_time_ = 0;
   std::unique_ptr<RateLimit> embedding_limit_;
-  double stamp_ = 0;            // of the last frame of the stream
-  double embedding_stamp_ = 0;  // of the last one that embeddings were computed for
+  std::unique_ptr<CueBudget> budget_;
+  double stamp_ = 0;  // of the last frame of the stream
   double unknown_threshold_;
   std::vector<Feature> features_;  // one per cue
-  CueAnswers stream_answers_;      // to the last frame of the stream; of embeddings, those held
+  CueAnswers stream_answers_;      // to the last frame of the stream, or held
   CueAnswers image_answers_;       // to an image by itself
   Eigen::VectorXd kernel_values_;
   std::unique_ptr<CueMean> mean_;  // of the cues that count

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "features/small_network.h"
 #include "place_recognition/model_file.h"
 #include "recognition/drawn_recording.h"
 #include "recognition/frames/cue_extraction.h"
+#include "recognition/network_options.h"
 
 namespace place_recognition {
 namespace {
@@ -112,15 +112,8 @@ TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
   EXPECT_NE(both, Eigen::RowVectorXd::Zero(3));
 }
 
-/// A cue of a small network beside that of quickOptions().
 std::shared_ptr<const Model> modelWithNetwork() {
-  TrainingOptions options = quickOptions();
-  CueOptions cue;
-  cue.name = "embedding";
-  cue.feature = SmallNetwork::options();
-  cue.kernel.type = "gaussian";
-  options.cues.push_back(cue);
-  Model model = train({opener(drawFrames(3, 12))}, options).model;
+  Model model = train({opener(drawFrames(3, 12))}, networkOptions()).model;
   model.cue_weights = {0.25, 0.75};
   return std::make_shared<const Model>(std::move(model));
 }
@@ -138,7 +131,8 @@ Eigen::RowVectorXd decisionValues(const Model& model, std::size_t cue, const cv:
 TEST(Recognizer, HoldsDecisionValuesOfEmbeddingsAndLetsThemAge) {
   const std::shared_ptr<const Model> model = modelWithNetwork();
   Recognizer recognizer(model);
-  recognizer.setEmbeddingRate(1, 0.4);
+  recognizer.setEmbeddingRate(1);
+  recognizer.setDecorrelationTime(0.4);
   const cv::Mat first = drawRoom(0, 300);
   const double start = 100;
   recognizer.recognize(first, start);
@@ -159,6 +153,52 @@ TEST(Recognizer, HoldsDecisionValuesOfEmbeddingsAndLetsThemAge) {
     EXPECT_EQ(recognizer.recognize(image, stamp).decision_values,
               recognizer.recognize(image).decision_values);
     recognizer.recognize(image, stamp + 0.1);
+  }
+}
+
+TEST(Recognizer, HoldsDecisionValuesOfCuesForWhichThereIsNoTime) {
+  Model two_cues = train({opener(drawFrames(3, 12))}, twoCueOptions()).model;
+  two_cues.cue_weights = {0.25, 0.75};
+  const auto model = std::make_shared<const Model>(std::move(two_cues));
+  Recognizer recognizer(model);
+  recognizer.setDecorrelationTime(0.4);
+  const cv::Mat first = drawRoom(0, 300);
+  EXPECT_TRUE(recognizer.recognize(first, 100).held.empty());
+  for (const double age : {0.1, 0.3}) {
+    const cv::Mat image = drawRoom(1, 400);
+    const Recognition& answer = recognizer.recognize(image, 100 + age, 0);
+    ASSERT_EQ(answer.held.size(), 1u);
+    const std::size_t held = answer.held[0];  // whichever took longer
+    const std::size_t computed = 1 - held;
+    const double weight = model->cue_weights[computed];
+    const double held_weight = model->cue_weights[held] * std::exp(-age / 0.4);
+    const Eigen::RowVectorXd expected = (weight * decisionValues(*model, computed, image) +
+                                         held_weight * decisionValues(*model, held, first)) /
+                                        (weight + held_weight);
+    EXPECT_TRUE(answer.decision_values.isApprox(expected, 1e-12))
+        << answer.decision_values << " at " << age;
+  }
+  // After a jump back in time, and in a new stream, what was seen counts no more.
+  const cv::Mat image = drawRoom(2, 500);
+  for (const double stamp : {50.0, 200.0}) {
+    const Recognition& answer = recognizer.recognize(image, stamp, 0);
+    ASSERT_EQ(answer.held.size(), 1u);
+    EXPECT_TRUE(
+        answer.decision_values.isApprox(decisionValues(*model, 1 - answer.held[0], image), 1e-12));
+    recognizer.recognize(first, stamp + 0.1);
+    recognizer.forgetStream();
+  }
+}
+
+TEST(Recognizer, ComputesOneCueThatTheImageHasWhateverTheTime) {
+  TrainingOptions options = twoCueOptions();
+  std::get<CrfhOptions>(options.cues[0].feature).border = 5;
+  Model two_cues = train({opener(drawFrames(3, 12))}, options).model;
+  two_cues.cue_weights = {0.5, 0.5};
+  Recognizer recognizer(std::make_shared<const Model>(std::move(two_cues)));
+  const cv::Mat strip = drawRoom(1, 300)(cv::Rect(0, 20, 96, 24)).clone();  // lacks the second
+  for (const double stamp : {1.0, 1.1, 1.2}) {
+    EXPECT_GE(recognizer.recognize(strip, stamp, 0).place, 0);
   }
 }
 

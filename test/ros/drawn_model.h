@@ -9,10 +9,14 @@
 namespace place_recognition {
 
 /// Saves a model of drawn rooms in the folder of models.
+inline void saveRooms(const std::string& name, int rooms, const TrainingOptions& options) {
+  saveModel(train({opener(drawFrames(rooms, 20))}, options).model, namedModelPath(name));
+}
+
 inline void saveRooms(const std::string& name, int rooms, std::uint64_t seed = 1) {
   TrainingOptions options = quickOptions();
   options.seed = seed;
-  saveModel(train({opener(drawFrames(rooms, 20))}, options).model, namedModelPath(name));
+  saveRooms(name, rooms, options);
 }
 
 }  // namespace place_recognition

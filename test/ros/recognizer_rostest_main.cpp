@@ -1,5 +1,6 @@
 // The program of recognizer.test: its tests stand in recognizer_*_rostest.cpp.
 
+#include "recognition/network_options.h"
 #include "ros/recognizer_fixture.h"
 #include "ros/rostest_main.h"
 
@@ -8,5 +9,7 @@ int main(int argc, char** argv) {
   return runRostest(argc, argv, "recognizer_rostest", [] {
     saveRooms("two", 2);
     saveRooms("three", 3);
+    saveRooms("cues", 3, twoCueOptions());
+    saveRooms("network", 3, networkOptions());
   });
 }

@@ -24,32 +24,37 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
   for (const CueOptions& cue : options.cues) {
     extractors_.push_back(makeFeatureExtractor(cue.feature));
     normalizations_.push_back(colourNormalization(cue.normalize));
-    is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
     normalizes_ = normalizes_ || normalizations_.back() != ColourNormalization::kNone;
   }
 }
 
 bool CueExtraction::extract(const cv::Mat& image, std::vector<Feature>& features,
-                            const Light& light, bool with_embeddings) {
+                            const Light& light) {
+  begin(image, light);
+  features.resize(extractors_.size());
+  bool any = false;
+  for (std::size_t c = 0; c < features.size(); ++c) any |= extractCue(c, features[c]);
+  return any;
+}
+
+void CueExtraction::begin(const cv::Mat& image, const Light& light) {
   assert(!image.empty() && (image.type() == CV_8UC3 || image.type() == CV_8UC1));
   const cv::Mat& prepared = panorama_.unrolled(scaler_.scaled(image));
   if (normalizes_) colour_ = logColour(prepared);
-  features.resize(extractors_.size());
   reason_.clear();
   judge(prepared);
-  if (shows_too_little_) {
-    std::fill(features.begin(), features.end(), Feature());
+  if (!shows_too_little_) normalized_.set(prepared, colour_, light);
+}
+
+bool CueExtraction::extractCue(std::size_t cue, Feature& feature) {
+  if (!extractors_[cue] || shows_too_little_) {
+    feature = {};
     return false;
   }
-  normalized_.set(prepared, colour_, light);
-  bool any = false;
-  for (std::size_t c = 0; c < extractors_.size(); ++c) {
-    if (!extractors_[c] || (is_embedding_[c] && !with_embeddings)) continue;
-    extractors_[c]->extract(normalized_.in(normalizations_[c]), features[c]);
-    any = any || !isMissing(features[c]);
-    if (isMissing(features[c]) && reason_.empty()) reason_ = extractors_[c]->missingReason();
-  }
-  return any;
+  extractors_[cue]->extract(normalized_.in(normalizations_[cue]), feature);
+  if (!isMissing(feature)) return true;
+  if (reason_.empty()) reason_ = extractors_[cue]->missingReason();
+  return false;
 }
 
 void CueExtraction::judge(const cv::Mat& scaled) {

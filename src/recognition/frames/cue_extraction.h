@@ -29,10 +29,13 @@ class CueExtraction {
 
   /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one per cue, into `features`, whose
   /// memory is reused. False if no cue could be extracted; reason() then says why.
-  /// `light`: what cues that follow the light of the run multiply the image by. Without
-  /// `with_embeddings` the features of cues that run a network stay as they are.
-  bool extract(const cv::Mat& image, std::vector<Feature>& features, const Light& light = {},
-               bool with_embeddings = true);
+  /// `light`: what cues that follow the light of the run multiply the image by.
+  bool extract(const cv::Mat& image, std::vector<Feature>& features, const Light& light = {});
+
+  /// The same a cue at a time: the image that extractCue() looks at. It must stay where it is.
+  void begin(const cv::Mat& image, const Light& light = {});
+  /// False if the feature is missing.
+  bool extractCue(std::size_t cue, Feature& feature);
 
   /// logColor() of the last image, before any normalization; zero if no cue normalizes.
   const Eigen::RowVector3d& colour() const { return colour_; }
@@ -55,7 +58,6 @@ class CueExtraction {
   Panorama panorama_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
   std::vector<ColourNormalization> normalizations_;            // of each cue
-  std::vector<bool> is_embedding_;                             // of each cue
   bool normalizes_ = false;
   Eigen::RowVector3d colour_ = Eigen::RowVector3d::Zero();
   NormalizedImage normalized_;

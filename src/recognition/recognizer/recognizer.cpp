@@ -9,6 +9,7 @@
 #include "recognition/frames/light_estimate.h"
 #include "recognition/model/cue_mean.h"
 #include "recognition/model/scores.h"
+#include "recognition/recognizer/cue_budget.h"
 #include "recognition/recognizer/evidence_shift.h"
 
 namespace place_recognition {
@@ -25,6 +26,7 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
       unknown_light_(light_->certainty()),
       evidence_shift_(std::make_unique<EvidenceShift>(*model_)),
       embedding_limit_(std::make_unique<RateLimit>()),
+      budget_(std::make_unique<CueBudget>(model_->classifiers.size())),
       unknown_threshold_(model_->unknown_threshold),
       mean_(std::make_unique<CueMean>()) {
   for (const CueOptions& cue : model_->options.cues) {
@@ -32,6 +34,7 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
     is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
   }
   const Eigen::Index places = static_cast<Eigen::Index>(model_->places.size());
+  features_.resize(model_->classifiers.size());
   stream_answers_.resize(model_->classifiers.size());
   image_answers_.resize(model_->classifiers.size());
   recognition_.decision_values.setZero(places);
@@ -43,20 +46,21 @@ Recognizer::Recognizer(Recognizer&&) noexcept = default;
 Recognizer& Recognizer::operator=(Recognizer&&) noexcept = default;
 
 const Recognition& Recognizer::recognize(const cv::Mat& image) {
+  recognition_.held.clear();
   if (isUniform(statisticsOf(image))) return answerNothing(kUniformReason);
-  askCues({}, image, true, image_answers_);
-  return combine(image_answers_, unknown_light_, false, 0);
+  extraction_->begin(image);
+  for (std::size_t c = 0; c < image_answers_.size(); ++c) askCue(c, 0, image_answers_[c]);
+  return combine(image_answers_, 0, unknown_light_, 0);
 }
 
-const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp) {
-  light_->beginFrame(stamp);
-  evidence_shift_->beginFrame(stamp);
+const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp, double seconds) {
+  budget_->begin(seconds);
+  beginStreamFrame(stamp);
+  recognition_.held.clear();
   if (isUniform(statisticsOf(image))) return answerNothing(kUniformReason);
-  const bool compute = embeddingsAreDue(stamp);
-  if (compute) embedding_stamp_ = stamp;
-  stamp_ = stamp;
-  askCues(light_->correction(), image, compute, stream_answers_);
-  combine(stream_answers_, light_->certainty(), !compute, evidence_shift_->value());
+  extraction_->begin(image, light_->correction());
+  askCuesInTime(stamp);
+  combine(stream_answers_, stamp, light_->certainty(), evidence_shift_->value());
   light_->add(extraction_->colour(), recognition_.probabilities);
   if (recognition_.place >= 0) {
     evidence_shift_->add(recognition_.probabilities, recognition_.decision_values, log_odds_);
@@ -70,40 +74,51 @@ void Recognizer::forgetStream() {
   light_->reset();
   evidence_shift_->reset();
   embedding_limit_->reset();
+  for (CueAnswer& answer : stream_answers_) answer.missing = true;
 }
 
 double Recognizer::evidenceShift() const { return evidence_shift_->value(); }
 
-void Recognizer::setEmbeddingRate(double rate, double decorrelation_time) {
-  embedding_rate_ = rate;
-  decorrelation_time_ = decorrelation_time;
-}
-
-bool Recognizer::embeddingsAreDue(double stamp) {
+void Recognizer::beginStreamFrame(double stamp) {
+  light_->beginFrame(stamp);
+  evidence_shift_->beginFrame(stamp);
   if (stamp < stamp_) embedding_limit_->reset();
-  return embedding_limit_->admits(stamp, embedding_rate_);
+  stamp_ = stamp;
 }
 
-/// Leaves the answers of embeddings as they are unless `with_embeddings`.
-void Recognizer::askCues(const Light& light, const cv::Mat& image, bool with_embeddings,
-                         CueAnswers& answers) {
-  extraction_->extract(image, features_, light, with_embeddings);
-  for (std::size_t c = 0; c < features_.size(); ++c) {
-    if (is_embedding_[c] && !with_embeddings) continue;
-    CueAnswer& answer = answers[c];
-    answer.missing = isMissing(features_[c]) || model_->cue_weights[c] == 0;
-    if (answer.missing) continue;
-    model_->classifiers[c].decisionValues(features_[c], kernel_values_, answer.decision_values);
-    answer.familiarity = kernel_values_.size() > 0 ? kernel_values_.maxCoeff() : 0;
+/// The answer to the image that extraction has begun.
+void Recognizer::askCue(std::size_t cue, double stamp, CueAnswer& answer) {
+  Feature& feature = features_[cue];
+  answer.missing = !extraction_->extractCue(cue, feature) || model_->cue_weights[cue] == 0;
+  answer.stamp = stamp;
+  if (answer.missing) return;
+  model_->classifiers[cue].decisionValues(feature, kernel_values_, answer.decision_values);
+  answer.familiarity = kernel_values_.size() > 0 ? kernel_values_.maxCoeff() : 0;
+}
+
+/// Those cues that are due and for which there is time; the others are held.
+void Recognizer::askCuesInTime(double stamp) {
+  const bool embeddings_are_due = embedding_limit_->admits(stamp, embedding_rate_);
+  bool answered = false;
+  for (const std::size_t c : budget_->order()) {
+    const bool due = embeddings_are_due || !is_embedding_[c];
+    if (!due || (answered && !budget_->allows(c))) {
+      recognition_.held.push_back(c);
+      continue;
+    }
+    CueAnswer& answer = stream_answers_[c];
+    budget_->time(c, [&] { askCue(c, stamp, answer); });
+    answered = answered || !answer.missing;
   }
+  std::sort(recognition_.held.begin(), recognition_.held.end());
 }
 
-const Recognition& Recognizer::combine(const CueAnswers& answers, double certainty,
-                                       bool embeddings_are_held, double evidence_shift) {
+const Recognition& Recognizer::combine(const CueAnswers& answers, double stamp, double certainty,
+                                       double evidence_shift) {
   mean_->begin(static_cast<Eigen::Index>(model_->places.size()));
   for (std::size_t c = 0; c < answers.size(); ++c) {
     if (answers[c].missing) continue;
-    mean_->add(weightOf(c, certainty, embeddings_are_held), answers[c].decision_values,
+    mean_->add(weightOf(c, certainty, stamp - answers[c].stamp), answers[c].decision_values,
                answers[c].familiarity);
   }
   if (!extraction_->showsTooLittle() && mean_->finish()) {
@@ -115,15 +130,12 @@ const Recognition& Recognizer::combine(const CueAnswers& answers, double certain
 }
 
 /// What a cue counts: if it follows the light of the run, by the certainty of it; if its decision
-/// values are held, by their age.
-double Recognizer::weightOf(std::size_t cue, double certainty, bool embeddings_are_held) const {
+/// values are held, by their age, s. Time may have jumped back since.
+double Recognizer::weightOf(std::size_t cue, double certainty, double age) const {
   double weight = model_->cue_weights[cue];
   if (follows_run_[cue]) weight *= certainty;
-  if (is_embedding_[cue] && embeddings_are_held) {
-    weight *=
-        decorrelation_time_ > 0 ? std::exp((embedding_stamp_ - stamp_) / decorrelation_time_) : 0;
-  }
-  return weight;
+  if (age < 0 || (age > 0 && decorrelation_time_ == 0)) return 0;
+  return age > 0 ? weight * std::exp(-age / decorrelation_time_) : weight;
 }
 
 void Recognizer::decide(double evidence_shift) {

@@ -178,6 +178,9 @@ PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model&
     message.places[i].margin = recognition.decision_values[static_cast<Eigen::Index>(i)];
   }
   message.seconds = seconds;
+  for (const std::size_t cue : recognition.held) {
+    message.held_cues.push_back(model.options.cues[cue].name);
+  }
   return message;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
@@ -62,7 +63,9 @@ bool CameraRecognizer::follow(const PlaceRecognizerConfig& config) {
   const double wanted = config.unknown_threshold;
   unknown_threshold_ = wanted < 0 ? model_->unknown_threshold : wanted;
   recognizer_->setUnknownThreshold(unknown_threshold_);
-  recognizer_->setEmbeddingRate(config.embedding_rate, config.smoothing);
+  recognizer_->setEmbeddingRate(config.embedding_rate);
+  recognizer_->setDecorrelationTime(config.smoothing);
+  deadline_ = config.deadline / 1000;
   return is_new;
 }
 
@@ -98,10 +101,16 @@ const Recognition& CameraRecognizer::recognize(const cv::Mat& image, double stam
     ROS_WARN("%s%s", camera.c_str(), warning.c_str());
   }
   status_.judged(guard_->problem());
-  const Recognition& recognition = recognizer_->recognize(image, stamp);
+  const Recognition& recognition = recognizer_->recognize(image, stamp, secondsLeft(arrival));
   if (recognition.place < 0) status_.saidNothing(recognition.reason);
+  status_.held(recognition.held.size());
   status_.followed(recognizer_->lightCorrection(), recognizer_->evidenceShift());
   return recognition;
+}
+
+double CameraRecognizer::secondsLeft(ImageStatus::Clock::time_point arrival) const {
+  if (deadline_ == 0) return std::numeric_limits<double>::infinity();
+  return deadline_ - (secondsOf(ImageStatus::Clock::now()) - secondsOf(arrival));
 }
 
 Recognition CameraRecognizer::recognizeImage(const ImageMessage& message) {

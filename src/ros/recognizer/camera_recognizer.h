@@ -73,6 +73,7 @@ class CameraRecognizer {
 
  private:
   void followClock(double stamp);
+  double secondsLeft(ImageStatus::Clock::time_point arrival) const;
 
   const CameraName name_;
   const ModelSlot& model_slot_;
@@ -82,6 +83,7 @@ class CameraRecognizer {
   std::unique_ptr<Recognizer> recognizer_;  // of the model
   std::optional<ImageGuard> guard_;         // likewise
   double unknown_threshold_ = 0;
+  double deadline_ = 0;  // s; 0: none
   RateLimit rate_limit_;
   DepthScale depth_scale_;  // of the model, or of the images that came
   std::string depth_text_;  // as logged last

@@ -64,6 +64,11 @@ void ImageStatus::saidNothing(const std::string& reason) {
   last_silence_ = reason;
 }
 
+void ImageStatus::held(std::size_t cues) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (cues > 0) ++with_held_cues_;
+}
+
 void ImageStatus::followed(const Light& correction, double evidence_shift) {
   const std::lock_guard<std::mutex> lock(mutex_);
   light_correction_ = correction;
@@ -98,6 +103,7 @@ void ImageStatus::report(Report& report) {
   report.add("largest latency, s", recent_.latency_max);
   report.add("age of the last image, s", last_age_);
   report.add("answers", answers_);
+  report.add("answers with held cues", with_held_cues_);
   report.add("skipped while busy", skipped_);
   report.add("left out by the rate limit", left_out_);
   report.add("unusable", unusable_);

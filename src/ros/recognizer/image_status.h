@@ -33,6 +33,8 @@ class ImageStatus {
   void judged(const std::string& problem);
   /// An image was answered without a place, for this reason.
   void saidNothing(const std::string& reason);
+  /// So many cues were not computed for an image.
+  void held(std::size_t cues);
   /// How the images differ from those of the training, as the answers so far tell, see Recognizer.
   void followed(const Light& correction, double evidence_shift);
   /// Why answers do not count for ~place, as long as it lasts; empty: they do.
@@ -68,6 +70,7 @@ class ImageStatus {
   std::uint64_t unusable_ = 0;
   std::uint64_t said_nothing_ = 0;
   std::uint64_t answers_ = 0;
+  std::uint64_t with_held_cues_ = 0;
   std::string last_problem_;
   std::string last_silence_;   // why an image said nothing
   std::string image_problem_;  // as long as it lasts, as the next one

@@ -75,6 +75,7 @@ void checkLiveParameters(Parameters& parameters, const ros::NodeHandle& private_
   check("smoothing", &PlaceRecognizerConfig::smoothing);
   check("maximum_rate", &PlaceRecognizerConfig::maximum_rate);
   check("embedding_rate", &PlaceRecognizerConfig::embedding_rate);
+  check("deadline", &PlaceRecognizerConfig::deadline);
 }
 
 }  // namespace
