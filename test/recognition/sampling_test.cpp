@@ -195,6 +195,20 @@ TEST(Sampling, OfALongRunFewerAndFewerImagesAreLookedAt) {
   for (const int count : quarters) EXPECT_NEAR(count, 5, 2);
 }
 
+TEST(Sampling, OfALongRunTheSameImagesAreLearnedWhateverTheThreads) {
+  TrainingOptions options = quickOptions();
+  options.sampling.most = 30;
+  const auto stamps = [&](unsigned threads) {
+    const Samples samples = collectSamples({opener(drawFrames(2, 200))}, options, threads, {});
+    std::vector<double> stamps;
+    for (const SampleOrigin& origin : samples.origins) stamps.push_back(origin.stamp);
+    return stamps;
+  };
+  const std::vector<double> one = stamps(1);
+  EXPECT_EQ(one.size(), 30u);
+  EXPECT_EQ(stamps(4), one);
+}
+
 TEST(Sampling, TheSeedSaysWhichImagesAreLearned) {
   TrainingOptions options = quickOptions();
   options.sampling.most = 40;
