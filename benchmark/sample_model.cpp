@@ -5,9 +5,9 @@
 namespace place_recognition {
 namespace {
 
-class ViewRun : public Run {
+class ViewRun : public Recording {
  public:
-  explicit ViewRun(std::size_t count) : Run("views"), count_(count) {}
+  explicit ViewRun(std::size_t count) : Recording("views"), count_(count) {}
 
   bool next(Frame& frame) override {
     if (position_ == count_) return false;
@@ -31,7 +31,7 @@ class ViewRun : public Run {
 
 }  // namespace
 
-RunOpener viewRun(std::size_t count) {
+RecordingOpener viewRun(std::size_t count) {
   return [count] { return std::make_unique<ViewRun>(count); };
 }
 

@@ -6,8 +6,8 @@
 
 namespace place_recognition {
 
-/// The first views as a run.
-RunOpener viewRun(std::size_t count);
+/// The first views as a recording.
+RecordingOpener viewRun(std::size_t count);
 
 /// A model of the preset `crfh`, but trained at a price of errors so low that every one of `count`
 /// views is a support vector.
