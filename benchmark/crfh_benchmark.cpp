@@ -51,7 +51,7 @@ const std::vector<Setup>& setups() {
 }
 
 /// A real image of 640 x 480; without one, noise of all scales, which fills as many bins.
-cv::Mat image() {
+cv::Mat sampleImage() {
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
   const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "nao_canteen";
   if (data && std::filesystem::exists(folder)) {
@@ -238,7 +238,7 @@ void peers(benchmark::State& state, const Setup& setup, const cv::Mat& image) {
 int main(int argc, char** argv) {
   using namespace place_recognition;
   cv::setNumThreads(1);
-  const cv::Mat image = image();
+  const cv::Mat image = sampleImage();
   for (const Setup& setup : setups()) {
     const std::string dimensions = std::string(setup.name) + "_dimensions";
     const auto add = [&](const char* name, auto function) {

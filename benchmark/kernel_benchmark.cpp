@@ -96,7 +96,7 @@ class Peer {
     return column_;
   }
 
-  const Eigen::RowVectorXd& decision_values() {
+  const Eigen::RowVectorXd& decisionValues() {
     column();
     decision_values_.resize(Views::kPlaces);
     for (std::size_t m = 0; m < Views::kPlaces; ++m) decision_values_[m] = decisionValue(m);

@@ -16,8 +16,8 @@ namespace place_recognition {
 namespace {
 
 constexpr std::size_t kImages = 500;
-constexpr std::size_t kPeerImages = 5;  // of the slow way; all have the same number of descriptors
-constexpr std::size_t kImages = 50;     // real ones, each of them several times
+constexpr std::size_t kPeerImages = 5;   // of the slow way; all have the same number of descriptors
+constexpr std::size_t kRealImages = 50;  // each of them several times
 constexpr std::size_t kDescriptors = 400;
 constexpr std::size_t kDimension = DescriptorSet::kDimension;
 constexpr double kProducts = kDescriptors * kDescriptors * kDimension;  // of an image
@@ -41,11 +41,11 @@ struct Setup {
   Setup() {
     kernel.type = "local-match";
     kernel.gamma = kGamma;
-    const std::vector<Feature> images = extractViews(LocalFeatureOptions(), kImages + 1).features;
+    const std::vector<Feature> real = extractViews(LocalFeatureOptions(), kRealImages + 1).features;
     for (std::size_t i = 0; i < kImages; ++i) {
-      images.push_back(filledUp(std::get<DescriptorSet>(images[i % kImages]), i / kImages));
+      images.push_back(filledUp(std::get<DescriptorSet>(real[i % kRealImages]), i / kRealImages));
     }
-    frame = filledUp(std::get<DescriptorSet>(images.back()), 0);
+    frame = filledUp(std::get<DescriptorSet>(real.back()), 0);
   }
 };
 
