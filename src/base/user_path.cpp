@@ -66,6 +66,7 @@ fs::path folderOfCall() {
 
 std::string userPath(const std::string& given) {
   if (given.empty()) return given;
+  if (given.compare(0, 8, "file:///") == 0) return given.substr(7);
   const std::string path = given[0] == '$' ? withVariable(given) : given;
   if (path[0] == '/') return path;
   if (path[0] == '~') {

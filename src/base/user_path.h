@@ -8,8 +8,8 @@ namespace place_recognition {
 /// another user, "$NAME/" or "${NAME}/" what the environment says, and a relative path starts at
 /// the folder in which the person called the program. For a node that roslaunch starts, that is the
 /// folder in which roslaunch was called; the node itself starts in $ROS_HOME. Blanks and other
-/// characters stay as they are. Empty stays empty. Throws Error for the home folder of a user that
-/// does not exist, and for a variable that is not set.
+/// characters stay as they are, "file://" before a path is dropped. Empty stays empty. Throws Error
+/// for the home folder of a user that does not exist, and for a variable that is not set.
 std::string userPath(const std::string& path);
 
 }  // namespace place_recognition

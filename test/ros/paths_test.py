@@ -32,6 +32,7 @@ class PathsTest(NodeCase):
     def test_record_in_every_way(self):
         for given, path in ((self.trip / "the run.bag", self.trip / "the run.bag"),
                             ("~/run.bag", self.home / "run.bag"),
+                            (f"file://{self.home}/run5.bag", self.home / "run5.bag"),
                             ("$HOME/run4.bag", self.home / "run4.bag"),
                             ("run 1.bag", self.trip / "run 1.bag"),
                             ("./run2", self.trip / "run2.bag"),

@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
 
+#include <algorithm>
 #include <atomic>
 #include <clocale>
 #include <csignal>
@@ -83,8 +84,8 @@ class ClockWatch {
   ros::WallTime next_warning_ = ros::WallTime::now() + ros::WallDuration(kClockPatience);
 };
 
-/// Starts ROS; throws Error if an argument cannot be one.
-void initialize(int argc, char** argv, const char* name) {
+/// Starts ROS; returns the arguments that mean nothing to it. Throws Error if one cannot be meant.
+std::vector<std::string> initialize(int argc, char** argv, const char* name) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {
     ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
@@ -104,6 +105,7 @@ void initialize(int argc, char** argv, const char* name) {
     }
     throw Error(e.what());
   }
+  return {argv + std::min(argc, 1), argv + argc};
 }
 
 }  // namespace
@@ -111,14 +113,19 @@ void initialize(int argc, char** argv, const char* name) {
 int runNode(int argc, char** argv, const char* name, const std::function<void()>& work) {
   // Names of rooms are UTF-8; without it log4cxx writes '?' for all that is not ASCII.
   std::setlocale(LC_CTYPE, "C.UTF-8");
+  std::vector<std::string> strange;
   try {
-    initialize(argc, argv, name);
+    strange = initialize(argc, argv, name);
   } catch (const Error& e) {
     std::cerr << name << ": " << e.what() << "\n";
     return EXIT_FAILURE;
   }
   ros::start();  // else the last NodeHandle to go would end ROS, and logging with it
   endOnRequest();
+  for (const std::string& argument : strange) {
+    ROS_WARN("The argument %s changes nothing; a parameter is written _name:=value.",
+             argument.c_str());
+  }
   int status = EXIT_SUCCESS;
   try {
     work();
