@@ -6,6 +6,7 @@
 
 #include "learning/reduction.h"
 #include "place_recognition/calibration.h"
+#include "recognition/training/learning_on.h"
 
 namespace place_recognition {
 namespace {
@@ -87,7 +88,8 @@ ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const std::ve
   std::vector<int> labels;
   for (const int sample : samples) labels.push_back(task.samples[sample].place);
   const BinarySvms machines =
-      trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
+      task.learned ? learnOn(*task.learned, gram, train_rows, labels, 1 / task.svm.c)
+                   : trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
   const std::vector<int> vectors = supportVectors(machines);
   BinarySvms supported = machines;
   supported.weights = rows(machines.weights, vectors);

@@ -23,6 +23,9 @@ struct TrainingTask {
   const Progress& progress;
   std::uint64_t seed = 1;  ///< of what is drawn at random
   double forgetting = 0;   ///< see IncrementalOptions
+  /// One-against-all machines to learn on from, over the first samples that have the cue, which
+  /// every fold trains on; null: there are none.
+  const BinarySvms* learned = nullptr;
 };
 
 /// Decision values of samples by machines that were trained without them and their neighbours in

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "learning/binary_svms.h"
 #include "place_recognition/model.h"
 #include "recognition/training/samples.h"
 
@@ -17,5 +20,11 @@ Samples joinSamples(Samples remembered, Samples others);
 /// Throws Error, a sentence that names both, if `other` cannot join `model`: if its features are
 /// not those that `model` would have extracted from the same images.
 void requireJoinable(const Model& model, const Model& other);
+
+/// The machines of each cue of `model`, over its remembered samples, for more places: those of the
+/// model are `place_before` among `places`, and no sample is known of the others. Empty if they are
+/// one-against-one.
+std::vector<BinarySvms> learnedMachines(const Model& model, const std::vector<int>& place_before,
+                                        std::size_t places);
 
 }  // namespace place_recognition

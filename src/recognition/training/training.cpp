@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <numeric>
 #include <string>
 
 #include "base/place_name.h"
@@ -101,12 +103,30 @@ std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, Training
                     true);
 }
 
+/// What was learned before is trained on in every fold, and judged in none.
+std::vector<Fold> withRemembered(std::vector<Fold> folds, std::size_t remembered) {
+  const auto isFresh = [remembered](int sample) {
+    return static_cast<std::size_t>(sample) >= remembered;
+  };
+  for (Fold& fold : folds) {
+    std::vector<int> train(remembered);
+    std::iota(train.begin(), train.end(), 0);
+    std::copy_if(fold.train.begin(), fold.train.end(), std::back_inserter(train), isFresh);
+    fold.train = std::move(train);
+    fold.test.erase(std::stable_partition(fold.test.begin(), fold.test.end(), isFresh),
+                    fold.test.end());
+  }
+  return folds;
+}
+
 /// The road from samples to a model, whose options are those asked for and what was found.
+/// `learned`: machines of each cue to learn on from, if any.
 Training learn(Samples samples, TrainingOptions options, double forgetting, unsigned threads,
-               const Progress& progress) {
+               const Progress& progress, const std::vector<BinarySvms>& learned = {}) {
   const std::size_t places = samples.places.size();
   report(progress, "Choosing blocks of time", 0);
-  const std::vector<Fold> folds = chooseFolds(samples, threads, options);
+  std::vector<Fold> folds = chooseFolds(samples, threads, options);
+  if (!learned.empty()) folds = withRemembered(std::move(folds), samples.remembered);
   const TrainingTask task{samples.origins, places,   folds,        options.svm,
                           threads,         progress, options.seed, forgetting};
 
@@ -114,7 +134,10 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
       reductionsInQuestion(options.reduction, samples.origins.size());
   std::vector<TrainedCue> cues;
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
-    cues.push_back(trainCue(std::move(samples.features[c]), options.cues[c], reductions, task));
+    TrainingTask task_of_cue = task;
+    if (!learned.empty()) task_of_cue.learned = &learned[c];
+    cues.push_back(
+        trainCue(std::move(samples.features[c]), options.cues[c], reductions, task_of_cue));
   }
 
   const CalibrationSet calibration_set = judgesOf(samples, folds, cues, reductions.size());
@@ -176,6 +199,19 @@ Training timed(const Work& work) {
   return training;
 }
 
+/// Whether the machines of `model` learn on: not with those of another model, nor within a limit,
+/// which takes vectors from them again. The time that learnOn() takes grows with the third power of
+/// the number of vectors and samples. Else support vectors and samples are trained on together.
+bool canLearnOn(const Model& model, const Samples& samples, const IncrementalOptions& options) {
+  constexpr std::size_t kMost = 3000;
+  const std::size_t fresh = samples.origins.size() - samples.remembered;
+  if (options.other || options.vector_limit > 0 || fresh == 0) return false;
+  return std::all_of(model.classifiers.begin(), model.classifiers.end(),
+                     [fresh](const Classifier& classifier) {
+                       return classifier.supportVectorCount() + fresh <= kMost;
+                     });
+}
+
 /// A fraction would be taken of what is left of earlier runs again and again, and the few new
 /// frames cannot choose one.
 ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
@@ -224,8 +260,13 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
       samples = joinSamples(std::move(samples),
                             collectSamplesFor(model, recordings, options, threads, progress, 1));
     }
+    std::vector<BinarySvms> learned;
+    if (canLearnOn(model, samples, incremental)) {
+      learned =
+          learnedMachines(model, samples.judged_before.front().place_of, samples.places.size());
+    }
     Training training =
-        learn(std::move(samples), options, incremental.forgetting, threads, progress);
+        learn(std::move(samples), options, incremental.forgetting, threads, progress, learned);
     training.model.asked = model.asked;
     if (!training.model.cameras.known()) training.model.cameras = model.cameras;
     return training;
