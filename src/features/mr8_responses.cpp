@@ -10,11 +10,15 @@ namespace {
 
 constexpr float kWeberContrast = 0.03f;
 
+/// Below the deviation of grey levels that are all the same but one, in grey levels; above the
+/// rounding errors of that of a blank image, which is not zero on every machine.
+constexpr double kBlank = 1e-4;
+
 /// Zero mean and unit variance; a blank image becomes zero.
 void normalize(const cv::Mat& grey, cv::Mat1f& image) {
   cv::Scalar mean, deviation;
   cv::meanStdDev(grey, mean, deviation);
-  const double scale = deviation[0] > 0 ? 1 / deviation[0] : 0;
+  const double scale = deviation[0] > kBlank ? 1 / deviation[0] : 0;
   grey.convertTo(image, CV_32F, scale, -mean[0] * scale);
 }
 

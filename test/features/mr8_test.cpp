@@ -137,10 +137,12 @@ TEST(Mr8, IsAJointHistogram) {
 // four of the Gaussian and its Laplacian.
 TEST(Mr8, OfABlankImageHasOneBin) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(30, 7), cv::Size(200, 100)}) {
-    const SparseVector h = extract(cv::Mat1b(size, std::uint8_t{93}));
-    ASSERT_EQ(h.size(), 1u);
-    EXPECT_EQ(h.indices[0], 2u * 4096 + 2u * 16384);
-    EXPECT_EQ(h.values[0], 1);
+    for (const std::uint8_t grey : {9, 18, 93}) {
+      const SparseVector h = extract(cv::Mat1b(size, grey));
+      ASSERT_EQ(h.size(), 1u);
+      EXPECT_EQ(h.indices[0], 2u * 4096 + 2u * 16384);
+      EXPECT_EQ(h.values[0], 1);
+    }
   }
 }
 
