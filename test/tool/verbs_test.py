@@ -222,7 +222,15 @@ class OtherImagesTest(TrainedCase):
 
     def test_a_camera_that_shows_nothing_is_said(self):
         self.write_changed("other", lambda image: image // 64)
-        self.expect_said_once("other", "Images are black")
+        result = self.run_tool("recognize", "other", "--model", "./home.places")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr.count("Images are black"), 1, result.stderr)
+        self.assertIn("nothing but one colour",
+                      self.refuse("evaluate", "other", "--model", "./home.places"))
+        self.write_picture("other/kitchen/4.png", paint("kitchen", 4, 1))
+        result = self.run_tool("evaluate", "other", "--model", "./home.places")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("left out are 12 images of nothing but one colour", result.stderr)
 
     def test_frozen_frames_are_said(self):
         frozen = paint("kitchen", 0)
