@@ -8,8 +8,8 @@
 namespace place_recognition {
 namespace {
 
-constexpr double kApproach = 0.2;           // of the way down to what a cue took last, per frame
-constexpr double kShareWhenLeftOut = 0.98;  // of what is expected of a cue, per frame without it
+constexpr double kApproach = 0.2;          // of the way down to what a cue took last, per frame
+constexpr double kKeptWhenLeftOut = 0.98;  // of what is expected of a cue, per frame without it
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void CueBudget::begin(double seconds) {
 
 bool CueBudget::allows(std::size_t cue) {
   if (clock_() + expected_[cue] <= end_) return true;
-  expected_[cue] *= kShareWhenLeftOut;
+  expected_[cue] *= kKeptWhenLeftOut;
   return false;
 }
 

@@ -23,7 +23,7 @@ class StratifiedLevels {
 };
 
 /// Which frames to keep of runs that may have more than fit into memory: of each place the same
-/// share, spread evenly over its frames, which is halved as often as needed.
+/// fraction, spread evenly over its frames, which is halved as often as needed.
 class HalvingSample {
  public:
   explicit HalvingSample(std::uint64_t seed) : seed_(seed) {}

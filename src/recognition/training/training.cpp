@@ -37,8 +37,8 @@ bool followsLight(const TrainingOptions& options) {
 }
 
 /// Held-out decision values of the samples, and of the frames that judged the model that they join.
-CalibrationSet judgesOf(const Samples& samples, const std::vector<Fold>& folds,
-                        std::vector<TrainedCue>& cues, std::size_t reductions) {
+CalibrationSet calibrationSetOf(const Samples& samples, const std::vector<Fold>& folds,
+                                std::vector<TrainedCue>& cues, std::size_t reductions) {
   CalibrationSet calibration_set{samples.origins, {}, {}};
   for (const Fold& fold : folds) calibration_set.folds.push_back({{}, fold.test});
   for (std::size_t r = 0; r < reductions; ++r) {
@@ -140,7 +140,7 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
         trainCue(std::move(samples.features[c]), options.cues[c], reductions, task_of_cue));
   }
 
-  const CalibrationSet calibration_set = judgesOf(samples, folds, cues, reductions.size());
+  const CalibrationSet calibration_set = calibrationSetOf(samples, folds, cues, reductions.size());
 
   Training training;
   Model& model = training.model;

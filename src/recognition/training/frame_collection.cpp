@@ -1,0 +1,161 @@
+#include "recognition/training/frame_collection.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/place_name.h"
+#include "place_recognition/error.h"
+#include "recognition/frames/image_guard.h"
+#include "recognition/frames/light.h"
+#include "recognition/training/labelled_light.h"
+#include "recognition/training/sampling.h"
+
+namespace place_recognition {
+namespace {
+
+/// One camera during a recording.
+struct CameraStream {
+  int number;  // index into FrameCollection::cameras
+  ImageGuard guard;
+  FrameRate rate;
+  LabelledLight light;
+};
+
+void requirePlaceName(const Frame& frame) {
+  const std::string why_not = frame.place.empty() ? "" : whyNoPlaceName(frame.place);
+  if (!why_not.empty()) {
+    throw Error("The label '" + frame.place + "' of " + frame.name + " " + why_not);
+  }
+}
+
+class Collector {
+ public:
+  Collector(const TrainingOptions& options, const ImageProfile& profile, const Model* model,
+            const ImageChange& change, std::size_t most, unsigned threads)
+      : image_options_(options.image),
+        rate_(options.sampling.rate),
+        expected_(profile),
+        model_(model),
+        change_(change),
+        most_(most),
+        collected_{{}, {}, {}, {}, {}, {}, 0, 0, profile, HalvingSample(options.seed)},
+        pool_(options, profile, threads) {}
+
+  void read(Recording& recording, const Progress& progress) {
+    collected_.inputs.push_back(recording.name());
+    collected_.left_out.emplace_back();
+    collected_.seen.emplace_back();
+    recording.setDepthExtent(expected_.depth);
+    std::vector<CameraStream> streams = streamsOf(recording);
+    const std::string stage = "Reading " + recording.name();
+    report(progress, stage, 0);
+    for (Frame frame; recording.next(frame);) {
+      take(frame, streams[static_cast<std::size_t>(frame.camera)]);
+      report(progress, stage, recording.fraction());
+    }
+    collected_.warnings.insert(collected_.warnings.end(), recording.warnings().begin(),
+                               recording.warnings().end());
+  }
+
+  FrameCollection finish() {
+    pool_.finish();
+    dropFeatureless();
+    return std::move(collected_);
+  }
+
+ private:
+  std::vector<CameraStream> streamsOf(const Recording& recording) {
+    std::vector<CameraStream> streams;
+    std::vector<std::string>& cameras = collected_.cameras;
+    for (const std::string& camera : recording.cameras()) {
+      if (!isUtf8(camera)) {
+        throw Error("A topic of images in " + recording.name() + " is not UTF-8 text.");
+      }
+      const auto known = std::find(cameras.begin(), cameras.end(), camera);
+      streams.push_back({static_cast<int>(known - cameras.begin()),
+                         ImageGuard(expected_, image_options_), FrameRate(rate_),
+                         LabelledLight(model_)});
+      if (known == cameras.end()) cameras.push_back(camera);
+    }
+    return streams;
+  }
+
+  void take(const Frame& frame, CameraStream& camera) {
+    ++collected_.images;
+    collected_.seen.back().push_back({frame.stamp, frame.place});
+    requirePlaceName(frame);
+    if (collected_.left_out.back().takes(frame)) return;
+    if (!camera.rate.admits(frame.stamp)) {
+      ++collected_.passed_over;
+      return;
+    }
+    const std::optional<int> level = collected_.sample.next(frame.place);
+    if (!level) return;
+    for (const std::string& warning : camera.guard.judge(frame.image, frame.stamp)) {
+      collected_.warnings.push_back(collected_.inputs.back() + ": " + warning);
+    }
+    include(statisticsOf(frame.image), collected_.profile);
+    add(frame, camera, *level);
+    if (collected_.frames.size() > 2 * most_) dropHalf();
+  }
+
+  void add(const Frame& frame, CameraStream& camera, int level) {
+    const int recording = static_cast<int>(collected_.inputs.size()) - 1;
+    collected_.frames.push_back(
+        {frame.place, recording, frame.stamp, camera.number, frame.name, level, {}, {}});
+    CollectedFrame& added = collected_.frames.back();
+    const Light light = camera.light.next(frame);
+    pool_.submit(frame.image, added.extracted, light);
+    if (!change_) return;
+    const ChangedImage changed = change_(frame.image, frame.place);
+    pool_.submit(changed.image, added.changed, light * changed.correction);
+  }
+
+  /// So that memory stays bounded.
+  void dropHalf() {
+    pool_.finish();
+    dropFeatureless();
+    collected_.sample.halve();
+    drop([this](const CollectedFrame& frame) {
+      return !collected_.sample.keeps(frame.place, frame.level);
+    });
+  }
+
+  void dropFeatureless() {
+    drop([this](const CollectedFrame& frame) {
+      if (frame.hasFeature()) return false;
+      collected_.left_out[static_cast<std::size_t>(frame.recording)].add(frame.place, frame.name,
+                                                                         frame.extracted.problem);
+      return true;
+    });
+  }
+
+  template <typename Condition>
+  void drop(Condition condition) {
+    std::deque<CollectedFrame>& frames = collected_.frames;
+    frames.erase(std::remove_if(frames.begin(), frames.end(), condition), frames.end());
+  }
+
+  const ImageOptions image_options_;
+  const double rate_;
+  const ImageProfile expected_;
+  const Model* model_;
+  const ImageChange change_;
+  const std::size_t most_;
+  FrameCollection collected_;
+  ExtractionPool pool_;  // the last member: its threads end first
+};
+
+}  // namespace
+
+FrameCollection collectFrames(const std::vector<RecordingOpener>& recordings,
+                              const TrainingOptions& options, const ImageProfile& profile,
+                              const Model* model, const ImageChange& change, std::size_t most,
+                              unsigned threads, const Progress& progress) {
+  Collector collector(options, profile, model, change, most, threads);
+  for (const RecordingOpener& open : recordings) collector.read(*open(), progress);
+  return collector.finish();
+}
+
+}  // namespace place_recognition
