@@ -38,8 +38,9 @@ std::string backupPath(const std::string& path, int age);
 /// Throws Error, changing nothing, if there is no such backup or it cannot be used.
 void restoreModel(const std::string& path, int age);
 
-/// The path of a model by name: NAME itself if it has a slash or ends in `.places`, else
-/// modelFolder()/NAME.places. Throws Error for a name that is not [A-Za-z0-9_-]{1,64}.
+/// The path of a model by name: NAME itself, without "file://", if it has a slash or ends in
+/// `.places`, else modelFolder()/NAME.places. Throws Error for a name that is not
+/// [A-Za-z0-9_-]{1,64}.
 std::string modelPath(const std::string& name);
 
 /// Like modelPath(), for names from the network: only [A-Za-z0-9_-]{1,64}, only in modelFolder().

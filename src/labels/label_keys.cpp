@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "base/place_name.h"
 #include "labels/labels.h"
@@ -17,9 +18,13 @@ constexpr char kNoPlaceKey = '0';
 
 LabelKeys::LabelKeys(std::vector<std::string> places, std::vector<int> buttons, int no_place_button)
     : places_(std::move(places)), buttons_(std::move(buttons)), no_place_button_(no_place_button) {
+  std::set<std::string> known;
   for (std::string& place : places_) {
     checkLabel(place, "The parameter ~places");
     place = placeName(place);
+    if (!known.insert(place).second) {
+      throw Error("The parameter ~places names '" + place + "' twice; name each place once.");
+    }
   }
   if (places_.size() > kKeys.size()) {
     throw Error("The parameter ~places lists more than " + std::to_string(kKeys.size()) +

@@ -92,11 +92,18 @@ bool isTime(const std::string& word) {
   return isNumber(word) && std::atof(word.c_str()) >= kNoRoomNumber;
 }
 
-/// For a label that is not in quotes: that it holds no end of a span.
-void requireNoSpan(const std::string& label, double time, const std::string& where) {
+[[noreturn]] void refuseNanoseconds(const std::string& where) {
+  throw Error(where + " may hold the nanoseconds of its timestamp; write " + kWanted +
+              ", with one number. A name that begins with such a number stands in double quotes.");
+}
+
+/// For a label that is not in quotes: that it holds no other part of a time, as the end of a span.
+void requireNoTime(const std::string& label, double time, const std::string& where) {
   const std::string first = label.substr(0, label.find_first_of(" \t"));
   const std::string last = label.substr(label.find_last_of(" \t") + 1);
   if (isTime(first) || isTime(last)) refuseSpan(where);
+  const bool is_zero = first.find_first_not_of('0') == std::string::npos;
+  if (is_zero && first.size() < label.size()) refuseNanoseconds(where);
   const auto may_be_end = [time](const std::string& word) {
     return isNumber(word) && std::atof(word.c_str()) >= time;
   };
@@ -166,7 +173,7 @@ RawLine split(const std::string& line, const std::string& where) {
     raw.label = onlyField(raw.label, separator, where);
   }
   if (!is_quoted) {
-    requireNoSpan(raw.label, raw.time, where);
+    requireNoTime(raw.label, raw.time, where);
     raw.label = withoutSingleQuotes(raw.label);
   }
   return raw;

@@ -32,6 +32,10 @@ TEST(LabelKeys, NamesAreTidied) {
   EXPECT_EQ(keys.placeOfKey('2'), "meeting room");
 }
 
+TEST(LabelKeys, APlaceHasOneKey) {
+  EXPECT_THROW(LabelKeys({"kitchen", "corridor", "kitchen "}, {}, -1), Error);
+}
+
 TEST(LabelKeys, LettersFollowTheDigits) {
   std::vector<std::string> many;
   for (int i = 0; i < 34; ++i) many.push_back("room" + std::to_string(i));

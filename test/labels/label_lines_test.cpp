@@ -56,6 +56,15 @@ TEST_F(LabelLinesFile, SpansAreRefused) {
   }
 }
 
+TEST_F(LabelLinesFile, NanosecondsApartAreRefused) {
+  for (const char* text : {"1000 0 kitchen\n", "1000 000000000 kitchen\n"}) {
+    expectError(text, "line 1 may hold the nanoseconds of its timestamp");
+  }
+  EXPECT_EQ(labels("1000 \"0 kitchen\"\n").at(1001), "0 kitchen");
+  EXPECT_EQ(labels("1000 0\n").at(1001), "0");
+  EXPECT_EQ(labels("1000 007 lab\n").at(1001), "007 lab");
+}
+
 TEST_F(LabelLinesFile, NumbersOfRoomsAreNoTimes) {
   EXPECT_EQ(labels("1000 101 lab\n").at(1001), "101 lab");
   EXPECT_EQ(labels("1000 2.14 seminar\n").at(1001), "2.14 seminar");

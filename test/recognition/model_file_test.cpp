@@ -380,6 +380,7 @@ TEST(ModelPath, IsANameOrAFile) {
   EXPECT_EQ(modelFolder(), root);
   EXPECT_EQ(modelPath("house_2-b"), root + "/house_2-b.places");
   EXPECT_EQ(modelPath("./house"), "./house");
+  EXPECT_EQ(modelPath("file:///data/house"), "/data/house");
   EXPECT_EQ(modelPath("house.places"), "house.places");
   for (const std::string& name : {std::string(), std::string("a b"), std::string("a\0/b", 4),
                                   std::string("a.b"), std::string(65, 'a'), std::string("..")}) {
