@@ -19,7 +19,8 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const std::string folder = argv[1];
-  const std::vector<pr::RecordingOpener> recordings = {[&] { return pr::openFolderRecording(folder); }};
+  const std::vector<pr::RecordingOpener> recordings = {
+      [&] { return pr::openFolderRecording(folder); }};
 
   pr::TrainingOptions options;
   if (argc > 3 && argv[3] == std::string("--tune")) {

@@ -196,7 +196,7 @@ void addTrain(CommandLine& tool) {
               "With --add-to: most support vectors that each cue may keep; 0: as many as it needs")
       .needs("--add-to")
       .range(0, 1000000);
-  verb.option("--forgetting", "SHARE", options->forgetting,
+  verb.option("--forgetting", "FRACTION", options->forgetting,
               "With --limit: fraction by which the weight of a view falls each time that its room "
               "is learned again, 0..0.99; 0: forgetting does not depend on age")
       .needs("--limit")

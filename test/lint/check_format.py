@@ -4,7 +4,7 @@ import subprocess
 import sys
 
 root, clang_format = pathlib.Path(sys.argv[1]), sys.argv[2]
-files = [str(path) for folder in ("include", "src", "test", "benchmark")
+files = [str(path) for folder in ("include", "src", "test", "benchmark", "examples")
          for path in sorted((root / folder).rglob("*")) if path.suffix in (".h", ".cpp")]
 result = subprocess.run([clang_format, "--dry-run", "--Werror", "--style=file"] + files)
 print(f"{len(files)} files looked at")

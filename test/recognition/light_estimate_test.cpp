@@ -156,9 +156,9 @@ TEST(ColourNormalization, BringsMeansToTheSameLevel) {
   };
   EXPECT_EQ(pixel(ColourNormalization::kGreyWorld), cv::Vec3b(110, 110, 110));
   EXPECT_EQ(pixel(ColourNormalization::kBrightness), cv::Vec3b(55, 110, 165));
-  EXPECT_EQ(pixel(ColourNormalization::kRecording), cv::Vec3b(20, 80, 240));
+  EXPECT_EQ(pixel(ColourNormalization::kRun), cv::Vec3b(20, 80, 240));
   normalized.set(image, logColour(image), {});
-  EXPECT_EQ(normalized.in(ColourNormalization::kRecording).data, image.data);
+  EXPECT_EQ(normalized.in(ColourNormalization::kRun).data, image.data);
 }
 
 /// Of three drawn rooms, with a cue that follows the light of the recording.

@@ -20,7 +20,7 @@ ColourNormalization colourNormalization(const std::string& name) {
       {"none", ColourNormalization::kNone},
       {"brightness", ColourNormalization::kBrightness},
       {"grey-world", ColourNormalization::kGreyWorld},
-      {"run", ColourNormalization::kRecording}};
+      {"run", ColourNormalization::kRun}};
   const auto found = kNames.find(name);
   if (found == kNames.end()) {
     throw Error("Option 'normalize' of a cue is '" + name +
@@ -71,7 +71,7 @@ Light NormalizedImage::gains(ColourNormalization normalization) const {
     }
     case ColourNormalization::kGreyWorld:
       return {kMeanLevel / means[2], kMeanLevel / means[1], kMeanLevel / means[0]};
-    case ColourNormalization::kRecording:
+    case ColourNormalization::kRun:
       return correction_;
     default:
       return {};

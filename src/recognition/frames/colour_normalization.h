@@ -10,7 +10,7 @@
 namespace place_recognition {
 
 /// What is done to the colours of an image before a cue looks at it, see CueOptions::normalize.
-enum class ColourNormalization { kNone, kBrightness, kGreyWorld, kRecording };
+enum class ColourNormalization { kNone, kBrightness, kGreyWorld, kRun };
 
 /// Throws Error naming the four words if `name` is none of them.
 ColourNormalization colourNormalization(const std::string& name);

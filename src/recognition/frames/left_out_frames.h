@@ -9,7 +9,7 @@
 
 namespace place_recognition {
 
-/// Counts the frames of a run that are of no use for training and evaluation.
+/// Counts the frames of a recording that are of no use for training and evaluation.
 class LeftOutFrames {
  public:
   /// Whether `frame` has no label, no image, or a uniform one; it is counted then.
@@ -26,7 +26,7 @@ class LeftOutFrames {
   /// The same of the first frame of all; empty: there is none.
   const std::string& firstProblem() const { return first_problem_; }
 
-  /// What was left out of the run of that name: for each reason a sentence.
+  /// What was left out of the recording of that name: for each reason a sentence.
   std::vector<std::string> sentences(const std::string& recording) const;
 
  private:

@@ -30,7 +30,7 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
       unknown_threshold_(model_->unknown_threshold),
       mean_(std::make_unique<CueMean>()) {
   for (const CueOptions& cue : model_->options.cues) {
-    follows_run_.push_back(colourNormalization(cue.normalize) == ColourNormalization::kRecording);
+    follows_run_.push_back(colourNormalization(cue.normalize) == ColourNormalization::kRun);
     is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
   }
   const Eigen::Index places = static_cast<Eigen::Index>(model_->places.size());

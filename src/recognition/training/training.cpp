@@ -32,7 +32,7 @@ Provenance provenanceOf(const Samples& samples) {
 /// Whether the light of a recording is to be held against that of the training.
 bool followsLight(const TrainingOptions& options) {
   return std::any_of(options.cues.begin(), options.cues.end(), [](const CueOptions& cue) {
-    return colourNormalization(cue.normalize) == ColourNormalization::kRecording;
+    return colourNormalization(cue.normalize) == ColourNormalization::kRun;
   });
 }
 
@@ -203,12 +203,12 @@ Training timed(const Work& work) {
 /// which takes vectors from them again. The time that learnOn() takes grows with the third power of
 /// the number of vectors and samples. Else support vectors and samples are trained on together.
 bool canLearnOn(const Model& model, const Samples& samples, const IncrementalOptions& options) {
-  constexpr std::size_t kMost = 3000;
+  constexpr std::size_t kMaxRows = 3000;
   const std::size_t fresh = samples.origins.size() - samples.remembered;
   if (options.other || options.vector_limit > 0 || fresh == 0) return false;
   return std::all_of(model.classifiers.begin(), model.classifiers.end(),
                      [fresh](const Classifier& classifier) {
-                       return classifier.supportVectorCount() + fresh <= kMost;
+                       return classifier.supportVectorCount() + fresh <= kMaxRows;
                      });
 }
 
