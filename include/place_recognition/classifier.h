@@ -10,17 +10,17 @@ namespace place_recognition {
 
 struct ClassifierParts;
 
-/// Support vector machines of all places over one shared support set (thesis chapter 5): feature
-/// in, one decision value per place out. Made by training and by reading a model. Immutable; safe
-/// to share between threads.
+/// Support vector machines of all places over one shared support set (thesis chapter 5): maps a
+/// feature to one decision value per place. Created by training or by reading a model. Immutable;
+/// safe to share between threads.
 class Classifier {
  public:
   ~Classifier();
   Classifier(Classifier&&) noexcept;
   Classifier& operator=(Classifier&&) noexcept;
 
-  /// Place decision values of `feature` (not missing, of the kind trained on), `places()` elements.
-  /// `kernel_values` is scratch memory, reused between calls.
+  /// Computes the decision values of `feature` (not missing, of the kind trained on): `places()`
+  /// elements. `kernel_values` is scratch memory, reused between calls.
   void decisionValues(const Feature& feature, Eigen::VectorXd& kernel_values,
                       Eigen::RowVectorXd& place_values) const;
 

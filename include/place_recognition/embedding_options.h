@@ -9,14 +9,14 @@ namespace place_recognition {
 
 /// A neural network, ready to be stored in a model.
 struct Network {
-  std::string onnx;           ///< an ONNX file of what leads to the layer that is taken
-  std::size_t dimension = 0;  ///< of the vectors that it gives
-  std::string sha256;         ///< of the file that it came from, 64 hexadecimal digits
+  std::string onnx;           ///< ONNX file with the layers up to the selected one
+  std::size_t dimension = 0;  ///< of its output vectors
+  std::string sha256;         ///< of the original file, 64 hexadecimal digits
 };
 
-/// The output of a neural network as a descriptor of the whole image: a learned descriptor, often
-/// of a network trained to tell objects apart (Sharif Razavian et al., "CNN features
-/// off-the-shelf", 2014). See feature_options.h on visit() and check().
+/// The output of a neural network as a descriptor of the whole image. Typically the network was
+/// trained to classify objects (Sharif Razavian et al., "CNN features off-the-shelf", 2014). For
+/// visit() and check(), see feature_options.h.
 struct EmbeddingOptions {
   static constexpr const char* kType = "embedding";
 
@@ -29,8 +29,8 @@ struct EmbeddingOptions {
   std::vector<double> mean = {127.5};
   std::vector<double> scale = {1 / 127.5};
 
-  /// What `network` and `layer` name, see loadNetwork(); null: not loaded yet. No option: a model
-  /// stores it beside the options.
+  /// The network that `network` and `layer` select, see loadNetwork(); null: not loaded yet. This
+  /// is not an option: a model stores it beside the options.
   std::shared_ptr<const Network> loaded;
 
   template <typename Self, typename Visitor>

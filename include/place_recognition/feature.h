@@ -22,19 +22,19 @@ struct DenseVector {
   std::vector<float> values;
 };
 
-/// The local descriptors of one image (thesis section 4.3), one after the other; the order carries
-/// no meaning. SIFT descriptors are integers 0..255, so squared distances are exact.
+/// The local descriptors of one image (thesis section 4.3), stored one after another; their order
+/// has no meaning. SIFT descriptors are integers 0..255, so squared distances are exact.
 struct DescriptorSet {
   static constexpr std::size_t kDimension = 128;
-  static constexpr int kUnit = 512;       ///< what SIFT scales a descriptor of norm one by
+  static constexpr int kUnit = 512;       ///< SIFT's scale for a descriptor of norm one
   std::vector<std::uint8_t> descriptors;  ///< size() x kDimension, row-major.
 
   std::size_t size() const { return descriptors.size() / kDimension; }
   const std::uint8_t* row(std::size_t i) const { return descriptors.data() + i * kDimension; }
 };
 
-/// What is extracted from one image. std::monostate: the image has no such feature, for example
-/// because it shows fewer interest points than the extractor asks for.
+/// The feature extracted from one image. std::monostate: the image has none, for example because it
+/// shows fewer interest points than the extractor requires.
 using Feature = std::variant<std::monostate, SparseVector, DenseVector, DescriptorSet>;
 
 inline bool isMissing(const Feature& feature) {

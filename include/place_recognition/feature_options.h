@@ -49,12 +49,12 @@ struct CrfhOptions {
     visitor("border", self.border,
             "pixels at each side that are not counted; larger for large scales");
   }
-  /// The scales as t = sigma^2, from whichever of the two keys gives them.
+  /// The scales as t = sigma^2, from either of the two keys.
   std::vector<double> variances() const;
   void check() const;
 };
 
-/// The feature of one cue; the alternative is named by the key `type`.
+/// The feature of one cue; the key `type` names the alternative.
 using FeatureOptions =
     std::variant<CrfhOptions, LocalFeatureOptions, LbpOptions, Mr8Options, EmbeddingOptions>;
 

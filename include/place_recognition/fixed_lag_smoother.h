@@ -8,18 +8,21 @@
 
 namespace place_recognition {
 
-/// The answer about a frame that waits for what the camera sees in the `lag` after it: the
-/// forward-backward algorithm (Rabiner 1989) over a window that moves along. Where a TemporalFilter
-/// follows a change of room a moment late and takes a short row of mistakes for one, this one knows
-/// how it went on. For logs and maps, whose answers belong to the frames' stamps.
+/// Answers each frame `lag` seconds late, after looking at the frames that follow it: the
+/// forward-backward algorithm (Rabiner 1989) over a moving window. A TemporalFilter follows a
+/// change of room with a short delay, and may take a short run of errors for a change; the smoother
+/// also knows the later frames. Use it for logs and maps, whose answers belong to the frames'
+/// stamps.
 ///
-/// With the filter's belief b after the frame and, from the last frame n of the window down to it,
+/// Let b be the filter's belief after the frame. From the last frame n of the window back to this
+/// frame,
 ///   beta_n = 1,   beta_i = exp(changes_(i+1) (J - I)) (L_(i+1)^w beta_(i+1)),
-/// the answer is the largest of b beta / sum. Its cost grows with the frames in the lag. Frames
-/// come out as they went in, each once. Neither copied nor moved. Not thread-safe.
+/// and the answer is the largest element of b beta / sum. The cost grows with the number of frames
+/// in the lag. Each frame is returned once, in the order of arrival. Neither copyable nor movable.
+/// Not thread-safe.
 class FixedLagSmoother {
  public:
-  /// Bounds memory where stamps stand still.
+  /// Bounds memory if the stamps do not advance.
   static constexpr std::size_t kMaxFrames = 1000;
 
   /// Smooths the output of a TemporalFilter built with the same adjacency and options. `lag`: s,
@@ -27,18 +30,18 @@ class FixedLagSmoother {
   FixedLagSmoother(const Adjacency& adjacency, const TemporalFilterOptions& options, double lag);
   ~FixedLagSmoother();
 
-  /// Takes the frame that `filter`, always the same one, has been updated with last.
+  /// Adds the frame with which `filter`, the same one in every call, was last updated.
   void add(const TemporalFilter& filter);
 
-  /// Whether next() has an answer: the frames of the lag are there, or none will follow the oldest
-  /// frame, because the filter has begun anew after it or finish() was called.
+  /// Whether next() has an answer: the window covers the lag, or no frame will follow the oldest
+  /// one because the filter restarted after it or finish() was called.
   bool ready() const;
 
-  /// The answer about the oldest frame, which must be ready(). Valid until the next call; `changed`
-  /// as in the order of these answers.
+  /// The answer for the oldest frame; requires ready(). Valid until the next call. `changed` refers
+  /// to the sequence of these answers.
   const FilteredAnswer& next();
 
-  /// No frame follows soon: what is there is all that the answers can wait for.
+  /// States that no frame will follow soon, so the answers stop waiting for more.
   void finish() { finished_ = true; }
 
   /// Forgets all frames.

@@ -4,7 +4,7 @@
 
 namespace place_recognition {
 
-// See feature_options.h on visit() and check().
+// For visit() and check(), see feature_options.h.
 
 /// A kernel function, thesis section 5.2.2.
 struct KernelOptions {

@@ -2,8 +2,8 @@
 
 namespace place_recognition {
 
-/// A change of light, as a gain of each channel: the camera's exposure and white balance do not
-/// follow the sun and the lamps.
+/// A change of light as one gain per channel: the camera's exposure and white balance do not fully
+/// compensate for sun and lamps.
 struct Light {
   double red = 1;
   double green = 1;

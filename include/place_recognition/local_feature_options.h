@@ -2,8 +2,8 @@
 
 namespace place_recognition {
 
-/// SIFT descriptors at Harris-Laplace interest points, thesis section 4.3. See feature_options.h on
-/// visit() and check().
+/// SIFT descriptors at Harris-Laplace interest points, thesis section 4.3. For visit() and check(),
+/// see feature_options.h.
 struct LocalFeatureOptions {
   static constexpr const char* kType = "harris-laplace-sift";
 

@@ -20,7 +20,7 @@ namespace place_recognition {
 struct Provenance {
   std::vector<std::string> inputs;          ///< runs trained on, as named by the user
   std::vector<std::uint64_t> place_images;  ///< training images of each place
-  std::uint64_t skipped_images = 0;         ///< unlabelled, unreadable or without any feature
+  std::uint64_t skipped_images = 0;         ///< unlabelled, unreadable, or without any feature
   std::string package_version;
 };
 
@@ -30,51 +30,51 @@ struct Validation {
   double calibration_error = 0;  ///< expected calibration error, 0..1
 };
 
-/// The images that a model was trained on, as far as those that it is shown should be like them.
+/// Properties of the training images that the images to be recognized should share.
 struct ImageProfile {
-  int width = 0;         ///< pixels, as recorded; 0: not known, as in models of older versions
+  int width = 0;         ///< pixels, as recorded; 0: unknown, as in models of older versions
   int height = 0;        ///< likewise
-  bool colour = false;   ///< some of them show colours
-  double darkest = 255;  ///< mean brightness of the darkest one, 0..255
-  double brightest = 0;  ///< of the brightest one
-  DepthExtent depth;     ///< of those of 16 bits
+  bool colour = false;   ///< some images are in colour
+  double darkest = 255;  ///< mean brightness of the darkest image, 0..255
+  double brightest = 0;  ///< mean brightness of the brightest image
+  DepthExtent depth;     ///< of images with 16 bits per channel
 
   bool known() const { return width > 0; }
 };
 
-/// A model keeps this many held-out frames at most.
+/// Maximum number of held-out frames that a model keeps.
 constexpr std::size_t kMaxHeldOutFrames = 1000;
 
-/// Held-out answers that judged a model: kept so that old and new ones count together when it
-/// learns on.
+/// Answers to the held-out frames on which a model was validated. They are kept so that old and new
+/// frames count together in incremental training.
 struct HeldOutFrames {
-  std::vector<int> places;                       ///< what each frame shows
+  std::vector<int> places;                       ///< true place of each frame
   std::vector<int> folds;                        ///< frames of one fold were held out together
   std::vector<Eigen::MatrixXf> decision_values;  ///< [cue]: frames x places
-  std::vector<Eigen::VectorXf> familiarity;      ///< [cue]: of each frame; NaN: it lacks the cue
+  std::vector<Eigen::VectorXf> familiarity;  ///< [cue]: of each frame; NaN: the frame lacks the cue
 };
 
-/// Everything needed to recognize, and where it came from. Immutable once trained or loaded; shared
-/// between threads as std::shared_ptr<const Model>.
+/// Everything needed to recognize, and its origin. Immutable once trained or loaded; shared between
+/// threads as std::shared_ptr<const Model>.
 struct Model {
-  std::string name;                     ///< set by whoever loads or saves it; not in the file
+  std::string name;                     ///< set when loading or saving; not in the file
   std::string version;                  ///< 8 hex digits of the file's checksum; set likewise
-  TrainingOptions asked;                ///< as given
-  TrainingOptions options;              ///< as used: gamma, reduction, blocks of time as found
-  ImageProfile images;                  ///< that it was trained on
+  TrainingOptions asked;                ///< as requested
+  TrainingOptions options;              ///< as used: gamma, reduction and blocks of time as found
+  ImageProfile images;                  ///< of the training images
   std::vector<std::string> places;      ///< names, in ascending order; at least two
   std::vector<Classifier> classifiers;  ///< one per cue of `options`
-  std::vector<double> cue_weights;      ///< one per cue, of the sum of decision values
+  std::vector<double> cue_weights;      ///< one per cue, in the sum of decision values
   Calibration calibration;              ///< of the summed decision values
   double unknown_threshold = 0;         ///< see Recognition::known
   Validation validation;
-  HeldOutFrames held_out;     ///< what the three above rest on; empty in files of earlier versions
-  ColourStatistics colours;   ///< of the images that it was trained on
-  Adjacency adjacency{0};     ///< of `places`; learned from the recordings that are drives
-  CameraCorrelation cameras;  ///< that it was trained with, if they are several
+  HeldOutFrames held_out;     ///< basis of the three above; empty in files of earlier versions
+  ColourStatistics colours;   ///< of the training images
+  Adjacency adjacency{0};     ///< of `places`; learned from recordings that are drives
+  CameraCorrelation cameras;  ///< of the training, if there are several
   Provenance provenance;
 
-  /// Names of the places that held-out frames showed: the ones that the validation speaks of.
+  /// Names of the places in the held-out frames, that is, those covered by the validation.
   std::vector<std::string> validatedPlaces() const;
   /// Over all cues.
   std::size_t supportVectorCount() const;

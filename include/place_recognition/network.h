@@ -9,39 +9,40 @@
 
 namespace place_recognition {
 
-/// Reads the network that `options` name, cuts off what its layer does not need, and runs it once.
-/// An ONNX file is taken for hostile: sizes, shapes and references are checked before OpenCV sees
-/// them, as are memory and work before it runs. Throws Error, one line that names the file, the
-/// layer and OpenCV's version, if it is missing, damaged, or of a kind that OpenCV does not run.
+/// Reads the network that `options` name, removes what the selected layer does not need, and runs
+/// it once. An ONNX file is not trusted: sizes, shapes and references are checked before OpenCV
+/// sees them, and memory and work are checked before it runs. Throws Error, one line that names the
+/// file, the layer and OpenCV's version, if the file is missing, damaged, or of a kind that OpenCV
+/// cannot run.
 std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options);
 
-/// What a network file holds.
+/// Properties of a network file.
 struct NetworkFacts {
   std::size_t bytes = 0;
   std::string sha256;  ///< 64 hexadecimal digits
-  int channels = 0;    ///< of its input; 0: it is left open, as the two below
+  int channels = 0;    ///< of its input; 0: not fixed, likewise below
   int width = 0;
   int height = 0;
-  std::size_t layers = 0;     ///< that lead to the layer taken
-  std::size_t dimension = 0;  ///< of the vectors that it gives
+  std::size_t layers = 0;     ///< up to the selected one
+  std::size_t dimension = 0;  ///< of its output vectors
 };
 
-/// Reads the network `name` (see networkPath()), cuts it behind `layer` and runs it once, on an
-/// image of 224 x 224 pixels in three channels unless it declares another one. Throws like
-/// loadNetwork().
+/// Reads the network `name` (see networkPath()), cuts it after `layer` and runs it once. The input
+/// is an image of 224 x 224 pixels with three channels unless the network declares another shape.
+/// Throws like loadNetwork().
 NetworkFacts networkFacts(const std::string& name, const std::string& layer);
 
-/// Names of the networks in networkFolder(), ascending.
+/// Names of the networks in networkFolder(), in ascending order.
 std::vector<std::string> networkNames();
 
-/// The path of a network by name: NAME itself if it has a slash or ends in `.onnx`, else
+/// The path of a network by name: NAME itself if it contains a slash or ends in `.onnx`, else
 /// networkFolder()/NAME.onnx. Throws Error for a name that is not [A-Za-z0-9_-]{1,64}.
 std::string networkPath(const std::string& name);
 
 /// $ROS_HOME/place_recognition/networks, or ~/.ros/place_recognition/networks.
 std::string networkFolder();
 
-/// Largest network file that is read, bytes.
+/// Maximum size of a network file, bytes.
 constexpr std::size_t kMaxNetworkBytes = std::size_t{128} << 20;
 
 }  // namespace place_recognition

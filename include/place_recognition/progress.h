@@ -6,17 +6,17 @@
 
 namespace place_recognition {
 
-/// Called from one thread at a time as work goes on: the stage's name in plain words and how much
-/// of it is done, 0..1. Returning false asks for a stop: the work then ends by throwing Cancelled.
+/// Called from one thread at a time as work proceeds, with the stage's name in plain words and the
+/// completed part of it, 0..1. Returning false requests a stop: the work then throws Cancelled.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
-/// The work was stopped by the caller's Progress; nothing half-done is left behind.
+/// The caller's Progress stopped the work; no partial results are left behind.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("Cancelled.") {}
 };
 
-/// Reports to `progress`, which may be empty; throws Cancelled if it asks for a stop.
+/// Reports to `progress`, which may be empty; throws Cancelled if it requests a stop.
 inline void report(const Progress& progress, const std::string& stage, double fraction) {
   if (progress && !progress(stage, fraction)) throw Cancelled();
 }

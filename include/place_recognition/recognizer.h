@@ -22,18 +22,18 @@ class RateLimit;
 
 /// The answer to one frame.
 struct Recognition {
-  int place = -1;         ///< index of the most probable place in Model::places; -1: none at all
-  bool known = false;     ///< false: the answer is 'unknown'; evidence below the threshold
+  int place = -1;         ///< index of the most probable place in Model::places; -1: no answer
+  bool known = false;     ///< whether evidence reaches the threshold; false: answered 'unknown'
   double confidence = 0;  ///< probability of `place`, 0..1
-  double evidence = 0;    ///< that it is any of the places, 0..1; below the threshold: 'unknown'
-  Eigen::RowVectorXd probabilities;    ///< one per place; sum to 1, the largest is `place`
-  Eigen::RowVectorXd decision_values;  ///< one per place; as they come from the machines
+  double evidence = 0;    ///< that the frame shows any of the places, 0..1
+  Eigen::RowVectorXd probabilities;    ///< one per place; they sum to 1, `place` has the largest
+  Eigen::RowVectorXd decision_values;  ///< one per place, from the machines
   std::string reason;                  ///< why place is -1, for a person
-  std::vector<std::size_t> held;       ///< cues that were not computed for this frame, ascending
+  std::vector<std::size_t> held;       ///< cues not computed for this frame, ascending
 };
 
-/// Image in, answer out. Keeps its buffers between frames: one recognizer a thread, any number of
-/// recognizers a model.
+/// Maps an image to an answer. Keeps its buffers between frames: use one recognizer per thread; any
+/// number of recognizers may share a model.
 class Recognizer {
  public:
   explicit Recognizer(std::shared_ptr<const Model> model);
@@ -41,47 +41,48 @@ class Recognizer {
   Recognizer(Recognizer&&) noexcept;
   Recognizer& operator=(Recognizer&&) noexcept;
 
-  /// An image by itself, of whose light nothing is known: CV_8UC3 in BGR order or CV_8UC1, not
-  /// empty. The result stays valid until the next call. An image from which no cue could be
-  /// extracted, or that shows one colour or too little (InformationOptions), has place -1, uniform
-  /// probabilities and a reason.
+  /// Recognizes a single image, in unknown light: CV_8UC3 in BGR order or CV_8UC1, not empty. The
+  /// result stays valid until the next call. An image from which no cue can be extracted, or that
+  /// shows a single colour or too little (InformationOptions), has place -1, uniform probabilities
+  /// and a reason.
   const Recognition& recognize(const cv::Mat& image);
 
-  /// The next frame of a stream, of `stamp`, s: those before it that are neither black nor white
-  /// tell the light, which cues with `normalize: run` need, and how evident the places are in it,
-  /// see evidenceShift(). A stamp more than a second before the last one begins a new stream.
-  /// `seconds`: how long the answer may take. Cues for which that will not do, by what they took in
-  /// the frames before, are held; one cue at least is computed, the quickest.
+  /// Recognizes the next frame of a stream, with its `stamp`, s. Earlier frames that are neither
+  /// black nor white determine the light, which cues with `normalize: run` need, and how evident
+  /// the places are in it, see evidenceShift(). A stamp more than a second before the last one
+  /// begins a new stream. `seconds` limits the time for the answer. Cues that would exceed it,
+  /// judging by their times in earlier frames, are held, see setDecorrelationTime(). At least one
+  /// cue is computed, the quickest.
   const Recognition& recognize(const cv::Mat& image, double stamp,
                                double seconds = std::numeric_limits<double>::infinity());
 
-  /// The next frame begins a new stream.
+  /// Makes the next frame begin a new stream.
   void forgetStream();
 
-  /// Cues of type `embedding`, which cost much, are computed for at most `rate` frames of a stream
-  /// a second, and held in between; 0: for each.
+  /// Limits cues of type `embedding`, which are expensive, to `rate` frames per second of a stream;
+  /// they are held in between. 0: no limit.
   void setEmbeddingRate(double rate) { embedding_rate_ = rate; }
 
-  /// The last decision values of a cue that is held count by its weight times e^(-age / time): what
-  /// was seen tells of what is seen now for about as long. `time`, s: 0, as it is until set, lets
-  /// them count for nothing.
+  /// Sets the decorrelation time, s. The last decision values of a held cue count with the cue's
+  /// weight times e^(-age / time), because a view predicts later views for about as long. 0, the
+  /// default: they do not count.
   void setDecorrelationTime(double time) { decorrelation_time_ = time; }
 
-  /// What frames of the current stream are to be multiplied by to look as in the training, by what
-  /// its frames so far have shown.
+  /// The gains that make frames of the current stream look as in the training, estimated from its
+  /// frames so far.
   const Light& lightCorrection() const;
 
-  /// By how much the places are less evident in the frames of the current stream than they were
-  /// in the training, which Recognition::evidence makes up for: log odds, 0..4.
+  /// How much less evident the places are in the current stream than in the training: log odds,
+  /// 0..4. Recognition::evidence compensates for it.
   double evidenceShift() const;
 
-  /// The model's threshold until set: evidence below it is answered 'unknown', 0..1.
+  /// Replaces the model's threshold: evidence below it is answered 'unknown', 0..1.
   void setUnknownThreshold(double threshold) { unknown_threshold_ = threshold; }
 
   const Model& model() const { return *model_; }
 
  private:
-  /// What one cue says of an image.
+  /// What one cue states about an image.
   struct CueAnswer {
     bool missing = true;
     double stamp = 0;  // of the image
@@ -102,10 +103,10 @@ class Recognizer {
   std::shared_ptr<const Model> model_;
   std::unique_ptr<CueExtraction> extraction_;
   std::unique_ptr<LightEstimate> light_;
-  double unknown_light_;  // certainty of the light of an image by itself
+  double unknown_light_;  // certainty of the light of a single image
   std::unique_ptr<EvidenceShift> evidence_shift_;
-  std::vector<bool> follows_run_;   // of each cue: normalize is run
-  std::vector<bool> is_embedding_;  // of each cue
+  std::vector<bool> follows_run_;   // by cue: normalize is run
+  std::vector<bool> is_embedding_;  // by cue
   double embedding_rate_ = 0;
   double decorrelation_time_ = 0;
   std::unique_ptr<RateLimit> embedding_limit_;
@@ -114,10 +115,10 @@ class Recognizer {
   double unknown_threshold_;
   std::vector<Feature> features_;  // one per cue
   CueAnswers stream_answers_;      // to the last frame of the stream, or held
-  CueAnswers image_answers_;       // to an image by itself
+  CueAnswers image_answers_;       // to a single image
   Eigen::VectorXd kernel_values_;
-  std::unique_ptr<CueMean> mean_;  // of the cues that count
-  double log_odds_ = 0;            // of evidence, without the shift
+  std::unique_ptr<CueMean> mean_;  // of the cues in use
+  double log_odds_ = 0;            // of evidence, before the shift
   Recognition recognition_;
 };
 

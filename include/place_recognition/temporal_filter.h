@@ -13,10 +13,10 @@ namespace place_recognition {
 
 class TransitionModel;
 
-/// What odometry saw since the frame before.
+/// Motion since the previous frame, from odometry.
 struct Motion {
-  double distance = 0;  ///< m, length of the way, >= 0
-  double angle = 0;     ///< rad, sum of all turning, either way, >= 0
+  double distance = 0;  ///< m, length of the path, >= 0
+  double angle = 0;     ///< rad, sum of all turns in either direction, >= 0
 };
 
 /// The answer over time.
@@ -27,81 +27,83 @@ struct FilteredAnswer {
   bool changed = false;  ///< `place` differs from the last frame's, or this is the first frame
 };
 
-/// Turns the answers to single frames into a steady one: a hidden Markov model whose states are the
-/// rooms and 'unknown', followed by the forward algorithm (Rabiner 1989). Between frames the belief
-/// b moves as a chain in continuous time, see TransitionModel; a frame multiplies it by
-/// likelihoods,
+/// Turns the answers to single frames into a steady answer: a hidden Markov model whose states are
+/// the rooms and 'unknown', updated by the forward algorithm (Rabiner 1989). Between frames the
+/// belief b evolves as a Markov chain in continuous time, see TransitionModel; a frame multiplies
+/// it by likelihoods,
 ///   b_s <- b_s L_s^w / sum.
-/// With the frame's evidence e, its probabilities p, the rooms' fractions q of the training images,
-/// the unknown threshold T and a fraction o of frames that tell nothing, l = (1 - o) p_k / q_k + o,
+/// Let e be the frame's evidence, p its probabilities, q the rooms' fractions of the training
+/// images, T the unknown threshold, and o the fraction of frames without information. With l_k = (1
+/// - o) p_k / q_k + o,
 ///   L_k = ((1 - o) e / T + o) l_k / max l,    L_unknown = (1 - o) (1 - e) / (1 - T) + o.
-/// Up to a factor that is the same for all, a posterior divided by its prior is the likelihood that
-/// the chain needs (Bourlard and Morgan 1994); T is where the frame is as much for the rooms
-/// together as against them. A room that is not known looks like the one it resembles most, so
-/// which one that is tells nothing for or against 'unknown': hence the division by the largest.
+/// A posterior divided by its prior is, up to a common factor, the likelihood that the chain needs
+/// (Bourlard and Morgan 1994). At e = T a frame favours neither the rooms as a whole nor 'unknown'.
+/// An unknown room looks like the known room that it resembles most, so which room that is says
+/// nothing about 'unknown'; hence the division by the largest l.
 ///
-/// Neighbouring frames show nearly the same, so w is the fraction of a frame that is new: time over
-/// decorrelation time, at most 1. All is by stamps: the answers do not depend on the frame rate as
-/// long as it is faster than that. Where odometry is given, the way driven takes the place of time:
-/// a robot that stands is still in the same room and sees nothing new; one that turns sees
-/// something new of the same room.
+/// Neighbouring frames show nearly the same, so w is the fraction of a frame that is new: the
+/// elapsed time divided by the decorrelation time, at most 1. All times are stamps, so the answers
+/// do not depend on the frame rate as long as frames are closer than the decorrelation time. If
+/// there is odometry, the path travelled replaces time: a robot that stands still is still in the
+/// same room and sees nothing new; a robot that turns sees something new of the same room.
 ///
-/// Several cameras have a w each, of their own frames. What they see at one moment is one moment
-/// still: w is divided by the sum of a camera's correlations r with those that tell something now,
+/// Each of several cameras has its own w. What they see at the same moment is not independent, so w
+/// is divided by the sum of a camera's correlations r with the cameras that currently contribute,
 ///   w_a <- w_a / Sum_b r_ab,  r_aa = 1.
 /// Winkler (1981) gives n measurements of equal variance and correlation r this weight in their
 /// joint likelihood, 1 / (1 + (n - 1) r): cameras that always err together count as one, and
-/// independent ones in full.
+/// independent cameras count in full.
 ///
-/// Nothing is allocated after construction. Not thread-safe: one filter a robot.
+/// Nothing is allocated after construction. Not thread-safe: use one filter per robot.
 class TemporalFilter {
  public:
-  /// For the answers of a recognizer with `model`, of whose places `adjacency` is. Throws Error if
-  /// an option is out of range.
+  /// Filters the answers of a recognizer with `model`; `adjacency` refers to its places. Throws
+  /// Error if an option is out of range.
   TemporalFilter(const Model& model, const Adjacency& adjacency,
                  const TemporalFilterOptions& options);
-  /// The same for several cameras, 1 to kMaxCameras: `models` answers each of them, all of the same
-  /// places; `correlation`: cameras x cameras, see CameraCorrelation.
+  /// The same for 1 to kMaxCameras cameras: one of `models`, all of the same places, answers each
+  /// camera. `correlation`: cameras x cameras, see CameraCorrelation.
   TemporalFilter(const std::vector<const Model*>& models, const Eigen::MatrixXd& correlation,
                  const Adjacency& adjacency, const TemporalFilterOptions& options);
   ~TemporalFilter();
   TemporalFilter(TemporalFilter&&) noexcept;
   TemporalFilter& operator=(TemporalFilter&&) noexcept;
 
-  /// Takes the frame of time `stamp` (s). A stamp before the last one of its camera, or further
-  /// than the maximum gap from the last one at all, starts anew; an equal one adds nothing. A frame
-  /// that is earlier than another camera's last one counts as of that time. `motion`: since the
-  /// last call, whichever camera that was of. The result stays valid until the next call.
+  /// Adds a frame with the time `stamp` (s). The filter restarts if the stamp precedes the last one
+  /// of the same camera, or differs from the last one of any camera by more than the maximum gap.
+  /// An equal stamp adds nothing. A frame earlier than another camera's last frame counts as of
+  /// that frame's time. `motion`: since the last call, for whichever camera. The result stays valid
+  /// until the next call.
   const FilteredAnswer& update(double stamp, const Recognition& recognition,
                                const std::optional<Motion>& motion = std::nullopt,
                                std::size_t camera = 0);
 
-  /// The answer of the frame seen last.
+  /// The answer for the last frame.
   const FilteredAnswer& answer() const { return answer_; }
 
   /// Forgets all frames.
   void reset() { started_ = false; }
 
-  /// The model's threshold until set, as Recognizer::setUnknownThreshold(); kept within 0.01..0.99.
+  /// Replaces the model's threshold, as Recognizer::setUnknownThreshold(); clamped to 0.01..0.99.
   void setUnknownThreshold(double threshold, std::size_t camera = 0);
 
  private:
   friend class FixedLagSmoother;
 
-  /// What a frame did to the belief.
+  /// The effect of a frame on the belief.
   struct Step {
     double stamp = 0;                // s
-    bool first = true;               // the filter began anew with this frame
-    double changes = 0;              // mean number of changes of room since the frame before
-    Eigen::RowVectorXd likelihoods;  // L^w; as answer().probabilities
+    bool first = true;               // the filter restarted with this frame
+    double changes = 0;              // mean number of changes of room since the previous frame
+    Eigen::RowVectorXd likelihoods;  // L^w; in the order of answer().probabilities
   };
 
   struct Camera {
     Eigen::RowVectorXd room_fractions;  // q
     double unknown_threshold = 0;
     std::optional<double> stamp = {};  // s, of its last frame
-    std::optional<double> told = {};   // s, of its last frame that told something
-    double new_fraction = 1;           // w of its next frame, as if it were alone
+    std::optional<double> told = {};   // s, of its last frame with information
+    double new_fraction = 1;           // w of its next frame if there were no other camera
   };
 
   void start();
@@ -113,9 +115,9 @@ class TemporalFilter {
   TemporalFilterOptions options_;
   std::unique_ptr<TransitionModel> chain_;
   std::vector<Camera> cameras_;
-  Eigen::MatrixXd correlation_;  // of the cameras
+  Eigen::MatrixXd correlation_;  // between the cameras
   bool started_ = false;
-  int state_ = 0;  // answered; the number of rooms: 'unknown'
+  int state_ = 0;  // of the current answer; the number of rooms stands for 'unknown'
   double answer_since_ = 0;
   Step step_;
   FilteredAnswer answer_;

@@ -2,8 +2,8 @@
 
 namespace place_recognition {
 
-/// See TemporalFilter; feature_options.h on visit() and check(). Where odometry is given, metres
-/// and radians take the place of seconds.
+/// Options of TemporalFilter; for visit() and check(), see feature_options.h. If there is odometry,
+/// metres and radians replace seconds.
 struct TemporalFilterOptions {
   double dwell_time = 8;
   double dwell_distance = 4;

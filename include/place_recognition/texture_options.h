@@ -4,7 +4,7 @@
 
 namespace place_recognition {
 
-// The texture descriptors of thesis chapter 7. See feature_options.h on visit() and check().
+// The texture descriptors of thesis chapter 7. For visit() and check(), see feature_options.h.
 
 /// One operator LBP(riu2, P, R).
 struct LbpCircle {

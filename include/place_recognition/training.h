@@ -12,46 +12,46 @@
 
 namespace place_recognition {
 
-/// A model and what it took.
+/// A model and the figures of its training.
 struct Training {
   Model model;
   std::uint64_t images = 0;                      ///< trained on
-  std::uint64_t passed_over = 0;                 ///< others that could have been, SamplingOptions
+  std::uint64_t passed_over = 0;                 ///< not drawn although usable, see SamplingOptions
   std::vector<std::uint64_t> unreduced_vectors;  ///< [cue]: support vectors before reduction
-  std::vector<std::string> warnings;  ///< for a person: skipped images and why, few images, ...
+  std::vector<std::string> warnings;  ///< for a person: skipped images, too few images, ...
   double seconds = 0;
 };
 
-/// Opens a recording when its turn has come.
+/// Opens a recording when it is needed.
 using RecordingOpener = std::function<std::unique_ptr<Recording>()>;
 
-/// Learns a model from labelled recordings: features of every frame (memory is bounded by them, not
-/// by the runs), Gram matrix, gamma by cross-validation where it is not given, machines, reduction
-/// (for `auto` chosen by cross-validation), calibration on held-out blocks of time. Throws Error if
-/// fewer than two places have images; Cancelled if `progress` asks for it. The model's bytes depend
-/// on inputs and options only, not on `threads` (0: one per core).
+/// Trains a model from labelled recordings: features of every frame (memory is bounded by them, not
+/// by the length of the runs), Gram matrix, gamma by cross-validation if it is not given, machines,
+/// reduction (for `auto` selected by cross-validation), calibration on held-out blocks of time.
+/// Throws Error if fewer than two places have images; Cancelled if `progress` requests it. The
+/// model's bytes depend on inputs and options only, not on `threads` (0: one per core).
 Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,
                unsigned threads = 0, const Progress& progress = {});
 
-/// How a model learns on.
+/// Options of incremental training.
 struct IncrementalOptions {
-  /// Support vectors that each cue keeps at most: the threshold of shared-greedy reduction is
-  /// adapted to it, which forgets what matters least to all decision values together. 0: as many as
-  /// it needs, or the reduction that was asked for if that has a number or a tau.
+  /// Maximum number of support vectors per cue. The threshold of shared-greedy reduction is adapted
+  /// to it, so the vectors with the least effect on all decision values together are forgotten. 0:
+  /// no limit, or the requested reduction if it sets a number or a tau.
   int vector_limit = 0;
-  /// Within that limit, how much less the decision values at a vector count each time that its
-  /// place is learned again, 0..1. 0: it is forgotten for its weight only, not for its age.
+  /// Within that limit, how much less the decision values at a vector count each time its place is
+  /// learned again, 0..1. 0: only a vector's effect decides whether it is forgotten, not its age.
   double forgetting = 0;
-  /// The model of another robot, of which the support vectors are learned, too.
+  /// Model of another robot whose support vectors are also learned.
   const Model* other = nullptr;
 };
 
-/// Learns on (thesis section 9.1): trains on what `model` remembers, its support vectors, and on
-/// the labelled frames of new `recordings`, which may hold known places or new ones (none, if there
-/// is another model); features, kernels and gammas stay those of the model. Held-out frames of the
-/// new runs and those that judged the models decide together on the weights of the cues and on the
-/// calibration. Errors as train(), but one new place is enough; and if the models were trained with
-/// different features.
+/// Incremental training (thesis section 9.1): trains on the support vectors of `model` and on the
+/// labelled frames of new `recordings`, which may show known or new places (there may be none if
+/// there is another model). Features, kernels and gammas stay those of the model. Held-out frames
+/// of the new runs, together with those on which the models were validated, determine the weights
+/// of the cues and the calibration. Throws like train(), but one new place is enough; also if the
+/// models were trained with different features.
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             const IncrementalOptions& incremental, unsigned threads = 0,
                             const Progress& progress = {});

@@ -9,8 +9,8 @@
 
 namespace place_recognition {
 
-/// How the image of an omnidirectional camera, which looks into a mirror, becomes a panorama: the
-/// ring that the mirror shows is cut open and unrolled, its rim at the top (thesis section 2.3.1).
+/// Conversion of the image of an omnidirectional camera, which looks into a mirror, to a panorama:
+/// the ring that shows the mirror is unrolled with its rim at the top (thesis section 2.3.1).
 struct PanoramaOptions {
   std::string mirror = "none";
   double center_x = 0.5;
@@ -35,7 +35,7 @@ struct PanoramaOptions {
   void check() const;
 };
 
-/// What is done to an image before features are extracted.
+/// Preparation of an image before features are extracted.
 struct ImageOptions {
   int max_width = 640;
   PanoramaOptions panorama;
@@ -50,8 +50,8 @@ struct ImageOptions {
   void check() const;
 };
 
-/// Which images of the recordings are learned: neighbouring ones are nearly copies of one another,
-/// and memory grows with the square of their number.
+/// Selection of the images to learn. Neighbouring images are nearly copies of one another, and
+/// memory grows with the square of their number.
 struct SamplingOptions {
   double rate = 0;
   int most = 10000;
@@ -67,9 +67,9 @@ struct SamplingOptions {
   void check() const;
 };
 
-/// Images that say little, such as those of a wall that fills the view (thesis section 3.5).
-/// Their measure is the edge density: the fraction of the pixels whose gradient at sigma = 1
-/// exceeds 4 grey levels per pixel.
+/// Treatment of images with little information, such as those of a wall that fills the view (thesis
+/// section 3.5). Information is measured by edge density: the fraction of pixels whose gradient at
+/// sigma = 1 exceeds 4 grey levels per pixel.
 struct InformationOptions {
   double left_out_below = 0;
   double unknown_below = 0;
@@ -87,7 +87,7 @@ struct InformationOptions {
   void check() const;
 };
 
-/// One cue: a feature, the kernel that compares it, and what it counts beside others.
+/// One cue: a feature, the kernel that compares it, and its weight among other cues.
 struct CueOptions {
   std::string name = "crfh";
   std::string normalize = "none";
@@ -112,11 +112,11 @@ struct CueOptions {
   }
 };
 
-/// What `train` looks at unless it is told: two cues of colour and two of edges, of each kind one
-/// that serves while the light stays and one that does when it changes (doc/experiments.md).
+/// The cues that `train` uses by default: two of colour and two of edges. Of each kind, one works
+/// as long as the light stays the same, the other in changed light (doc/experiments.md).
 std::vector<CueOptions> defaultCues();
 
-/// Further images to learn from, made of those of the recordings.
+/// Additional training images, derived from those of the recordings.
 struct AugmentationOptions {
   bool other_light = false;
 
@@ -128,7 +128,7 @@ struct AugmentationOptions {
   }
 };
 
-/// Cross-validation within the training runs: for gamma, for the probabilities, for `unknown`.
+/// Cross-validation within the training runs: for gamma, the probabilities, and `unknown`.
 struct ValidationOptions {
   static constexpr int kMaxFolds = 10000;
   int folds = 5;
@@ -162,7 +162,7 @@ struct UnknownOptions {
   void check() const;
 };
 
-/// Everything that `train` can be told; read from YAML (config/), stored in the model.
+/// All options of `train`; read from YAML (config/), stored in the model.
 struct TrainingOptions {
   ImageOptions image;
   SamplingOptions sampling;

@@ -10,7 +10,7 @@
 
 namespace place_recognition {
 
-/// Where tune() looks; read from YAML.
+/// The configurations that tune() searches; read from YAML.
 struct SearchSpace {
   std::vector<std::vector<std::string>> descriptors = {
       {"Lxx", "Lxy", "Lyy"}, {"Lx", "Ly"},
@@ -26,7 +26,7 @@ struct SearchSpace {
   int first_pictures = 200;
   int max_pictures = 1000;
 
-  /// Further cues in question. Not read from YAML.
+  /// Additional candidate cues. Not read from YAML.
   std::vector<CueOptions> cues = {};
 
   template <typename Self, typename Visitor>
@@ -53,49 +53,51 @@ struct SearchSpace {
   void check() const;
 };
 
-/// How one configuration fared on held-out images.
+/// Scores of one configuration on held-out images.
 struct TuningTrial {
-  std::string stage;             ///< in plain words, as "round 1 of 2", "one more", "C"
-  std::vector<CueOptions> cues;  ///< combined with the weights of their options
+  std::string stage;             ///< in plain words, such as "round 1 of 2", "one more", "C"
+  std::vector<CueOptions> cues;  ///< combined with the weights in their options
   double c = 0;                  ///< SVM penalty parameter C
-  std::uint64_t images = 0;      ///< looked at
-  double log_loss = 0;           ///< nats an image, rooms weighted alike; the criterion
-  double rate = 0;               ///< mean of the rooms' rates on images as recorded
-  double changed_rate = 0;       ///< the same on changed ones
+  std::uint64_t images = 0;      ///< evaluated
+  double log_loss = 0;           ///< nats per image, rooms weighted equally; the criterion
+  double rate = 0;               ///< mean of the rooms' rates on unchanged images
+  double changed_rate = 0;       ///< the same on changed images
 };
 
-/// What tune() found.
+/// Result of tune().
 struct Tuning {
-  TrainingOptions options;          ///< what `train` is to be given
-  TuningTrial best;                 ///< how they fared
+  TrainingOptions options;          ///< to pass to `train`
+  TuningTrial best;                 ///< scores of these options
   std::vector<TuningTrial> trials;  ///< everything that was tried, in order
-  bool complete = true;             ///< false: stopped early, and the best so far
-  std::uint64_t images = 0;         ///< labelled ones in the recordings
+  bool complete = true;             ///< false: stopped early; the options are the best so far
+  std::uint64_t images = 0;         ///< labelled images in the recordings
   double seconds = 0;
 };
 
-/// Finds features and C for `recordings` by cross-validation within them, starting from `base`,
-/// which also gives everything else. `base` is left only for good reason: it was found on other
-/// sites, and a few hundred images of one recording cannot tell much.
+/// Finds features and C for `recordings` by cross-validation within them. The search starts from
+/// `base`, which also provides all other options. It leaves `base` only for a clear gain: `base`
+/// was found on other sites, and a few hundred images of one recording prove little.
 ///
-/// Folds are whole runs if two or more of them hold every place, else the blocks of time that
-/// training holds out; if `hold_out` is not empty, one split: trained on `recordings`, tested on
-/// `hold_out`. A tested image is judged as it was recorded and as the next run might show it: in
-/// other light, nearer, to the side, less sharp. The criterion is the log loss of the calibrated
-/// probabilities: it uses how sure the answers are, where a rate of a few hundred frames only
-/// knows right and wrong.
+/// Folds are whole runs if two or more of them contain every place, otherwise the blocks of time
+/// that training holds out. If `hold_out` is not empty, there is one split: train on `recordings`,
+/// test on `hold_out`. Each test image is scored unchanged and as the next run might show it: in
+/// other light, nearer, shifted sideways, less sharp. The criterion is the log loss of the
+/// calibrated probabilities, because it takes the certainty of the answers into account; the rate
+/// of a few hundred frames only distinguishes right from wrong.
 ///
-/// 1. For each set of descriptors, scales and bins by successive halving: a second round on
-///    twice as many images for the best quarter of the first. What is simpler wins if it is
-///    within one standard error (of the paired difference).
-/// 2. From the cues of `base`, the step that gains most, while it gains four standard errors: a
-///    survivor or a cue of `space.cues` in place of a cue, one more, or one less.
-/// 3. C.
-///    Measures between images are computed once a candidate and serve every C and combination.
+/// 1. For each set of descriptors, select scales and bins by successive halving: the best quarter
+///    of the first round enters a second round on twice as many images. The simpler candidate wins
+///    if it is within one standard error (of the paired difference).
+/// 2. From the cues of `base`, repeatedly take the step with the largest gain, as long as the gain
+///    exceeds four standard errors: replace a cue by a survivor or by a cue of `space.cues`, add
+///    one, or remove one.
+/// 3. Select C.
 ///
-/// Throws Error if the runs cannot be learned from, or a network cannot be used. If `progress` asks
-/// for a stop, what was found by then is returned, at first `base`; Cancelled if it does so before
-/// the images are counted. Independent of `threads`.
+/// Measures between images are computed once per candidate and serve every C and combination.
+///
+/// Throws Error if the runs cannot be learned from, or a network cannot be used. If `progress`
+/// requests a stop, the result so far is returned, initially `base`; Cancelled is thrown if the
+/// images are not counted yet. The result does not depend on `threads`.
 Tuning tune(const std::vector<RecordingOpener>& recordings,
             const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
             const SearchSpace& space, unsigned threads = 0, const Progress& progress = {});

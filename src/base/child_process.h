@@ -9,15 +9,16 @@
 
 namespace place_recognition {
 
-/// A program running beside this one, with its standard output (and, if wanted, its standard error)
-/// in pipes. It is started without a shell and inherits no other descriptor. Not thread-safe.
+/// A program that runs in a child process, with its standard output (and, on request, its standard
+/// error) in pipes. It is started without a shell and inherits no other descriptor. Not
+/// thread-safe.
 class ChildProcess {
  public:
   enum class Stderr { kDiscard, kPipe };
 
   /// Starts `arguments[0]`, a path. Throws Error if it cannot be started.
   ChildProcess(const std::vector<std::string>& arguments, Stderr stderr_use);
-  /// Kills the program if it still runs.
+  /// Kills the program if it is still running.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -25,32 +26,32 @@ class ChildProcess {
   int output() const { return output_; }  ///< descriptor to read its standard output from
 
   using LineCallback = std::function<void(const std::string& line)>;
-  /// Hands over the lines that have come on standard output and standard error, waiting for some
-  /// for at most `timeout`. False: both have ended.
+  /// Passes on the lines that have arrived on standard output and standard error; waits at most
+  /// `timeout` for some. False: both have ended.
   bool readLines(std::chrono::milliseconds timeout, const LineCallback& on_output,
                  const LineCallback& on_error);
 
   /// Asks the program to stop (SIGINT).
   void interrupt() const;
-  /// Stops it at once (SIGKILL).
+  /// Stops the program at once (SIGKILL).
   void kill() const;
-  /// Waits for its end and returns how it ended, as waitpid() puts it.
+  /// Waits for the program to end and returns its status, as waitpid() does.
   int wait();
 
  private:
   pid_t pid_ = -1;
   int output_ = -1;
   int errors_ = -1;          // -1: discarded
-  std::string output_line_;  // what has come of the line to come next
+  std::string output_line_;  // start of a line that is still incomplete
   std::string error_line_;
 };
 
 /// "exit code 3" or "signal 11 (Segmentation fault)".
 std::string describeExit(int status);
 
-/// The path of an executable of this package: in the folder that the environment variable
-/// PLACE_RECOGNITION_LIBEXEC names, beside the program that runs, or in lib/place_recognition of
-/// the same tree. Throws Error if it is in none of them.
+/// The path of an executable of this package. It is searched for in the folder that the environment
+/// variable PLACE_RECOGNITION_LIBEXEC names, beside the running program, and in
+/// lib/place_recognition of the same tree. Throws Error if it is in none of them.
 std::string findExecutable(const std::string& name);
 
 }  // namespace place_recognition

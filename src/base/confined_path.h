@@ -5,14 +5,14 @@
 
 namespace place_recognition {
 
-/// The bag that `path`, which comes from the network, names: absolute, without links, and below one
-/// of the folders `roots`. A relative path starts at a root, "~/" or "$HOME/" at the home folder.
-/// Throws Error for anything else, in the same words whether there is such a file elsewhere or not.
-/// Where a link below a root leads out of all of them, the message says so, for that the user can
-/// mend.
+/// The bag that `path`, received from the network, refers to: absolute, without links, and below
+/// one of the folders `roots`. A relative path starts at a root, "~/" or "$HOME/" at the home
+/// folder. Throws Error for anything else, with the same words whether such a file exists elsewhere
+/// or not. If a link below a root leads out of all roots, the message says so, because the user can
+/// correct that.
 std::string confinedBagPath(const std::string& path, const std::vector<std::string>& roots);
 
-/// Where bags may lie unless told otherwise: the home folder and ROS_HOME.
+/// Default folders for bags: the home folder and ROS_HOME.
 std::vector<std::string> defaultBagRoots();
 
 }  // namespace place_recognition

@@ -4,21 +4,20 @@
 
 namespace place_recognition {
 
-/// Holds a folder for one holder among those who ask so. No file is left behind, and the system
-/// lets go of it when its holder dies. Not held where the folder cannot be opened, or where the
-/// file system knows no locks.
+/// An advisory lock on a folder. It leaves no file behind, and the system releases it when its
+/// holder dies. It is not held if the folder cannot be opened or the file system has no locks.
 class FolderLock {
  public:
   enum class IfTaken { kWait, kGiveUp };
 
-  /// An empty `folder` is the current one.
+  /// An empty `folder` means the current one.
   FolderLock(const std::string& folder, IfTaken if_taken);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
   bool isHeld() const { return held_; }
-  /// Whether somebody else holds it.
+  /// Whether another process holds it.
   bool isTaken() const { return taken_; }
 
  private:

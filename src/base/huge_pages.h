@@ -11,8 +11,9 @@
 
 namespace place_recognition {
 
-/// Allocator for big tables that are read here and there: asks Linux for pages of 2 MB, so that the
-/// processor need not look up an address for every 4 kB it visits. Small ones get ordinary pages.
+/// Allocator for large tables with scattered access: requests pages of 2 MB from Linux, so that the
+/// processor need not translate an address for every 4 kB it visits. Small tables get ordinary
+/// pages.
 template <typename T>
 struct HugePages {
   using value_type = T;
@@ -31,13 +32,13 @@ struct HugePages {
     void* memory = std::aligned_alloc(page, bytes);
     if (!memory) throw std::bad_alloc();
 #if defined(__linux__)
-    if (huge) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: what it answers changes nothing
+    if (huge) madvise(memory, bytes, MADV_HUGEPAGE);  // a hint: the result does not matter
 #endif
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
 
-  /// Numbers that are given no value keep what the memory holds, for whoever overwrites them all.
+  /// Leaves numbers without a given value uninitialized, for callers that overwrite all of them.
   template <typename U>
   void construct(U* element) {
     ::new (static_cast<void*>(element)) U;
@@ -53,7 +54,7 @@ struct HugePages {
   }
 };
 
-/// HugeVector<T>(n) has n numbers of no value; HugeVector<T>(n, 0) has zeros.
+/// HugeVector<T>(n) has n uninitialized numbers; HugeVector<T>(n, 0) has zeros.
 template <typename T>
 using HugeVector = std::vector<T, HugePages<T>>;
 

@@ -8,20 +8,20 @@
 
 namespace place_recognition {
 
-/// Reads the keys pressed in a terminal, without waiting for the end of a line, in a thread of its
-/// own. Ctrl-C works as ever.
+/// Reads the keys pressed in a terminal, without waiting for the end of a line, in its own thread.
+/// Ctrl-C keeps its function.
 class Keyboard {
  public:
   using Callback = std::function<void(char key)>;
 
-  /// `terminal`: a descriptor for which isUsable().
+  /// `terminal`: a descriptor that isUsable().
   Keyboard(int terminal, Callback callback);
-  /// Sets the terminal back to what it was.
+  /// Restores the terminal.
   ~Keyboard();
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  /// Whether `descriptor` is a terminal whose keys are meant for this program: one that runs in the
+  /// Whether `descriptor` is a terminal whose keys are meant for this program. A program in the
   /// background would be stopped for touching it.
   static bool isUsable(int descriptor);
 

@@ -5,9 +5,9 @@
 
 namespace place_recognition {
 
-/// The name in `known` that `name` may be a misspelling of: the one at the least edit distance
-/// (letters inserted, left out, replaced, or two neighbours exchanged; case does not count), if
-/// that is at most a third of the name's length, or 2 for a short one. Empty: none is that near.
+/// The name in `known` of which `name` may be a misspelling: the one with the least edit distance
+/// (letters inserted, omitted or replaced, or two neighbours exchanged; case is ignored), if that
+/// is at most a third of the name's length, or 2 for a short name. Empty if none is that close.
 std::string nearestName(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace place_recognition

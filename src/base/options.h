@@ -44,7 +44,7 @@ struct IsVariant<std::variant<T...>> : std::true_type {};
                                    const std::vector<std::string>& known);
 /// Throws unless `node` is a mapping.
 void requireMapping(const YAML::Node& node, const std::string& where);
-/// Throws for a key of the mapping `node` that is not in `known`, or that stands there twice.
+/// Throws for a key of the mapping `node` that is not in `known`, or that occurs twice.
 void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& known,
                       const std::string& where);
 
@@ -168,14 +168,14 @@ YAML::Node write(const T& value) {
 }  // namespace options_detail
 
 /// Overwrites the fields of `options` that `node` names. Throws Error for a key that does not exist
-/// (listing those that do) or a value of the wrong kind; `where` names the source in messages.
+/// (listing the existing ones) or a value of the wrong kind; `where` names the source in messages.
 template <typename Options>
 void readOptions(const YAML::Node& node, const std::string& where, Options& options) {
   if (!node || node.IsNull()) return;
   options_detail::read(node, where, options);
 }
 
-/// All fields of `options` as YAML text; readOptions() of it gives equal options.
+/// All fields of `options` as YAML text, from which readOptions() restores equal options.
 template <typename Options>
 std::string writeOptions(const Options& options) {
   YAML::Emitter out;
@@ -190,8 +190,8 @@ YAML::Node parseYaml(const std::string& text, const std::string& where);
 YAML::Node readYamlFile(const std::string& path);
 
 /// Applies `assignment`, "key.key=value", to a tree of options before it is read. An element of a
-/// list is addressed by its number from 0 or, where the elements have one, by its `name`.
-/// Throws Error if the text has no such form.
+/// list is addressed by its index from 0 or, if the elements have one, by its `name`. Throws Error
+/// if the text does not have this form.
 void assignOption(const YAML::Node& root, const std::string& assignment);
 
 }  // namespace place_recognition

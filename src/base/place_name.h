@@ -6,10 +6,10 @@
 
 namespace place_recognition {
 
-/// What a model may know at most; what is kept of pairs of places takes memory by its square.
+/// Maximum number of places in a model; memory for pairs of places grows with its square.
 constexpr std::size_t kMaxPlaces = 2000;
 
-/// What stands for a place that is not known; no place may be called so, in any case of letters.
+/// The answer for an unknown place; no place may have this name, in upper or lower case.
 constexpr const char* kUnknownPlace = "unknown";
 
 /// Whether `text` is well-formed UTF-8 (RFC 3629).
@@ -19,17 +19,17 @@ bool isUtf8(const std::string& text);
 /// names pass through messages, JSON, YAML and file listings unchanged.
 bool isPlaceName(const std::string& name);
 
-/// `text` as the name of a place: composed (Unicode NFC), with single blanks inside and none at its
-/// ends, so that one room written in two ways is one place. Text that is not UTF-8 is left as it
-/// is.
+/// Normalizes `text` as the name of a place: composed (Unicode NFC), with single blanks inside and
+/// none at the ends, so that two spellings of one room are one place. Text that is not UTF-8 is
+/// returned unchanged.
 std::string placeName(const std::string& text);
 
-/// Why placeName() of `text` cannot name a place that is learned, and what to do; a sentence that
-/// goes on from the name. Empty: it can.
+/// Why placeName() of `text` cannot name a place to learn, and what to do: a sentence that
+/// continues after the name. Empty if it can.
 std::string whyNoPlaceName(const std::string& text);
 
-/// A sentence for each two of `names` that may be meant for one place, as they differ in upper and
-/// lower case only, or are alike (see likeness()).
+/// One sentence for every two of `names` that may mean the same place: they differ only in upper
+/// and lower case, or are alike (see likeness()).
 std::vector<std::string> warnOfLikeNames(const std::vector<std::string>& names);
 
 }  // namespace place_recognition

@@ -4,16 +4,15 @@
 
 namespace place_recognition {
 
-// Bounds for a process that does nothing but read a file which may come from anywhere.
+// Limits for a process that only reads a file, which may come from anywhere.
 
-/// The address space that reading a bag or a network may take; the largest image needs a tenth of
-/// it.
+/// Address space for reading a bag or a network; the largest image needs a tenth of it.
 constexpr std::uint64_t kMaxMemory = std::uint64_t{4} << 30;
 
-/// Limits this process to kMaxMemory and lets a crash leave no core file.
+/// Limits this process to kMaxMemory and prevents core files.
 void limitMemory();
 
-/// The same, and ends it after so many seconds of processor time.
+/// The same; also ends the process after `seconds` of processor time.
 void limitProcess(unsigned seconds);
 
 }  // namespace place_recognition

@@ -6,13 +6,14 @@
 
 namespace place_recognition {
 
-/// Throws Error saying `otherwise`, text or a literal, unless `condition` holds.
+/// Throws Error with the message `otherwise`, text or a literal, unless `condition` holds.
 template <typename Text>
 void require(bool condition, const Text& otherwise) {
   if (!condition) throw Error(otherwise);
 }
 
-/// Throws Error naming the option and its range, as "a number from 0", unless `condition` holds.
+/// Throws Error naming the option and its range, such as "a number from 0", unless `condition`
+/// holds.
 inline void requireOption(bool condition, const std::string& option, const std::string& range) {
   if (!condition) throw Error("Option '" + option + "' is out of range; give " + range + ".");
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-/// PLACE_RECOGNITION_TARGET_CLONES before a function compiles it once for each instruction set that
-/// is worth it and picks the best at run time, so that one binary runs everywhere. Put it on
-/// functions of plain loops that the compiler vectorises; what they call must be inlined into them.
-/// Every clone gives the same bits: products and sums are never fused (-ffp-contract=off) and sums
-/// are never reordered. Sanitizers start too late for the run-time choice, so they go without.
+/// PLACE_RECOGNITION_TARGET_CLONES before a function compiles it once per useful instruction set
+/// and selects the best at run time, so that one binary runs everywhere. Put it on functions of
+/// plain loops that the compiler vectorizes; the functions they call must be inlined into them.
+/// Every clone gives the same bits: products and sums are never fused (-ffp-contract=off), and sums
+/// are never reordered. Sanitizers start too late for the selection at run time, so they are
+/// compiled without clones.
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define PLACE_RECOGNITION_TARGET_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
@@ -15,7 +16,8 @@
 /// For the small functions that those functions call.
 #define PLACE_RECOGNITION_INLINE inline __attribute__((always_inline))
 
-/// Before a loop over the parts of a sum: left whole, so that the vectoriser sees it.
+/// Before a loop over the parts of a sum: the loop is not unrolled, so that the vectorizer
+/// recognizes it.
 #if defined(__clang__)
 #define PLACE_RECOGNITION_LANES
 #else

@@ -7,17 +7,17 @@ namespace place_recognition {
 
 enum class ImageFormat { kNone, kPng, kJpeg, kWebp, kBmp, kTiff, kPnm, kJpeg2000, kSunRaster };
 
-/// What an image says of itself before anything of it is decoded.
+/// The properties that an image declares, read before decoding.
 struct ImageHeader {
   ImageFormat format = ImageFormat::kNone;
-  std::uint64_t width = 0;   ///< pixels; of TIFF not less than a tile's
+  std::uint64_t width = 0;   ///< pixels; for TIFF at least a tile's width
   std::uint64_t height = 0;  ///< likewise
-  bool whole = false;  ///< as far as lengths and checksums tell, nothing is missing; of JPEG see
+  bool whole = false;  ///< nothing is missing as far as lengths and checksums show; for JPEG see
                        ///< isWholeJpeg()
 };
 
-/// Reads the header of an image; format kNone if it is of none that is known, width 0 if its size
-/// cannot be told. Never throws. Thread-safe.
+/// Reads the header of an image. The format is kNone if it is unknown, and the width is 0 if the
+/// size cannot be determined. Never throws. Thread-safe.
 ImageHeader readImageHeader(const std::uint8_t* bytes, std::size_t size);
 
 }  // namespace place_recognition

@@ -8,30 +8,30 @@
 
 namespace place_recognition {
 
-/// Image files of one camera, brought to 8 bits alike; see DepthScale, which a few of the
-/// images from beginning to end set when the first one of 16 bits is read.
+/// Image files of one camera, converted to 8 bits with one DepthScale. Its range is determined from
+/// a few images of the whole sequence when the first image with 16 bits is read.
 class ImageSequence {
  public:
   ImageSequence() = default;
   explicit ImageSequence(std::vector<std::string> paths) : paths_(std::move(paths)) {}
 
-  /// To be called before read(), see Recording::setDepthExtent().
+  /// Call it before read(); see Recording::setDepthExtent().
   void setDepthExtent(const DepthExtent& extent) { scale_ = DepthScale(extent); }
   const DepthExtent& depthExtent() const { return scale_.extent(); }
 
   std::size_t size() const { return paths_.size(); }
   const std::string& path(std::size_t i) const { return paths_[i]; }
 
-  /// Image `i` of size(): CV_8UC3 BGR or CV_8UC1, or why there is none.
+  /// Reads image `i` of size(): CV_8UC3 BGR or CV_8UC1, or the reason why there is none.
   DecodedImage read(std::size_t i);
 
-  /// How images of 16 bits were brought to 8, a sentence; empty if there was none yet.
+  /// How images with 16 bits were converted to 8, a sentence; empty if there was none yet.
   std::string note() const;
 
  private:
   std::vector<std::string> paths_;
   DepthScale scale_;
-  bool is_deep_ = false;  // an image of 16 bits was read
+  bool is_deep_ = false;  // an image with 16 bits was read
 };
 
 }  // namespace place_recognition

@@ -16,7 +16,7 @@ struct LabelledImage {
   double stamp = 0;  ///< s
 };
 
-/// Images that are trained or tested on together: one condition of light (chapter 8), or one
+/// Images that are trained or tested on together: one illumination condition (chapter 8), or one
 /// sample of every material (chapter 7). Neighbours in time are neighbours in the list.
 struct ImageSet {
   std::string name;
@@ -26,8 +26,8 @@ struct ImageSet {
 /// Every `step`-th image of each place, from the first.
 ImageSet thinnedOut(const ImageSet& set, int step);
 
-/// A SHA-256 that depends on names, places and contents, not on where the files lie. Throws Error
-/// if a file cannot be read.
+/// A SHA-256 of names, places and contents, independent of where the files are. Throws Error if a
+/// file cannot be read.
 std::string digestOf(const std::vector<ImageSet>& sets);
 
 /// The set as a recording; `set` must outlive it.

@@ -5,8 +5,8 @@
 
 namespace place_recognition {
 
-/// Whether the data of every block of a JPEG image is there. Decoders fill in grey for what is
-/// not, and say nothing. A missing end marker, or bytes behind it, do no harm. Thread-safe.
+/// Whether a JPEG image contains the data of every block. Decoders silently fill missing blocks
+/// with grey. A missing end marker, or bytes after it, are accepted. Thread-safe.
 bool isWholeJpeg(const std::uint8_t* bytes, std::size_t size);
 
 }  // namespace place_recognition

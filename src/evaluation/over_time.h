@@ -8,13 +8,13 @@
 
 namespace place_recognition {
 
-/// How often a way of answering named another room than the true one, and how often none.
+/// Number of wrong answers and of answers 'unknown'.
 struct AnswerCounts {
   std::uint64_t wrong = 0;
   std::uint64_t unknown = 0;
 };
 
-/// Answers to single frames and over time to the same frames.
+/// Counts of the answers to single frames and over time for the same frames.
 struct AnswersOverTime {
   std::uint64_t frames = 0;
   AnswerCounts single;
@@ -22,28 +22,28 @@ struct AnswersOverTime {
   AnswerCounts smoothed;
 };
 
-/// The answers over time (TemporalFilter, FixedLagSmoother) beside those to single frames, on runs
-/// that are drives through the rooms; images of places that the model has learned.
+/// Compares the answers over time (TemporalFilter, FixedLagSmoother) with those to single frames,
+/// on runs that are drives through the rooms and images of learned places.
 struct OverTime {
-  /// In a doorway a camera sees the next room before the robot is in it, and an answer over time
-  /// follows late: what is from kBefore before to kAfter after a change of room, s.
+  /// In a doorway the camera sees the next room before the robot enters it, and the answer over
+  /// time follows with a delay. Doorway frames are those from kBefore before to kAfter after a
+  /// change of room, s.
   static constexpr double kBefore = 1;
   static constexpr double kAfter = 2;
 
   AnswersOverTime all;
-  AnswersOverTime settled;     ///< without those in doorways
+  AnswersOverTime settled;     ///< without doorway frames
   std::vector<double> delays;  ///< s, until the filter names the room after a change, ascending
-  std::uint64_t missed = 0;    ///< changes that were not followed before the next one
+  std::uint64_t missed = 0;    ///< changes that the filter did not follow before the next one
 
-  /// Fraction of all changes that are followed within `seconds`.
+  /// Fraction of all changes that the filter follows within `seconds`.
   double followedWithin(double seconds) const;
 };
 
-/// Whether the frames of a recording, of one of so many places each, can have been taken on the
-/// way.
+/// Whether the frames of a recording, each of one of `places` places, can come from a drive.
 bool isDrive(const std::vector<const FrameResult*>& recording, std::size_t places);
 
-/// Nothing if no run is a drive: images that are sorted by room have no order in time.
+/// Nothing if no run is a drive: images sorted by room have no order in time.
 std::optional<OverTime> overTime(const Evaluation& evaluation);
 
 }  // namespace place_recognition

@@ -9,20 +9,20 @@ namespace place_recognition {
 
 // The figures of the report, each an <svg> element.
 
-/// A bar per room: the fraction answered right; a line marks the mean.
+/// One bar per room: the fraction of correct answers; a line marks the mean.
 std::string ratesPlot(const Summary& summary);
 
-/// How often answers of a certain confidence are right, against that confidence.
+/// Fraction of correct answers against confidence.
 std::string reliabilityPlot(const Summary& summary);
 
-/// How many images were answered with which confidence, right and wrong ones.
+/// Histogram of confidence, for correct and wrong answers.
 std::string confidencePlot(const Evaluation& evaluation);
 
-/// Fraction of wrong answers if only the most confident ones were given.
+/// Fraction of wrong answers if only the most confident ones are given.
 std::string riskPlot(const Summary& summary);
 
-/// Fraction of places never learned that a threshold finds, against the known ones it calls
-/// unknown.
+/// Fraction of images of unknown places detected by a threshold, against the fraction of known ones
+/// answered 'unknown'.
 std::string rocPlot(const UnknownSummary& unknown);
 
 }  // namespace place_recognition

@@ -12,31 +12,31 @@
 
 namespace place_recognition {
 
-/// How long the smoothed answer waits, s.
+/// Delay of the smoothed answer, s.
 constexpr double kSmoothingLag = 1;
 
-/// Answers the frames of runs as the node place_recognizer does, one at a time: each camera has a
-/// light and a guard of its own, and what they say joins in the answers over time. Not thread-safe.
+/// Recognizes the frames of recordings as the node place_recognizer does, one at a time. Each
+/// camera has its own light and guard; their answers are combined over time. Not thread-safe.
 class RecordingRecognizer {
  public:
   explicit RecordingRecognizer(std::shared_ptr<const Model> model);
 
-  /// Frames of `recording` follow, which has not been read from; nothing of the recording before
-  /// counts.
+  /// Begins `recording`, which has not been read from; discards everything about the previous one.
   void begin(Recording& recording);
 
-  /// What is to be said about the image of `frame` and has not been said before: ImageGuard.
+  /// New remarks about the image of `frame`, see ImageGuard.
   std::vector<std::string> judge(const Frame& frame);
 
-  /// The answer to the image of `frame` alone; valid until the next call.
+  /// The answer to the image of `frame`; valid until the next call.
   const Recognition& recognize(const Frame& frame);
 
-  /// The same for an image by itself, which is of no run.
+  /// The same for a single image outside of any recording.
   const Recognition& recognizeImage(const cv::Mat& image) {
     return recognizers_.front().recognize(image);
   }
 
-  /// The answer over time after that frame, `recognition`, which the smoother then waits for.
+  /// The answer over time after that frame, given its `recognition`; also adds the frame to
+  /// smoother().
   const FilteredAnswer& follow(const Frame& frame, const Recognition& recognition);
 
   FixedLagSmoother& smoother() { return smoother_; }

@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// An evaluation as one HTML page that needs no other file: figures, plots, the confusion matrix,
-/// and the images that were most confidently wrong.
+/// An evaluation as a self-contained HTML page: figures, plots, the confusion matrix, and the
+/// images with the most confident errors.
 std::string htmlReport(const Evaluation& evaluation, const Summary& summary);
 
 }  // namespace place_recognition

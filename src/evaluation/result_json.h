@@ -7,9 +7,8 @@
 
 namespace place_recognition {
 
-/// The figures of an evaluation for other programs: average_rate, rooms, confusion,
-/// calibration_error, support_vectors, model_bytes, latency_ms, and more. Rates and fractions are
-/// 0..1.
+/// The figures of an evaluation as JSON: average_rate, rooms, confusion, calibration_error,
+/// support_vectors, model_bytes, latency_ms, and more. Rates and fractions are 0..1.
 nlohmann::json resultJson(const Evaluation& evaluation, const Summary& summary);
 
 }  // namespace place_recognition

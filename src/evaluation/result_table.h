@@ -8,15 +8,15 @@
 
 namespace place_recognition {
 
-/// How often answers of each tenth of confidence are right; the first row is the head.
+/// Fraction of correct answers for each tenth of confidence; the first row is the header.
 TextRows reliabilityRows(const Summary& summary);
 
-/// How many answers are wrong if only the most confident ones are given.
+/// Fraction of wrong answers if only the most confident ones are given.
 TextRows riskRows(const Summary& summary);
 
-/// The figures of an evaluation as aligned text for a terminal: rates of the rooms and runs, their
-/// mean, confusion matrix, calibration, risk against coverage, 'unknown', latency. Ends with a line
-/// feed.
+/// The figures of an evaluation as aligned text for a terminal: rates of rooms and runs, their
+/// mean, confusion matrix, calibration, risk against coverage, 'unknown', latency. Ends with a
+/// newline.
 std::string resultTable(const Evaluation& evaluation, const Summary& summary);
 
 }  // namespace place_recognition

@@ -12,9 +12,8 @@
 
 namespace place_recognition {
 
-/// How the images of one room, in one recording or in all, were answered. Rates count the most
-/// probable place, whether or not the answer was 'unknown'; the fraction answered 'unknown' stands
-/// beside them.
+/// The answers to the images of one room, in one recording or in all. Rates count the most probable
+/// place, even if the answer is 'unknown'; the fraction of 'unknown' is separate.
 struct RoomSummary {
   int place = 0;  ///< index into Summary::places
   std::uint64_t count = 0;
@@ -27,50 +26,50 @@ struct RoomSummary {
   }
 };
 
-/// The rooms that a run shows (one condition of illumination, say).
+/// The rooms in one run (usually one illumination condition).
 struct RecordingSummary {
   std::string name;
-  std::string condition;           ///< the last part of the name, without `.bag`
-  std::vector<RoomSummary> rooms;  ///< learned ones with images
+  std::string condition;           ///< last part of the name, without `.bag`
+  std::vector<RoomSummary> rooms;  ///< learned rooms with images
   double average_rate = 0;         ///< mean of their rates
 };
 
 /// The answers to the single frames of one of several cameras.
 struct CameraSummary {
-  std::string name;         ///< its topic; of folders, which have none, "images in folders"
+  std::string name;         ///< its topic; "images in folders" for folders, which have none
   std::uint64_t count = 0;  ///< images of learned rooms
   double average_rate = 0;  ///< mean of the rooms' rates
 };
 
-/// Counts of true place (row) and most probable place (column).
+/// Counts by true place (row) and most probable place (column).
 struct Confusion {
   std::vector<std::vector<std::uint64_t>> counts;
-  std::vector<std::uint64_t> none;  ///< of each true place: images without any feature
+  std::vector<std::uint64_t> none;  ///< by true place: images without any feature
 };
 
-/// How 'unknown' fared on places that were never learned.
+/// Detection of places that were never learned.
 struct UnknownSummary {
-  double roc_area = 0;          ///< of the evidence, learned against other places
+  double roc_area = 0;          ///< of the evidence, learned places against other places
   double false_alarm_rate = 0;  ///< fraction of images of learned places answered 'unknown'
   double detection_rate = 0;    ///< fraction of images of other places answered 'unknown'
-  std::vector<RocPoint> roc;    ///< learned places (positive) and others below each threshold
+  std::vector<RocPoint> roc;    ///< learned (positive) and other places below each threshold
 };
 
 /// The figures of an evaluation.
 struct Summary {
   std::vector<std::string> places;  ///< as in Evaluation
-  std::vector<RoomSummary> rooms;   ///< all runs together: learned ones with images
-  double average_rate = 0;          ///< mean of their rates, each room of equal weight
+  std::vector<RoomSummary> rooms;   ///< over all runs: learned rooms with images
+  double average_rate = 0;          ///< mean of their rates, with equal weight per room
   std::vector<RecordingSummary> recordings;
-  double test_set_rate = 0;  ///< mean over the rooms of all recordings, each such set of equal
-                             ///< weight (thesis section 8.1); equals average_rate for a single run
+  double test_set_rate = 0;  ///< mean over the rooms of each recording, all with equal weight
+                             ///< (thesis section 8.1); equals average_rate for a single run
   std::vector<CameraSummary> cameras;  ///< if there are several
   Confusion confusion;
   std::vector<ConfusedPair> confused;       ///< indices into places; the most confused first
-  std::vector<ReliabilityBin> reliability;  ///< from here on: images of learned places
+  std::vector<ReliabilityBin> reliability;  ///< from here on: of images of learned places
   double calibration_error = 0;
   std::vector<RiskPoint> risk_coverage;
-  double unknown_share = 0;               ///< answered 'unknown'
+  double unknown_share = 0;               ///< fraction answered 'unknown'
   std::optional<UnknownSummary> unknown;  ///< if there are images of other places
   std::optional<OverTime> over_time;      ///< if a run is a drive
   double latency_p50 = 0;                 ///< s, of all images

@@ -6,8 +6,9 @@
 
 namespace place_recognition {
 
-/// One run from left to right, an <svg> element: the true place, the answer and where it is wrong;
-/// of a drive the answers over time instead. 'unknown' is pale. Empty if the run has no images.
+/// One run from left to right as an <svg> element: the true place, the answer, and where it is
+/// wrong; for a drive, the answers over time instead. 'unknown' is pale. Empty if the run has no
+/// images.
 std::string timelinePlot(const Evaluation& evaluation, int recording);
 
 }  // namespace place_recognition

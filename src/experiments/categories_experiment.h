@@ -8,12 +8,13 @@
 
 namespace place_recognition {
 
-/// Whether what was learned carries to new places of the same kind (section 9.1): all buildings but
-/// one are trained on, that one is tested on. One cell a kind of features and tested building.
+/// Tests whether a classifier generalizes to new places of the same kind (section 9.1): it is
+/// trained on all buildings but one and tested on that one. One cell per kind of features and
+/// tested building.
 class CategoriesExperiment : public Experiment {
  public:
-  /// `buildings`: three or more, whose places of one kind have one name. `threads`: 0: one per
-  /// core. Throws Error if there are fewer.
+  /// `buildings`: at least three, whose places of one kind share one name; throws Error if there
+  /// are fewer. `threads`: 0 means one per core.
   CategoriesExperiment(std::vector<ImageSet> buildings, unsigned threads);
 
   std::vector<Json> cells() const override;

@@ -13,19 +13,20 @@
 
 namespace place_recognition {
 
-/// Many composed receptive field histograms of one image, the same as CrfhExtractor's: each
-/// response is computed once and quantized once for each number of bins, however many histograms
-/// use it. One bank a thread.
+/// Many composed receptive field histograms of one image, identical to those of CrfhExtractor. Each
+/// response is computed once, and quantized once per number of bins, for all histograms that use
+/// it. Use one bank per thread.
 class CrfhBank {
  public:
-  /// At least one; they must agree in derivatives, derivative_range, half_width and border.
+  /// `histograms`: at least one; all must agree in derivatives, derivative_range, half_width and
+  /// border.
   explicit CrfhBank(const std::vector<CrfhOptions>& histograms);
 
-  /// `image`: CV_8UC3 BGR or CV_8UC1. Missing features if it is too small.
+  /// `image`: CV_8UC3 BGR or CV_8UC1. The features are missing if it is too small.
   std::vector<Feature> extract(const cv::Mat& image);
 
  private:
-  /// Digits of one descriptor at one scale in every counted pixel.
+  /// Digits of one descriptor at one scale, for every counted pixel.
   struct Digits {
     CrfhResponses::Response response;
     int bins;

@@ -8,13 +8,13 @@
 
 namespace place_recognition {
 
-/// Two ways of combining cues (section 9.1): the weighted mean of their decision values, which
-/// models use, and an SVM over the decision values of all cues (Pronobis, Martinez Mozos and Caputo
-/// 2008). Both are found on the same held-out frames of the training set, and tested on images by
-/// themselves of the other sets. One cell per set of cues and training set.
+/// Compares two ways of combining cues (section 9.1): the weighted mean of their decision values,
+/// which models use, and an SVM over the decision values of all cues (Pronobis, Martinez Mozos and
+/// Caputo 2008). Both are fitted on the same held-out frames of the training set and tested on
+/// single images of the other sets. One cell per set of cues and training set.
 class CuesExperiment : public Experiment {
  public:
-  /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
+  /// Trains on each of `sets` in turn. `threads`: 0 means one per core.
   CuesExperiment(std::vector<ImageSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;

@@ -9,10 +9,10 @@
 
 namespace place_recognition {
 
-/// A table as it is printed; the first row is the heading.
+/// A printed table; the first row is the header.
 struct Table {
-  std::string name;   ///< of its file, as in table_8_4
-  std::string title;  ///< what it shows, a line
+  std::string name;   ///< of its file, such as table_8_4
+  std::string title;  ///< one line
   std::vector<std::vector<std::string>> rows;
 };
 
@@ -28,27 +28,27 @@ struct Page {
   std::string html;
 };
 
-/// What an experiment shows.
+/// The results of an experiment.
 struct Findings {
   std::vector<Table> tables;
   std::vector<Figure> figures = {};
   std::vector<Page> pages = {};
 };
 
-/// Takes the result of a cell as soon as it is there.
+/// Receives the result of each cell as soon as it is complete.
 using CellSink = std::function<void(const Json& cell, const Json& result)>;
 
-/// A sweep cut into cells, each of which is computed by itself with the same result whichever
-/// others are computed beside it.
+/// A sweep divided into cells. Each cell is computed independently; its result does not depend on
+/// which others are computed with it.
 class Experiment {
  public:
   virtual ~Experiment() = default;
 
-  /// What tells the cells of this experiment apart; with the data, all that determines a result.
-  /// Those that have much in common are neighbours.
+  /// The parameters that identify each cell; together with the data they determine its result.
+  /// Cells with much in common are neighbours.
   virtual std::vector<Json> cells() const = 0;
 
-  /// Computes some of cells(), in that order.
+  /// Computes some of cells(), in their order.
   virtual void compute(const std::vector<Json>& cells, const CellSink& finished,
                        const Progress& progress) = 0;
 

@@ -14,15 +14,15 @@ struct Part {
   int count = 1;
 };
 
-/// What a run of an experiment came to.
+/// The outcome of a run of an experiment.
 struct ExperimentOutcome {
   std::size_t cells = 0;     ///< of the whole experiment
-  std::size_t computed = 0;  ///< now; the other ones of this part were there
-  std::size_t missing = 0;   ///< of the other parts
+  std::size_t computed = 0;  ///< in this run; the others of this part already existed
+  std::size_t missing = 0;   ///< in other parts
   std::string text;          ///< the tables, if nothing is missing
 };
 
-/// Computes the cells of `part` that `folder`/cells does not hold. Once all cells are there, writes
+/// Computes the cells of `part` that are missing in `folder`/cells. Once all cells exist, writes
 /// the tables (text, CSV), figures (SVG), pages (HTML) and results (JSON) to `folder`; their bytes
 /// depend on data and experiment only. `data_digest`: of the images. Throws Error, Cancelled.
 ExperimentOutcome runExperiment(Experiment& experiment, const std::string& folder,

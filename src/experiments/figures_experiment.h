@@ -6,8 +6,8 @@
 
 namespace place_recognition {
 
-/// Figures 5.5, 6.1 and 6.2, and one of kernels: machines on made-up points of the plane. One cell
-/// a panel.
+/// Figures 5.5, 6.1 and 6.2, and one of kernels: machines on artificial points of the plane. One
+/// cell per panel.
 class FiguresExperiment : public Experiment {
  public:
   std::vector<Json> cells() const override;

@@ -8,10 +8,10 @@
 
 namespace place_recognition {
 
-/// Tables 8.2 and 8.6, and the splits of Table 8.1: one cell a training set.
+/// Tables 8.2 and 8.6, and the splits of Table 8.1. One cell per training set.
 class FinalExperiment : public Experiment {
  public:
-  /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
+  /// Trains on each of `sets` in turn. `threads`: 0 means one per core.
   FinalExperiment(PlaceFeatures features, std::vector<ImageSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;

@@ -11,19 +11,20 @@
 
 namespace place_recognition {
 
-/// Which histograms are compared, and beside which table of the thesis.
+/// The histograms to compare, and the corresponding table of the thesis.
 enum class HistogramSweep {
   kDescriptors,  ///< Table 8.4: descriptors x combinations of one to four of the scales 1..5
   kBins,         ///< Table 8.5: 5 to 40 bins for seven combinations at the thesis' scales
 };
 
-/// Sections 8.3.1: one cell a histogram, which holds its rate for every training set and gamma of
-/// 10^-3, 10^-2.5 ... 10^3, with C = 100. As in the thesis, the tables show the best of these in
+/// Section 8.3.1. One cell per histogram: its rate for every training set and every gamma of 10^-3,
+/// 10^-2.5 ... 10^3, with C = 100. As in the thesis, the tables show the best of these in
 /// hindsight.
 class HistogramExperiment : public Experiment {
  public:
-  /// Each of `sets` is trained on in turn. Descriptors: histograms of more than `max_dimensions`
-  /// are left out, as are those whose bins 64 bits cannot number. `threads`: 0: one per core.
+  /// Trains on each of `sets` in turn. The sweep over descriptors omits histograms of more than
+  /// `max_dimensions` dimensions and those whose bins cannot be numbered with 64 bits. `threads`: 0
+  /// means one per core.
   HistogramExperiment(HistogramSweep sweep, std::vector<ImageSet> sets, int max_dimensions,
                       unsigned threads);
 
@@ -37,7 +38,7 @@ class HistogramExperiment : public Experiment {
     std::size_t row;  ///< of the thesis' table
     CrfhOptions options;
   };
-  /// What a batch of histograms of all images takes up is bounded by how many there are.
+  /// Histograms extracted together; their number bounds the memory for the features of all images.
   using Batch = std::vector<const Candidate*>;
 
   const Candidate& candidateOf(const Json& cell) const;
@@ -47,7 +48,7 @@ class HistogramExperiment : public Experiment {
 
   HistogramSweep sweep_;
   std::vector<ImageSet> sets_;
-  std::vector<const LabelledImage*> images_;  // of all sets, one after the other
+  std::vector<const LabelledImage*> images_;  // of all sets, one after another
   SetSamples samples_;
   unsigned threads_;
   std::vector<Candidate> candidates_;

@@ -8,14 +8,14 @@
 
 namespace place_recognition {
 
-/// How one histogram fared.
+/// The rates of one histogram.
 struct HistogramResult {
   std::size_t row = 0;  ///< of the thesis' table
   CrfhOptions options;
   std::vector<std::vector<double>> rates;  ///< [training set][gamma], 0..1
 };
 
-/// Table 8.4 or 8.5: for each row of the thesis the histogram and the gamma of the highest rate,
+/// Table 8.4 or 8.5: for each row of the thesis, the histogram and gamma with the highest rate,
 /// averaged over the training sets.
 Table histogramTable(HistogramSweep sweep, const std::vector<std::string>& sets,
                      const std::vector<double>& gammas,

@@ -7,14 +7,14 @@
 
 namespace place_recognition {
 
-/// How much training data is needed, and which viewpoints count (section 9.1): the rate on the
-/// other sets, with global features, of 1, 2, 4 ... images per room, spread over its viewpoints or
-/// all from neighbouring ones, and without each viewpoint in turn. A viewpoint is twelve successive
-/// images of a room, a marker of KTH-INDECS. One cell a training set; gamma is that found on the
-/// whole of it.
+/// Measures how much training data is needed and which viewpoints matter (section 9.1): the rate on
+/// the other sets, with global features, for 1, 2, 4 ... images per room, either spread over its
+/// viewpoints or from neighbouring ones, and without each viewpoint in turn. A viewpoint is twelve
+/// successive images of a room, one marker of KTH-INDECS. One cell per training set; gamma is found
+/// on the whole training set.
 class LearningCurveExperiment : public Experiment {
  public:
-  /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
+  /// Trains on each of `sets` in turn. `threads`: 0 means one per core.
   LearningCurveExperiment(std::vector<ImageSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;

@@ -12,10 +12,10 @@
 
 namespace place_recognition {
 
-/// The feature of all images of samples of materials.
+/// One feature of all images of the materials' samples.
 struct MaterialFeatures {
-  SetSamples samples;  ///< set: the sample of the material
-  /// One list for each split, or a single one if the feature needs no training.
+  SetSamples samples;  ///< its `sets` are the samples of the materials
+  /// One list per split, or a single one if the feature needs no training.
   std::vector<std::vector<Feature>> lists;
 
   const std::vector<Feature>& ofSplit(std::size_t split) const {
@@ -23,11 +23,11 @@ struct MaterialFeatures {
   }
 };
 
-/// How `feature`, one of kMaterialFeatures, is found, for what identifies a result.
+/// The definition of `feature`, one of kMaterialFeatures, for the identity of a result.
 std::string describeFeature(const std::string& feature);
 
-/// `feature` of all images of `sets`; textons are those of the training images of each of
-/// `splits`. Throws Error if there is no image to be read, Cancelled.
+/// Extracts `feature` from all images of `sets`; textons come from the training images of each of
+/// `splits`. Throws Error if there is no image to read; Cancelled.
 MaterialFeatures extractMaterials(const std::string& feature, const std::vector<ImageSet>& sets,
                                   const std::vector<TrainingSamples>& splits, unsigned threads,
                                   const Progress& progress);

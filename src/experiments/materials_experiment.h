@@ -12,11 +12,12 @@
 namespace place_recognition {
 
 /// Chapter 7: support vector reduction on materials. Some samples of each material are trained on,
-/// the others are tested on. One cell per feature, split and kernel, for all machines of that
+/// and the others are tested on. One cell per feature, split and kernel, for all machines with that
 /// kernel; see material_grid.h.
 class MaterialsExperiment : public Experiment {
  public:
-  /// `samples`: images of every material each; three or more. `threads`: 0: one per core.
+  /// `samples`: at least three, each with images of every material. `threads`: 0 means one per
+  /// core.
   MaterialsExperiment(std::vector<ImageSet> samples, unsigned threads);
 
   std::vector<Json> cells() const override;
@@ -27,7 +28,7 @@ class MaterialsExperiment : public Experiment {
  private:
   Json cellOf(const std::string& feature, const TrainingSamples& split,
               const KernelOptions& kernel) const;
-  /// `cells`: one per kernel, null if it is not wanted.
+  /// `cells`: one per kernel; null if it is not requested.
   void computeSplit(const TrainingSamples& split, const std::vector<const Json*>& cells,
                     const SetSamples& samples, const std::vector<Feature>& features,
                     const CellSink& finished, const Progress& progress) const;

@@ -18,25 +18,25 @@ namespace place_recognition {
 enum class PlaceFeatures { kLocal, kGlobal };
 const char* name(PlaceFeatures features);
 
-/// Cue, size of images (512 pixels wide) and C = 100, which is what the thesis' cross-validation
-/// found for every training set; gamma is open.
+/// Cue, image width (512 pixels) and C = 100, which the thesis' cross-validation found for every
+/// training set; gamma is not fixed.
 TrainingOptions trainingOptions(PlaceFeatures features);
 
-/// A classifier trained on some samples, before any reduction, and what it is tested on.
+/// A classifier trained on some samples, before reduction, and its test data.
 struct PlaceTraining {
   double gamma = 0;  ///< found by cross-validation on blocks of the training samples
   BinarySvms machines;
   Eigen::MatrixXd training_values;  ///< kernel values: training images x support vectors
   Eigen::MatrixXd test_values;      ///< test images x support vectors
-  std::vector<int> test;            ///< samples tested
+  std::vector<int> test;            ///< test samples
 
   double rate(const BinarySvms& tested, const SetSamples& samples) const {
     return meanRate(testCounts(samples, test, answersOf(tested, test_values)));
   }
 };
 
-/// The images of all sets as features. Images without any are left out, as those of fewer than
-/// five interest points are in the thesis.
+/// The features of the images of all sets. Images without a feature are omitted, as images with
+/// fewer than five interest points are in the thesis.
 class PlaceSamples {
  public:
   PlaceSamples(const std::vector<ImageSet>& sets, PlaceFeatures features, unsigned threads,

@@ -9,8 +9,8 @@
 
 namespace place_recognition {
 
-/// Where a discriminant function is beyond each level, as polygons in pixels; those inside another
-/// one are holes.
+/// The region in which a discriminant function exceeds a level, as polygons in pixels; polygons
+/// inside another one are holes.
 using Region = std::vector<std::vector<cv::Point>>;
 
 struct DecisionRegions {
@@ -27,12 +27,12 @@ DecisionRegions decisionRegions(const PlanePoints& points, const PlaneMachine& m
 struct PlanePanel {
   std::string title;
   const PlanePoints* points;
-  std::vector<int> vectors;  ///< points in a circle
+  std::vector<int> vectors;  ///< circled points
   DecisionRegions regions;
 };
 
-/// Panels side by side, `columns` in a row: an SVG drawing. Colours tell the sign of the
-/// discriminant function, their saturation its value.
+/// Panels in rows of `columns`, as an SVG drawing. Hue shows the sign of the discriminant function,
+/// and saturation its value.
 std::string drawPanels(const std::vector<PlanePanel>& panels, std::size_t columns);
 
 }  // namespace place_recognition

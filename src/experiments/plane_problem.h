@@ -9,22 +9,22 @@
 
 namespace place_recognition {
 
-/// Sides of the square that made-up points lie in, from 0.
+/// Side length of the square that contains the points; it starts at 0.
 constexpr double kPlaneSide = 1;
 
-/// A made-up problem of two classes in the plane; near their border the classes overlap.
+/// An artificial problem of two classes in the plane, which overlap near their border.
 struct PlanePoints {
   std::vector<Feature> points;  ///< DenseVector of x and y
   std::vector<int> classes;     ///< 0 or 1
 };
 
-/// What separates the classes but for the overlap.
+/// The border between the classes, apart from the overlap.
 enum class PlaneBorder { kLine, kWave };
 
-/// The same points at each call.
+/// Returns the same points at each call.
 PlanePoints planePoints(PlaneBorder border);
 
-/// One machine on points of the plane, positive for class 0, before or after a reduction.
+/// One machine on points of the plane, positive for class 0, before or after reduction.
 struct PlaneMachine {
   std::vector<int> vectors;  ///< points with a weight
   BinarySvms svms;           ///< over all points
@@ -33,7 +33,7 @@ struct PlaneMachine {
 
 PlaneMachine trainInPlane(const PlanePoints& points, const KernelOptions& kernel, double c);
 
-/// By the thesis' method, with normalization (section 6.3).
+/// Reduces with the thesis' method and normalization (section 6.3).
 PlaneMachine reduceInPlane(const PlanePoints& points, const PlaneMachine& machine, double tau);
 
 /// Values of the discriminant function (eq. 5.32) at the centres of size x size pixels, the first

@@ -19,32 +19,33 @@ struct CurvePoint {
   double tau = 0;   ///< 0: before reduction
 };
 
-/// What is dropped at this tau depends on the rest but for rounding.
+/// Columns dropped at this tau are linearly dependent on the others, up to rounding.
 constexpr double kExactTau = 1e-9;
 
-/// Larger and larger tau, the same for all machines, until the rate is below 70 % of that before
+/// Points of increasing tau, the same for all machines, until the rate is below 70 % of that before
 /// reduction (section 7.2): first kExactTau, then the values that drop the next 0.25 % of the
-/// columns, 1 % from a tenth of them on.
+/// columns, or 1 % once a tenth is dropped.
 using ReductionCurve = std::vector<CurvePoint>;
 
 /// The rate of machines on the test sets, 0..1.
 using RateOf = std::function<double(const BinarySvms&)>;
 
-/// `kernel_values`: of all training vectors (rows) and those of `machines`.
+/// `kernel_values`: of all training vectors (rows) with the vectors of `machines`.
 ReductionCurve reductionCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,
                               const std::string& method, bool normalize, const RateOf& rate);
 
-/// The point of a classifier reduced with `tau`: the last one of no larger tau. Null if the curve
-/// ends before.
+/// The point of a classifier reduced with `tau`: the last one whose tau is not larger. Null if the
+/// curve ends before.
 const CurvePoint* pointAt(const ReductionCurve& curve, double tau);
 
-/// The fewest vectors of any point that keeps `fraction` (0..1) of the rate of the first one.
+/// The fewest vectors among the points that keep `fraction` (0..1) of the first point's rate.
 int fewestVectors(const ReductionCurve& curve, double fraction);
 
 /// The same for several reductions of the same machines.
 int fewestVectors(const std::vector<ReductionCurve>& curves, double fraction);
 
-/// (fraction of the vectors left, rate) of the mean of several curves, as far as all of them go.
+/// (fraction of the vectors left, rate) of the mean of several curves, as far as all of them
+/// extend.
 std::vector<std::pair<double, double>> meanCurve(const std::vector<ReductionCurve>& curves);
 
 nlohmann::json toJson(const ReductionCurve& curve);

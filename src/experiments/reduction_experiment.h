@@ -9,11 +9,11 @@
 namespace place_recognition {
 
 /// Tables 8.3 and 8.7: support vector reduction of the classifiers of Tables 8.2 and 8.6 by the
-/// thesis' method, with normalization on and off, and by the two methods with one basis for all
-/// machines. One cell a kind of features, training set, method and normalization.
+/// thesis' method, with and without normalization, and by the two methods with one basis for all
+/// machines. One cell per kind of features, training set, method and normalization.
 class ReductionExperiment : public Experiment {
  public:
-  /// Each of `sets` is trained on in turn. `threads`: 0: one per core.
+  /// Trains on each of `sets` in turn. `threads`: 0 means one per core.
   ReductionExperiment(std::vector<ImageSet> sets, unsigned threads);
 
   std::vector<Json> cells() const override;

@@ -10,7 +10,7 @@
 namespace place_recognition {
 
 /// Samples of several sets, one of which is trained on at a time. Each room of each other set is
-/// one test set, and all test sets are of equal weight (thesis section 8.1).
+/// one test set; all test sets have equal weight (thesis section 8.1).
 struct SetSamples {
   std::vector<int> places;  ///< of each sample
   std::vector<int> sets;    ///< of each sample
@@ -21,10 +21,10 @@ struct SetSamples {
   Fold split(int set) const;
 };
 
-/// The images of all sets, one set after the other; places are numbered in order of their names.
+/// The images of all sets, one set after another; places are numbered in order of their names.
 SetSamples samplesOf(const std::vector<ImageSet>& sets);
 
-/// How many images of one test set there are, and how many were named right.
+/// Number of images of one test set, and of correct answers.
 struct TestCount {
   int place = 0;
   int set = 0;
@@ -32,7 +32,7 @@ struct TestCount {
   int total = 0;
 };
 
-/// By test set, in order of place, then set; those without images are left out. `answers`: a
+/// Counts by test set, in order of place, then set; sets without images are omitted. `answers`: one
 /// place for each of `test`.
 std::vector<TestCount> testCounts(const SetSamples& samples, const std::vector<int>& test,
                                   const std::vector<int>& answers);
@@ -40,10 +40,10 @@ std::vector<TestCount> testCounts(const SetSamples& samples, const std::vector<i
 /// Mean of the test sets' rates, 0..1; 0 if there are none.
 double meanRate(const std::vector<TestCount>& counts);
 
-/// The place of the largest decision value for each row of `kernel_values`.
+/// The place with the largest decision value for each row of `kernel_values`.
 std::vector<int> answersOf(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values);
 
-/// The elements of `matrix` in some rows and columns.
+/// The elements of `matrix` in the given rows and columns.
 Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>& rows,
                           const std::vector<int>& columns);
 
@@ -54,7 +54,7 @@ std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& in
 double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
               const SvmOptions& svm);
 
-/// Mean and sample standard deviation (0 for a single value), as in 75.44 ± 4.90.
+/// Mean and sample standard deviation (0 for a single value), such as 75.44 ± 4.90.
 struct Spread {
   double mean = 0;
   double deviation = 0;

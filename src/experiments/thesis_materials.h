@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-/// The fractions of the initial rate, per cent, that the tables of chapter 7 keep.
+/// The percentages of the initial rate that the tables of chapter 7 retain.
 constexpr int kMaterialFractions[] = {100, 98, 95, 90, 80};
 
 /// One classifier of Tables 7.1 to 7.6, on KTH-TIPS2.
@@ -16,7 +16,7 @@ struct ThesisMaterial {
   double reduction[5];          ///< at kMaterialFractions, per cent
 };
 
-/// A table of chapter 7: what it holds fixed, and its rows.
+/// A table of chapter 7: its fixed parameters, and its rows.
 struct ThesisMaterialTable {
   const char* number;
   const char* feature;     ///< mr8 or lbp

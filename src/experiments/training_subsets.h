@@ -8,19 +8,19 @@
 
 namespace place_recognition {
 
-/// How `count` images of a room are chosen of all.
+/// How `count` images of a room are selected.
 enum class SubsetKind {
-  kSpread,     ///< evenly over all of them, so over all viewpoints
-  kNeighbours  ///< successive ones, from the middle of the room's
+  kSpread,     ///< spread evenly over all of them, hence over all viewpoints
+  kNeighbours  ///< successive ones from the middle of the room's images
 };
 
-/// At most `count` of `train` for each place, in order; `train` in the order of the recording.
+/// At most `count` of `train` for each place, in order; `train` is in the order of the recording.
 std::vector<int> subsetOf(const std::vector<int>& train, const SetSamples& samples, int count,
                           SubsetKind kind);
 
 constexpr std::size_t kViewpointSamples = 12;  ///< angles of a marker of KTH-INDECS
 
-/// As many successive samples of one place, or what is left of them.
+/// kViewpointSamples successive samples of one place, or the rest of them.
 struct Viewpoint {
   int place = 0;
   int number = 0;  ///< within the place, from 1

@@ -7,21 +7,21 @@
 
 namespace place_recognition {
 
-/// A viewpoint of a training set, and what it is worth.
+/// A viewpoint of a training set, and its effect on the rate.
 struct ShownViewpoint {
   std::string training_set;
   std::string place;
   int number = 0;                   ///< within the place, from 1
-  double rate = 0;                  ///< on the other sets, 0..1, of all of the training set
-  double rate_without = 0;          ///< of all but this viewpoint
+  double rate = 0;                  ///< on the other sets, 0..1, with the whole training set
+  double rate_without = 0;          ///< with all of it except this viewpoint
   std::vector<std::string> images;  ///< paths
 };
 
 /// The images of the viewpoint `number` of a place, see Viewpoint.
 std::vector<std::string> imagesOf(const ImageSet& set, const std::string& place, int number);
 
-/// A page that shows all images of each viewpoint side by side; those that cannot be read are
-/// left out.
+/// A page that shows all images of each viewpoint side by side; images that cannot be read are
+/// omitted.
 std::string viewpointPage(const std::vector<ShownViewpoint>& viewpoints);
 
 }  // namespace place_recognition

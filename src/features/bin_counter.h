@@ -8,17 +8,17 @@
 
 namespace place_recognition {
 
-/// Counts how often each bin of a histogram of up to 2^64 - 1 bins is hit, keeping only the bins
-/// that are: in the order of their first hit, found through a small hash table, so that what is
-/// in use stays in the processor's cache. Grows with their number.
+/// Counts the hits of each bin of a histogram with up to 2^64 - 1 bins. Only bins with hits are
+/// stored, in the order of their first hit, and found through a small hash table, so that the
+/// memory in use stays in the processor's cache. Grows with the number of bins hit.
 class BinCounter {
  public:
   BinCounter();
 
   void clear();
-  /// Counts `n` more hits; every bin is below 2^64 - 1.
+  /// Counts `n` more hits; every bin is less than 2^64 - 1.
   void add(const std::uint64_t* bins, std::size_t n);
-  /// The bins that were hit, ascending, each with its count divided by `total`.
+  /// The bins with hits, ascending, each with its count divided by `total`.
   void histogram(double total, SparseVector& result);
 
  private:
@@ -31,8 +31,8 @@ class BinCounter {
   Entry& findOrInsert(std::uint64_t bin);
   void grow();
 
-  std::vector<Entry> entries_;        ///< The first one stands for no bin.
-  std::vector<std::uint32_t> table_;  ///< By hash: which entry, 0 if none. Open addressing.
+  std::vector<Entry> entries_;        ///< The first entry stands for no bin.
+  std::vector<std::uint32_t> table_;  ///< Index of the entry by hash; 0 if none. Open addressing.
   int shift_;                         ///< 64 - log2 of the size of the table.
   std::vector<std::uint64_t> missed_;
   std::vector<Entry> sorted_, scratch_;

@@ -10,10 +10,10 @@
 
 namespace place_recognition {
 
-/// Composed receptive field histograms, thesis section 4.2: how often the responses of several
-/// descriptors occur together in a pixel. Gives a SparseVector that sums to 1.
+/// Composed receptive field histograms, thesis section 4.2: the joint frequencies of the responses
+/// of several descriptors at a pixel. The feature is a SparseVector that sums to 1.
 ///
-/// A bin's index is a mixed radix number, first digit fastest (eq. 4.24). Its digits are the
+/// A bin's index is a mixed-radix number, first digit fastest (eq. 4.24). Its digits are the
 /// quantized responses of the first descriptor at the first scale, the second descriptor at the
 /// first scale, and so on; then those at the second scale.
 class CrfhExtractor : public FeatureExtractor {
@@ -29,17 +29,17 @@ class CrfhExtractor : public FeatureExtractor {
     bool first_in_word;
     Quantizer quantizer;
   };
-  /// Consecutive digits that together fit 32 bits, in which they are added up.
+  /// Consecutive digits that together fit 32 bits, in which they are accumulated.
   struct Word {
     std::uint64_t weight;
     std::vector<std::uint32_t> row;
   };
 
-  /// `image` in the levels that are counted: itself, or a copy in `levels_`.
+  /// `image` with the levels to count: itself, or a copy in `levels_`.
   const cv::Mat& inLevels(const cv::Mat& image);
   void countRow(int r, int columns);
 
-  cv::Mat level_table_;  ///< Look-up table of the levels; empty if they are linear.
+  cv::Mat level_table_;  ///< Lookup table of the levels; empty if they are linear.
   cv::Mat levels_;
   CrfhResponses responses_;
   int border_ = 0;  ///< Pixels at each side of the image that are not counted.

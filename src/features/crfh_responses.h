@@ -12,9 +12,9 @@
 
 namespace place_recognition {
 
-/// Responses of CRFH descriptors, not normalized by scale, a few rows of an image after the other.
-/// A channel is taken from the image once, and what is asked of one channel at one scale shares a
-/// filter. Keeps its buffers: one per thread.
+/// Responses of CRFH descriptors, not normalized by scale, a few rows of an image at a time. Each
+/// channel is extracted from the image once, and all responses of one channel at one scale share a
+/// filter. Keeps its buffers: use one per thread.
 class CrfhResponses {
  public:
   /// The responses of one descriptor at one scale.
@@ -30,26 +30,26 @@ class CrfhResponses {
   /// Takes `derivatives` and `half_width` from the options.
   explicit CrfhResponses(const CrfhOptions& options);
 
-  /// Has computeRows() compute these responses.
+  /// Makes computeRows() compute these responses.
   Response request(const CrfhDescriptor& descriptor, double t);
   /// Pixels at each side of the image where there are no responses.
   int margin() const { return margin_; }
 
-  /// Begins an image of this size, of which the pixels `border` >= margin() or farther from the
-  /// edges are asked. There must be at least one.
+  /// Begins an image of this size. Responses are needed for the pixels at least `border` >=
+  /// margin() from the edges; there must be at least one.
   void start(cv::Size size, int border);
   /// Computes the responses in the first of those rows of that image (CV_8UC3 BGR or CV_8UC1), or
-  /// in the next ones. Returns how many; at the end 0.
+  /// in the next ones. Returns the number of rows; 0 at the end.
   int computeRows(const cv::Mat& image);
-  /// Requested responses in row r of these, in lanes(), of which only the first pixels count: as
-  /// many as there are columns `border` or farther from the edges.
+  /// Requested responses in row r of these, in lanes(). Only the first pixels are valid: as many as
+  /// there are columns at least `border` from the edges.
   const float* row(const Response& response, int r) const {
     return planes_[response.plane].filters[response.filter].responses.row(response.op, r);
   }
   const StripedRows& lanes() const { return lanes_; }
 
  private:
-  /// All operators that are asked of one channel at one scale.
+  /// All operators on one channel at one scale.
   struct Filter {
     double t;
     ResponseFilter responses;
@@ -70,10 +70,10 @@ class CrfhResponses {
   std::vector<Plane> planes_;
 
   int border_ = 0;
-  int next_row_ = 0;        ///< of the image, whose responses are the next
-  int next_taken_ = 0;      ///< row of the image into the planes
-  StripedRows lanes_;       ///< of all columns that the responses rest on
-  std::vector<float> row_;  ///< of these, as they stand in the image
+  int next_row_ = 0;        ///< of the image, for the next responses
+  int next_taken_ = 0;      ///< next row of the image to copy to the planes
+  StripedRows lanes_;       ///< of all columns that contribute to the responses
+  std::vector<float> row_;  ///< of these, in the order of the image
 };
 
 }  // namespace place_recognition

@@ -4,9 +4,9 @@
 
 namespace place_recognition {
 
-/// How much an image shows: the fraction of its pixels, 0..1, whose gradient at sigma = 1 exceeds
-/// 4 grey levels per pixel. A bare wall that fills the view has next to none. Keeps its buffers:
-/// one per thread.
+/// Measures the information in an image: the fraction of its pixels, 0..1, whose gradient at sigma
+/// = 1 exceeds 4 grey levels per pixel. A bare wall that fills the view has almost none. Keeps its
+/// buffers: use one per thread.
 class EdgeDensity {
  public:
   /// `image`: CV_8UC3 BGR or CV_8UC1, not empty.

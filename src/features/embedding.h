@@ -11,12 +11,13 @@ namespace place_recognition {
 
 class NetworkRunner;
 
-/// The output of a network, averaged over its height and width if it has them, of L2 norm one: a
-/// DenseVector. Runs in OpenCV's dnn module.
+/// The output of a network as a DenseVector of L2 norm one, averaged over its height and width if
+/// it has them. Runs in OpenCV's dnn module.
 class EmbeddingExtractor : public FeatureExtractor {
  public:
-  /// Loads the network unless the options hold it, which throws like loadNetwork(). Throws Error,
-  /// a phrase that names network, layer and OpenCV's version, if what they hold cannot be used.
+  /// Loads the network unless the options contain it; this throws like loadNetwork(). Throws Error,
+  /// a phrase that names network, layer and OpenCV's version, if a contained network cannot be
+  /// used.
   explicit EmbeddingExtractor(const EmbeddingOptions& options);
   ~EmbeddingExtractor() override;
 
@@ -27,7 +28,7 @@ class EmbeddingExtractor : public FeatureExtractor {
 
   bool crop_;
   std::array<int, 3> sources_{};                    ///< of each channel of the input, one of BGR
-  std::array<std::array<float, 256>, 3> values_{};  ///< of each, by pixel value
+  std::array<std::array<float, 256>, 3> values_{};  ///< of each channel, by pixel value
   int channels_;
   std::unique_ptr<NetworkRunner> runner_;
   cv::Mat blob_;    ///< 1 x channels x height x width

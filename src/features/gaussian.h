@@ -4,17 +4,17 @@
 
 namespace place_recognition {
 
-/// How derivatives are taken of a sampled image.
+/// Method for derivatives of a sampled image.
 enum class DerivativeMethod {
   kCentralDifference,  ///< Smooth, then correlate with [-1/2 0 1/2] or [1 -2 1].
   kGaussian,           ///< Correlate with a sampled derivative of the Gaussian, eq. 4.10.
 };
 
-/// Half of a one-dimensional kernel for correlation that is its own mirror image but for the sign:
-/// taps[0] is its centre, taps[r] its value at +r; at -r it is the same, or the negative if `order`
-/// is 1. The sum of a kernel of order 2 is zero, whatever rounding makes of its centre.
+/// Half of a one-dimensional correlation kernel that is even or odd: taps[0] is its centre and
+/// taps[r] its value at +r; the value at -r is the same, or the negative if `order` is 1. The sum
+/// of a kernel of order 2 is exactly zero, regardless of rounding.
 struct HalfKernel {
-  int order = 0;  ///< Of the derivative that it takes: 0, 1 or 2.
+  int order = 0;  ///< Order of the derivative: 0, 1 or 2.
   std::vector<float> taps;
 
   int halfWidth() const { return static_cast<int>(taps.size()) - 1; }

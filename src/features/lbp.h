@@ -11,15 +11,16 @@
 namespace place_recognition {
 
 /// Uniform rotation-invariant local binary patterns LBP(riu2, P, R) of one circle (Ojala,
-/// Pietikainen and Maenpaa 2002, eq. 10): a pixel's code is the number of its P neighbours on a
-/// circle of radius R that are at least as bright as itself, if around the circle that changes at
-/// most twice; else P + 1. Exact: neighbours between pixels are interpolated in integers, so that
-/// even images count rightly and an image turned by 90 degrees gives the same codes.
+/// Pietikainen and Maenpaa 2002, eq. 10). A pixel's code is the number of its P neighbours on a
+/// circle of radius R that are at least as bright as the pixel, if this relation changes at most
+/// twice around the circle, and P + 1 otherwise. The codes are exact: neighbours between pixels are
+/// interpolated in integers, so uniform areas get the right code, and an image turned by 90 degrees
+/// gives the same codes.
 class LbpOperator {
  public:
   explicit LbpOperator(const LbpCircle& circle);
 
-  /// Pixels at each side of the image that have no code.
+  /// Pixels at each side of the image without a code.
   int border() const { return border_; }
   int codes() const { return static_cast<int>(neighbours_.size()) + 2; }
   /// Codes of row `y` of `image` (CV_8UC1), columns border() .. cols - border() - 1. Valid until
@@ -40,10 +41,10 @@ class LbpOperator {
   std::vector<std::int32_t> ones_, changes_, first_, last_, codes_;
 };
 
-/// Histograms of the codes of several circles, each of sum 1, one after the other: a DenseVector.
+/// Histograms of the codes of several circles, each with sum 1, concatenated: a DenseVector.
 class LbpExtractor : public FeatureExtractor {
  public:
-  /// Throws Error if the options do not check.
+  /// Throws Error if an option is out of range.
   explicit LbpExtractor(const LbpOptions& options);
 
   void extract(const cv::Mat& image, Feature& feature) override;

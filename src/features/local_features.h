@@ -12,7 +12,7 @@ namespace place_recognition {
 /// SIFT descriptors at Harris-Laplace interest points, strongest first: a DescriptorSet.
 class LocalFeatureExtractor : public FeatureExtractor {
  public:
-  /// Throws Error if the options do not check.
+  /// Throws Error if an option is out of range.
   explicit LocalFeatureExtractor(const LocalFeatureOptions& options);
 
   void extract(const cv::Mat& image, Feature& feature) override;

@@ -10,21 +10,21 @@ namespace onnx {
 class Model;
 }
 
-/// The shape of one image that a network takes; 0: it is left open.
+/// The shape of one input image of a network; 0: not fixed.
 struct NetworkInput {
   int channels = 0;
   int height = 0;
   int width = 0;
 };
 
-/// The graph of an ONNX file: layers in the order in which they are computed. Read and cut here,
-/// not by OpenCV, because the names that OpenCV gives to layers differ from version to version,
-/// and because its reader trusts sizes and shapes. Errors are phrases without a source.
+/// The graph of an ONNX file: layers in the order of computation. It is read and cut here, not by
+/// OpenCV, because OpenCV's names of layers differ from version to version, and because OpenCV's
+/// reader trusts sizes and shapes. Error messages are phrases that do not name a source.
 class OnnxGraph {
  public:
-  /// Throws Error unless `bytes` are an ONNX file in which every tensor has the length that its
-  /// shape says, every layer takes what is there before it, and no layer holds a graph of its own
-  /// or refers to another file.
+  /// Throws Error unless `bytes` are an ONNX file in which the length of every tensor matches its
+  /// shape, every layer uses only what precedes it, and no layer contains a graph of its own or
+  /// refers to another file.
   explicit OnnxGraph(const std::string& bytes);
   ~OnnxGraph();
 
@@ -33,17 +33,17 @@ class OnnxGraph {
   /// it does not depend on exactly one image.
   void cutBehind(const std::string& layer);
 
-  /// Shape of the input image; call after cutBehind(). Throws Error unless it is
-  /// channels x height x width.
+  /// Shape of the input image; call it after cutBehind(). Throws Error unless the shape is channels
+  /// x height x width.
   NetworkInput input() const;
-  /// Declares the shape of the image. Nothing may be open.
+  /// Declares the shape of the image. No size may remain open.
   void setInput(const NetworkInput& input);
 
   std::size_t layers() const;
-  /// For a person, as in 'conv1' (Conv).
+  /// Describes a layer for a person, such as "'conv1' (Conv)".
   std::string describeLayer(std::size_t i) const;
 
-  /// An ONNX file of the first `count` layers, or of all, with the output of the last one.
+  /// An ONNX file of the first `count` layers; its output is that of the last of them.
   std::string firstLayers(std::size_t count) const;
   std::string bytes() const;
 

@@ -6,18 +6,19 @@
 
 #include "features/gaussian.h"
 
-/// The inner loops of dense features: each takes rows of n numbers to a row of n numbers, which
-/// must not overlap them. Vectorised for the instruction set found at run time; same bits on all.
+/// The inner loops of dense features. Each maps rows of n numbers to a row of n numbers that must
+/// not overlap them. They are vectorized for the instruction set found at run time, with the same
+/// bits on all.
 namespace place_recognition {
 
-/// Correlates with a symmetric kernel: along a row if `stride` is 1, down a column if it is the
-/// distance between rows. Reads in[x + r * stride] for every tap -half..half and x in 0..n-1.
-/// Kernels of order 1 and 2 give exactly zero where the image is constant.
+/// Correlates with a symmetric or antisymmetric kernel: along a row if `stride` is 1, along a
+/// column if it is the distance between rows. Reads in[x + r * stride] for every tap -half..half
+/// and x in 0..n-1. Kernels of order 1 and 2 give exactly zero where the image is constant.
 void correlate(const float* in, std::ptrdiff_t stride, const HalfKernel& kernel, int n, float* out);
 
-/// The same with the kernels of several orders, all of one half width, whose number is their place:
-/// out[order], or null where none is wanted. Same bits as one by one in less time, for the kernels
-/// meet the same samples.
+/// The same with the kernels of orders 0, 1 and 2, all of the same half-width, into out[order], or
+/// skipped if that is null. Gives the same bits as separate calls in less time, because the kernels
+/// share the samples.
 void correlate(const float* in, std::ptrdiff_t stride, const std::array<HalfKernel, 3>& kernels,
                int n, const std::array<float*, 3>& out);
 
@@ -28,8 +29,8 @@ void laplacian(const float* xx, const float* yy, int n, float* out);
 /// xx yy - xy^2, eq. 4.20.
 void hessianDeterminant(const float* xx, const float* xy, const float* yy, int n, float* out);
 
-/// How a response becomes one digit of a mixed radix number: level = floor(gain * response +
-/// offset), clamped to lowest..highest, whole numbers; digit = level - lowest counts `weight`.
+/// Maps a response to one digit of a mixed-radix number: level = floor(gain * response + offset),
+/// clamped to lowest..highest, all integers; the digit, level - lowest, is multiplied by `weight`.
 /// With 0 <= offset < 1 no response is lost in rounding, however close to zero.
 struct Quantizer {
   float gain;
@@ -38,11 +39,11 @@ struct Quantizer {
   float highest;
   std::uint32_t weight;
 };
-/// index[x] = weight * digit, or += where `add` says so.
+/// index[x] = weight * digit, or += if `add`.
 void quantize(const float* response, const Quantizer& quantizer, bool add, int n,
               std::uint32_t* index);
 
-/// number[x] = weight * digits[x], or += where `add` says so: words of digits to one number.
+/// Combines words of digits to one number: number[x] = weight * digits[x], or += if `add`.
 void joinWord(const std::uint32_t* digits, std::uint64_t weight, bool add, int n,
               std::uint64_t* number);
 

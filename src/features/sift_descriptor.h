@@ -6,23 +6,25 @@
 
 namespace place_recognition {
 
-/// SIFT orientations and descriptors (thesis section 4.3.2, Lowe 2004) of points of one level of a
-/// scale space. Positions and scales are in pixels of that level; angles in radians, from the x
-/// axis towards the y axis, that is clockwise as seen. Keeps its buffers: one per thread.
+/// SIFT orientations and descriptors (thesis section 4.3.2, Lowe 2004) of points in one level of a
+/// scale space. Positions and scales are in pixels of that level; angles are in radians, from the x
+/// axis towards the y axis, that is, clockwise on the screen. Keeps its buffers: use one per
+/// thread.
 class SiftDescriptor {
  public:
   static constexpr int kGrid = 4;          ///< histograms along each side
   static constexpr int kOrientations = 8;  ///< bins of each histogram
   static constexpr int kDimension = kGrid * kGrid * kOrientations;
 
-  /// The directions of the gradient histogram's peaks of at least 80 % of the highest, -pi .. pi;
-  /// none in a flat neighbourhood. Valid until the next call.
+  /// Directions of the peaks of the gradient histogram that reach at least 80 % of the highest,
+  /// -pi..pi; none in a flat neighbourhood. Valid until the next call.
   const std::vector<float>& orientations(const cv::Mat1f& level, float x, float y, float sigma);
 
-  /// The descriptor of kDimension elements at `angle`: histograms by rows, columns, directions,
-  /// as OpenCV orders them. Unlike there, (x, y) is not rounded to a pixel: of an image turned by
-  /// 25 degrees and shrunk to 0.8, 6 % more points find their partner. So nearest neighbours are
-  /// those of cv::SIFT in 99 % of cases where the keypoints are pixels, and in 95 % elsewhere.
+  /// Computes the descriptor of kDimension elements at `angle`: histograms by rows, columns and
+  /// directions, in OpenCV's order. Unlike OpenCV, it does not round (x, y) to a pixel, so that 6 %
+  /// more points find their partner in an image turned by 25 degrees and scaled to 0.8. Nearest
+  /// neighbours therefore equal those of cv::SIFT in 99 % of cases if the keypoints are pixels, and
+  /// in 95 % elsewhere.
   void describe(const cv::Mat1f& level, float x, float y, float sigma, float angle,
                 std::uint8_t* descriptor);
 
@@ -31,8 +33,9 @@ class SiftDescriptor {
   struct Samples {
     std::vector<float> magnitude;  ///< times the window
     std::vector<float> angle;
-    // For the descriptor: the first of the eight bins that a sample is shared among, and how far
-    // it is towards the next one along the rows and columns (along the directions: `angle`), 0..1.
+    // For the descriptor: the first of the eight bins among which a sample is distributed, and the
+    // sample's position towards the next bin along rows and columns (along directions: `angle`),
+    // 0..1.
     std::vector<int> bin;
     std::vector<float> row_fraction;
     std::vector<float> column_fraction;

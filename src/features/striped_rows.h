@@ -5,28 +5,28 @@
 
 namespace place_recognition {
 
-/// A row of pixels cut into lanes of equal length that lie side by side: pixel k * length + i of
-/// the row, which is pixel i of lane k, stands at i * kLanes + k. A step along the row is a
-/// step of kLanes numbers in memory then, for all lanes at once: a filter along the row reads
-/// whole vectors from where vectors begin, as filters down the columns do (with AVX-512 in little
-/// more than half the time). What stands beyond the row's last pixel, in the last lanes, is
+/// A row of pixels divided into lanes of equal length that are interleaved: pixel k * length + i of
+/// the row, which is pixel i of lane k, is stored at i * kLanes + k (Farrar's striped layout). One
+/// step along the row is then a step of kLanes numbers in memory, for all lanes at once. A filter
+/// along the row thus reads whole aligned vectors, as filters along the columns do (with AVX-512 in
+/// little more than half the time). The numbers after the row's last pixel, in the last lanes, are
 /// padding.
 class StripedRows {
  public:
-  static constexpr int kLanes = 16;  ///< numbers of 32 bits in the widest vector
+  static constexpr int kLanes = 16;  ///< 32-bit numbers in the widest vector
 
   explicit StripedRows(int pixels = 0) : length_((pixels + kLanes - 1) / kLanes) {}
 
-  /// Numbers in a row, padding included.
+  /// Numbers in a row, including padding.
   int size() const { return kLanes * length_; }
 
-  /// Cuts a row of size() numbers.
+  /// Divides a row of size() numbers into lanes.
   void lay(const float* row, float* lanes) const;
-  /// Lengthens each lane by the first n pixels of what follows it: size() numbers become
-  /// size() + n * kLanes. The last lane is lengthened by padding.
+  /// Extends each lane by the first n pixels of the next lane: size() numbers become size() + n *
+  /// kLanes. The last lane is extended by padding.
   void lengthen(int n, float* lanes) const;
-  /// The first `pixels` pixels of the row, in the order of the lanes and without padding. `row`
-  /// has room for size() numbers and may be `lanes`.
+  /// Restores the first `pixels` pixels of the row from the lanes, without padding. `row` has room
+  /// for size() numbers and may equal `lanes`.
   void take(int pixels, const std::uint32_t* lanes, std::uint32_t* row) const;
 
  private:

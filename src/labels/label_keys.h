@@ -7,20 +7,22 @@
 
 namespace place_recognition {
 
-/// Which key of a terminal and which button of a joystick says which place. Places are numbered as
-/// they are listed: the keys are 1 to 9, then a, b, c ... without q; 0 is no place.
+/// Maps keys of a terminal and buttons of a joystick to places. Places are numbered in the order of
+/// the list: the keys are 1 to 9, then a, b, c ... without q; 0 means no place.
 class LabelKeys {
  public:
-  /// `buttons[i]` says places[i]; empty: button i does. `no_place_button`: -1 is none.
+  /// `buttons[i]` selects places[i]; if `buttons` is empty, button i does. `no_place_button`: -1
+  /// means none.
   LabelKeys(std::vector<std::string> places, std::vector<int> buttons, int no_place_button);
 
-  /// What the key says; nothing: it says nothing.
+  /// The place that the key selects; nothing if the key has no meaning.
   std::optional<std::string> placeOfKey(char key) const;
 
-  /// What the button says that is down in `buttons` (0: up) and was not in the call before.
+  /// The place selected by the button that is down in `buttons` (0: up) and was up in the previous
+  /// call.
   std::optional<std::string> placeOfButtons(const std::vector<int>& buttons);
 
-  /// As placeName() has them, in order.
+  /// Normalized by placeName(), in order.
   const std::vector<std::string>& places() const { return places_; }
 
   /// "1 kitchen, 2 corridor, 0 no place".

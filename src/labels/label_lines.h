@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-/// From `time` on, s, the label is `label`; empty: none.
+/// From `time` on, s, the label is `label`; empty means none.
 struct LabelLine {
   double time = 0;
   std::string label;
@@ -14,17 +14,17 @@ struct LabelLine {
 
 struct LabelLines {
   std::vector<LabelLine> lines;
-  std::string note;  ///< how the file was read, for a person, if not as it should be written
+  std::string note;  ///< for a person: how the file was read if it deviates from the format
 };
 
-/// Reads a text file of lines `timestamp label` in order of time, as in COLD's labels.dat. Blanks,
-/// a tab, a comma or a semicolon stand between the two, the same one throughout; the label may
-/// stand in double quotes (RFC 4180). Before a semicolon or a tab the timestamp may have a decimal
-/// comma. Timestamps are in s, ms, us or ns since 1970, all in the same, told apart by their size.
-/// Lines that are empty or start with '#', and a first line that heads the columns, are passed
-/// over. The text is UTF-8, or UTF-16 (see toUtf8()). A label that could be more than one, as
-/// '1005 kitchen' behind the timestamp 1000, which may end there, must stand in quotes. Throws
-/// Error naming the line at fault.
+/// Reads a text file with lines `timestamp label` in order of time, such as COLD's labels.dat. The
+/// separator is blanks, a tab, a comma or a semicolon, the same one throughout; the label may be in
+/// double quotes (RFC 4180). If the separator is a semicolon or a tab, the timestamp may have a
+/// decimal comma. Timestamps are in s, ms, us or ns since 1970, all in the same unit, which is
+/// recognized by their size. Empty lines, lines that start with '#', and column headings in the
+/// first line are skipped. The text is UTF-8 or UTF-16 (see toUtf8()). An ambiguous label, such as
+/// '1005 kitchen' after the timestamp 1000, which may end there, must be in quotes. Throws Error
+/// naming the faulty line.
 LabelLines readLabelLines(const std::string& path);
 
 }  // namespace place_recognition

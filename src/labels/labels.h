@@ -8,18 +8,18 @@
 
 namespace place_recognition {
 
-/// Throws Error unless `label` can name a place that is learned (see whyNoPlaceName()); `where`
-/// tells where it stands.
+/// Throws Error unless `label` can name a place to learn (see whyNoPlaceName()); `where` states its
+/// position.
 void checkLabel(const std::string& label, const std::string& where);
 
-/// Which place a recording shows at which time. Times are bag times, when messages were recorded
-/// (as rosbag play and rqt_bag show them), s.
+/// The places that a recording shows over time. Times are bag times in s, at which messages were
+/// recorded (as rosbag play and rqt_bag show them).
 class Labels {
  public:
-  /// One place throughout. Throws Error like checkLabel().
+  /// One place for the whole bag. Throws Error like checkLabel().
   static Labels wholeBag(const std::string& place);
 
-  /// Reads a file beside a bag that starts at `start` and ends at `end`. A YAML file holds
+  /// Reads a file beside a bag that starts at `start` and ends at `end`. A YAML file contains
   /// intervals:
   ///
   ///     times: relative          # seconds since the bag's start; or absolute, as stamps
@@ -27,22 +27,22 @@ class Labels {
   ///       - {from: 0, to: 12.5, place: kitchen}
   ///       - {from: 15, place: corridor}   # no `to`: until the next interval
   ///
-  /// and its intervals do not overlap; `labels: []` says that there are none. Any other file has
-  /// lines `timestamp label` in order of time, each of which holds until the next; see
-  /// readLabelLines(). Throws Error naming the line at fault, or if no label falls into the bag.
+  /// The intervals must not overlap; `labels: []` means that there are none. Any other file
+  /// contains lines `timestamp label` in order of time; each label is valid until the next one, see
+  /// readLabelLines(). Throws Error naming the faulty line, or if no label falls into the bag.
   static Labels fromFile(const std::string& path, double start, double end);
 
-  /// From `time`, not before the one before it, the label is `label`, as placeName() has it; empty:
-  /// none. Of two labels at one time the later counts.
+  /// Sets the label from `time` on, which must not precede the last one, to `label`, normalized by
+  /// placeName(); empty means none. Of two labels at the same time the later one is valid.
   void add(double time, const std::string& label);
 
   /// The place at `time`, empty before the first label.
   const std::string& at(double time) const;
 
-  /// How a file was read, a sentence for a person, if not as it should be written; else empty.
+  /// For a person: how a file was read if it deviates from the format; else empty.
   const std::string& note() const { return note_; }
 
-  /// Calls visit(from, to, place) for each labelled stretch between `start` and `end`.
+  /// Calls visit(from, to, place) for each labelled interval between `start` and `end`.
   template <typename Visit>
   void forEach(double start, double end, Visit visit) const {
     for (std::size_t i = 0; i < changes_.size(); ++i) {

@@ -20,12 +20,12 @@ class RoomPolygons {
  public:
   explicit RoomPolygons(std::vector<RoomPolygon> rooms) : rooms_(std::move(rooms)) {}
 
-  /// The room that `point` lies in. Empty: in none, in several of different names, or nearer than
-  /// `margin`, m, to the border of its polygon, where doorways are.
+  /// The room that contains `point`. Empty if it is in none, in several with different names, or
+  /// closer than `margin`, m, to the border of its polygon, where doorways are.
   std::string at(const Eigen::Vector2d& point, double margin) const;
 
-  /// Where somebody is of whom only the room is known: anywhere in its polygons, m. Nothing if no
-  /// polygon has that name.
+  /// The distribution of a position of which only the room is known: uniform over the room's
+  /// polygons, m. Nothing if no polygon has that name.
   std::optional<UniformDistribution> anywhereIn(const std::string& name) const;
 
   const std::vector<RoomPolygon>& polygons() const { return rooms_; }
@@ -37,14 +37,14 @@ class RoomPolygons {
   std::vector<RoomPolygon> rooms_;
 };
 
-/// Reads a file of the form that the package semantic_pose uses:
+/// Reads a file in the format of the package semantic_pose:
 ///
 ///     places:
 ///       - name: kitchen
 ///         position: [[0, 0], [4.2, 0], [4.2, 3.1], [0, 3.1]]   # corners, m, in the map frame
 ///
-/// Names are read as placeName() has them. Throws Error, naming the place at fault, also for an
-/// outline that crosses itself or encloses nothing.
+/// Names are normalized by placeName(). Throws Error, naming the faulty place, also for an outline
+/// that crosses itself or has no area.
 RoomPolygons readRoomPolygons(const std::string& path);
 
 }  // namespace place_recognition

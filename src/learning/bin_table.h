@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// Where the values of each bin of a support set stand: an open-addressing hash table of 16-byte
-/// slots, so that looking a bin up touches one cache line.
+/// Position of the values of each bin of a support set: an open-addressing hash table of 16-byte
+/// slots, so that looking up a bin touches one cache line.
 class BinTable {
  public:
   struct Slot {
@@ -19,11 +19,11 @@ class BinTable {
 
   using Slots = HugeVector<Slot>;
 
-  /// With room for so many bins; more are taken too.
+  /// Reserves room for `bins` bins; the table grows if there are more.
   explicit BinTable(std::size_t bins = 0) : bits_(bitsFor(bins)), slots_(std::size_t{1} << bits_) {}
 
-  /// The slot of `bin`, with a count of 0 if there is none yet; whoever asks must then raise it.
-  /// Pointers from earlier calls no longer hold.
+  /// The slot of `bin`, with a count of 0 if it is new; the caller must then increase the count.
+  /// Invalidates references from earlier calls.
   Slot& insert(std::uint64_t bin) {
     if (2 * used_ >= slots_.size()) grow();
     Slot& slot = slots_[position(bin)];
@@ -38,7 +38,7 @@ class BinTable {
   const Slot& find(std::uint64_t bin) const { return slots_[position(bin)]; }
   Slot& find(std::uint64_t bin) { return slots_[position(bin)]; }
 
-  /// Asks the memory for what find(bin) will read.
+  /// Prefetches the memory that find(bin) will read.
   void prefetch(std::uint64_t bin) const { __builtin_prefetch(&slots_[home(bin)]); }
 
   Slots& slots() { return slots_; }
@@ -68,7 +68,7 @@ class BinTable {
     }
   }
 
-  unsigned bits_;  ///< of the number of slots
+  unsigned bits_;  ///< log2 of the number of slots
   Slots slots_;
   std::size_t used_ = 0;
 };

@@ -10,23 +10,23 @@
 
 namespace place_recognition {
 
-/// Where a support vector was recorded, and how many times that place has been learned again since.
+/// The place of a support vector, and how many times that place has been learned again since.
 struct VectorOrigin {
   int place = 0;
   int age = 0;
 };
 
-/// What a Classifier is made of, which other programs need not know.
+/// The parts of a Classifier, hidden from other programs.
 struct ClassifierParts {
-  BinarySvms machines;                ///< as many rows of weights as support vectors
-  SupportSet support_set;             ///< each used by some machine
-  std::vector<VectorOrigin> origins;  ///< of each
+  BinarySvms machines;                ///< one row of weights per support vector
+  SupportSet support_set;             ///< each vector is used by some machine
+  std::vector<VectorOrigin> origins;  ///< of each vector
 
   static const ClassifierParts& of(const Classifier& classifier) { return *classifier.parts_; }
 
   static Classifier assemble(ClassifierParts parts);
-  /// Over `vectors` (as many rows of weights), with their `origins`; vectors that no machine
-  /// uses are dropped.
+  /// Assembles a classifier over `vectors` (one per row of weights) with their `origins`; drops
+  /// vectors that no machine uses.
   static Classifier assemble(const KernelOptions& kernel, BinarySvms machines,
                              std::vector<Feature> vectors,
                              const std::vector<VectorOrigin>& origins);

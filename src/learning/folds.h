@@ -4,23 +4,23 @@
 
 namespace place_recognition {
 
-/// Where and when a training sample was taken.
+/// Place and time of a training sample.
 struct SampleOrigin {
   int place = 0;      ///< label
   int recording = 0;  ///< number of the recording
   double stamp = 0;   ///< s; only differences within a run count
-  int camera = 0;     ///< of several that record a run together
+  int camera = 0;     ///< if several cameras record the run together
   int age = 0;        ///< how many times its place has been learned again since
 };
 
-/// How a run is cut for cross-validation.
+/// Division of a run for cross-validation.
 struct TimeBlocks {
   double length = 1;  ///< s; rounded up to whole samples
-  double gap = 0;     ///< s; samples within it of a tested one are not trained on
+  double gap = 0;     ///< s; samples closer than this to a tested one are not trained on
 };
 
-/// The largest gap beside blocks of that length, in s, that leaves two fifths of a recording to
-/// train on: of `folds` blocks, all but one and two gaps.
+/// The largest gap beside blocks of that length, in s, that leaves two fifths of a recording for
+/// training: of its `folds` blocks, one block and two gaps are left out.
 double largestGap(double length, int folds);
 
 /// One split of samples for cross-validation: indices into the list of origins.
@@ -29,40 +29,40 @@ struct Fold {
   std::vector<int> test;
 };
 
-/// The samples of one recording and place.
+/// The samples of one place in one recording.
 struct Sequence {
   int recording = 0;
-  int cameras = 1;            ///< how many they are of
+  int cameras = 1;            ///< number of cameras they come from
   std::vector<int> samples;   ///< in order of time
-  std::vector<double> times;  ///< of each, s; a second apart if all have the same stamp
-  bool stamped = false;       ///< they have not
+  std::vector<double> times;  ///< of each, s; one second apart if all have the same stamp
+  bool stamped = false;       ///< the stamps differ
 };
 
-/// In order of run, then of place.
+/// In order of recording, then of place.
 std::vector<Sequence> sequencesOf(const std::vector<SampleOrigin>& samples);
 
-/// The same, those of each camera apart, in order of run, place and camera.
+/// The same with separate sequences for each camera, in order of recording, place and camera.
 std::vector<Sequence> cameraSequencesOf(const std::vector<SampleOrigin>& samples);
 
-/// Median of the steps of ascending `times` that are not zero; 0 if there is none.
+/// Median of the nonzero steps of ascending `times`; 0 if there is none.
 double medianStep(const std::vector<double>& times);
 
-/// Whether there are `count` runs that hold every place.
+/// Whether at least `count` runs contain every place.
 bool wholeRecordings(const std::vector<SampleOrigin>& samples, int count);
 
 /// Splits samples into `count` folds by contiguous blocks of time, never by random frames. Each
-/// sequence, all of its cameras together, is cut into equal blocks of about `blocks[run].length`,
-/// but into `count` of them at least, which are tested in the folds in turn. Samples of the
-/// recording that lie within the gap of a tested one are not trained on in that fold, whatever
-/// their place: a frame before a door would find the frames behind it, but none of its own room.
-/// The gap is no larger than largestGap() of the blocks that the sequence was cut into. If
-/// wholeRuns(), runs are the blocks instead.
+/// sequence, with all its cameras together, is cut into equal blocks of about `blocks[run].length`,
+/// but into at least `count`; the folds test the blocks in turn. Samples of the recording that lie
+/// within the gap of a tested one are not trained on in that fold, whatever their place: a frame in
+/// front of a door would otherwise find the frames behind it, but none of its own room. The gap is
+/// at most largestGap() of the actual blocks of the sequence. If wholeRecordings(), whole runs are
+/// the blocks instead.
 std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count,
                                  const std::vector<TimeBlocks>& blocks);
 
-/// `folds` of the first samples, where later ones are copies of these (`source`: of each sample,
-/// the one that it is a copy of, often itself): what is tested is tested in every copy, and what is
-/// trained on is trained on in every copy if `train_on_copies`.
+/// Extends `folds` of the original samples to samples that are followed by copies (`source`: index
+/// of the original of each sample; its own index for an original). A tested sample is tested in
+/// every copy. A training sample is trained on in every copy if `train_on_copies`.
 std::vector<Fold> withCopies(std::vector<Fold> folds, const std::vector<int>& source,
                              bool train_on_copies);
 

@@ -9,8 +9,8 @@
 
 namespace place_recognition {
 
-/// The symmetric n x n matrix of kernel.measure() of n features of one kind. Computed from
-/// `threads` threads (0: one per core) with the same result for any number.
+/// The symmetric n x n matrix of kernel.measure() of n features of one kind. Uses `threads` threads
+/// (0: one per core); the result is the same for any number.
 Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& features,
                               unsigned threads, const Progress& progress);
 

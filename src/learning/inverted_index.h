@@ -10,19 +10,20 @@
 
 namespace place_recognition {
 
-/// Sparse or dense vectors as an inverted index: bin -> the vectors that have it, and their values.
-/// All measures of vectors are sums over the bins that both vectors have (of xy, xy/(x+y) or
-/// min(x, y)) and totals of each vector alone, for example
-/// chi2(x, y) = sum x + sum y - 4 sum_shared xy/(x+y); so one pass over the bins of x serves every
-/// support vector. Terms and sums are in double precision, in ascending order of bins.
+/// Sparse or dense vectors as an inverted index: for each bin, the vectors that have it, and their
+/// values. Every measure is a sum over the bins that both vectors have (of xy, xy/(x+y) or min(x,
+/// y)) plus totals of each vector alone, for example chi2(x, y) = sum x + sum y - 4 sum_shared
+/// xy/(x+y). One pass over the bins of x therefore serves all support vectors. Terms and sums are
+/// in double precision, in ascending order of bins.
 class InvertedIndex {
  public:
-  /// Throws Error, a phrase without a source, if `lists` is not that of vectors of finite elements.
+  /// Throws Error, a phrase without a source, if `lists` do not describe vectors of finite
+  /// elements.
   InvertedIndex(Measure measure, PostingLists lists);
 
-  /// Kernel::measure(x, vector i) for the first vectors, as many as `out` has elements. Throws
-  /// Error if `x` is of another kind or dimension than the vectors. Safe to call from several
-  /// threads.
+  /// Computes Kernel::measure(x, vector i) for the first vectors, as many as `out` has elements.
+  /// Throws Error if `x` is of another kind or dimension than the vectors. Safe to call from
+  /// several threads.
   void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
 
   std::size_t size() const { return lists_.vectors(); }
@@ -44,7 +45,7 @@ class InvertedIndex {
 
   Measure measure_;
   PostingLists lists_;
-  BinTable table_;  ///< where each bin stands in the lists
+  BinTable table_;  ///< position of each bin in the lists
 };
 
 }  // namespace place_recognition

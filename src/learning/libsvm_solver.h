@@ -13,9 +13,9 @@ class LibsvmSolver {
  public:
   LibsvmSolver(const PackedGram& gram, const std::vector<int>& vectors);
 
-  /// Separates vectors of sign +1 from those of sign -1 (0: not taken part), each sign at least
-  /// once, at the price `c` of an error (eq. 5.26). Writes alpha_i y_i of every vector (eq. 5.32)
-  /// into `weights`; returns the bias.
+  /// Separates vectors of sign +1 from those of sign -1 (0: not used), at least one of each sign,
+  /// with penalty parameter `c` (eq. 5.26). Writes alpha_i y_i of every vector (eq. 5.32) to
+  /// `weights`; returns the bias.
   double solve(const std::vector<int>& signs, double c, Eigen::Ref<Eigen::VectorXd> weights) const;
 
  private:

@@ -9,22 +9,22 @@
 
 namespace place_recognition {
 
-/// Descriptor sets for the local match kernel (eq. 5.39-5.40). K_l falls with the distance, so the
-/// best match of a descriptor is its nearest neighbour, found exactly in integers.
+/// Descriptor sets for the local match kernel (eq. 5.39-5.40). K_l decreases with distance, so the
+/// best match of a descriptor is its nearest neighbour, which is found exactly in integers.
 class LocalMatchIndex {
  public:
   LocalMatchIndex(double gamma, const std::vector<Feature>& sets);
 
-  /// Kernel::measure(x, set i) for the first sets, as many as `out` has elements. Throws Error if
-  /// `x` is of another kind. Safe to call from several threads.
+  /// Computes Kernel::measure(x, set i) for the first sets, as many as `out` has elements. Throws
+  /// Error if `x` is of another kind. Safe to call from several threads.
   void measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) const;
 
   std::size_t size() const { return sets_.size(); }
-  /// The sets again.
+  /// Restores the sets.
   std::vector<Feature> vectors() const;
 
  private:
-  /// Where one set stands.
+  /// Position of one set.
   struct Set {
     std::size_t first_panel;
     std::size_t size;  ///< descriptors
@@ -32,7 +32,7 @@ class LocalMatchIndex {
 
   double measure(const std::vector<DescriptorBlock>& query, std::size_t query_size,
                  const Set& set) const;
-  /// K_l at a squared distance of descriptors as they are stored.
+  /// K_l at a squared distance between descriptors as stored.
   double localKernel(std::int32_t squared_distance) const;
 
   double gamma_;

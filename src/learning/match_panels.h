@@ -9,17 +9,17 @@
 
 namespace place_recognition {
 
-/// kWidth descriptors side by side, as vector instructions want them: elements 4k..4k+3 of each,
-/// then the next four.
+/// kWidth descriptors interleaved for vector instructions: elements 4k..4k+3 of each, then the next
+/// four.
 struct alignas(64) DescriptorPanel {
   static constexpr std::size_t kWidth = 32;
   static constexpr std::size_t kSteps = DescriptorSet::kDimension / 4;
 
   std::uint8_t elements[kSteps][kWidth][4] = {};
-  std::int32_t squared_norms[kWidth];     ///< kFar for what fills up the last panel of a set
+  std::int32_t squared_norms[kWidth];     ///< kFar for the padding of a set's last panel
   std::int32_t sums_by_128[kWidth] = {};  ///< 128 times the sum of the elements
 
-  /// Squared norm of a descriptor that must never be the nearest.
+  /// Squared norm of padding, which must never be the nearest.
   static constexpr std::int32_t kFar = 1 << 29;
 
   DescriptorPanel();
@@ -27,28 +27,28 @@ struct alignas(64) DescriptorPanel {
   void get(std::size_t lane, std::uint8_t* descriptor) const;
 };
 
-/// kRows descriptors one after the other.
+/// kRows descriptors, one after another.
 struct alignas(64) DescriptorBlock {
   static constexpr std::size_t kRows = 8;
 
   std::uint8_t elements[kRows][DescriptorSet::kDimension] = {};
-  std::int32_t squared_norms[kRows];  ///< kFar for what fills up the last block of a set
+  std::int32_t squared_norms[kRows];  ///< kFar for the padding of a set's last block
 
   DescriptorBlock();
   void set(std::size_t row, const std::uint8_t* descriptor);
 };
 
-/// A number for each row of a block and each lane of a panel.
+/// One number for each row of a block and each lane of a panel.
 using BlockByPanel = std::int32_t[DescriptorBlock::kRows][DescriptorPanel::kWidth];
 
-/// Finds nearest neighbours between a block and panels: lowers `panel_nearest`, one number a lane
-/// of each panel, and `row_nearest` to the squared distances |a|^2 + |b|^2 - 2 a'b, exact in
-/// integers. Of a row, each lane keeps its own nearest; the smallest of these is the row's.
+/// Finds nearest neighbours between a block and panels: reduces `panel_nearest`, one number per
+/// lane of each panel, and `row_nearest` to the squared distances |a|^2 + |b|^2 - 2 a'b, exactly in
+/// integers. Each lane has its own nearest distance to a row; the smallest of these is the row's.
 using MatchPanels = void(const DescriptorBlock& block, const DescriptorPanel* panels,
                          std::size_t panel_count, BlockByPanel& row_nearest,
                          std::int32_t* panel_nearest);
 
-/// What every way of matching does with the products a'b of a block and a panel.
+/// The step that all variants share, given the products a'b of a block and a panel.
 PLACE_RECOGNITION_INLINE void lowerNearest(const BlockByPanel& products,
                                            const DescriptorBlock& block,
                                            const DescriptorPanel& panel, BlockByPanel& row_nearest,
@@ -65,14 +65,14 @@ PLACE_RECOGNITION_INLINE void lowerNearest(const BlockByPanel& products,
   }
 }
 
-/// The plain way.
+/// Portable variant.
 MatchPanels matchPanelsPlainly;
 
 #if defined(__x86_64__)
-/// Two products of 16-bit numbers a lane and instruction.
+/// Two products of 16-bit numbers per lane and instruction.
 MatchPanels matchPanelsAvx2;
 
-/// Four products of 8-bit numbers a lane and instruction.
+/// Four products of 8-bit numbers per lane and instruction.
 MatchPanels matchPanelsVnni;
 #endif
 
@@ -81,7 +81,7 @@ struct MatchVariant {
   MatchPanels* match;
 };
 
-/// All ways that this processor is capable of, the fastest last.
+/// All variants that this processor supports, the fastest last.
 std::vector<MatchVariant> matchVariants();
 
 }  // namespace place_recognition

@@ -46,7 +46,7 @@ std::unique_ptr<const Reduction> factorize(const BinarySvms& machines,
                      Eigen::RowVectorXd::Ones(kernel_values.cols())};
   if (options.normalize) task.scales = kernel_values.colwise().norm();
   task.scales = (task.scales.array() > 0).select(task.scales, 1);
-  return options.method == "qr" ? factoriseEach(task) : factoriseShared(task);
+  return options.method == "qr" ? factorizeEach(task) : factorizeShared(task);
 }
 
 BinarySvms reduce(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values,

@@ -18,7 +18,7 @@ struct MachineFactors {
   }
 };
 
-MachineFactors factoriseMachine(const ReductionTask& task, Eigen::Index machine) {
+MachineFactors factorizeMachine(const ReductionTask& task, Eigen::Index machine) {
   MachineFactors factors;
   for (Eigen::Index i = 0; i < task.machines.weights.rows(); ++i) {
     if (task.machines.weights(i, machine) != 0) factors.vectors.push_back(static_cast<int>(i));
@@ -93,7 +93,7 @@ class EachReduction : public Reduction {
   explicit EachReduction(const ReductionTask& task)
       : machines_(task.machines), scales_(task.scales) {
     for (Eigen::Index m = 0; m < machines_.weights.cols(); ++m) {
-      factors_.push_back(factoriseMachine(task, m));
+      factors_.push_back(factorizeMachine(task, m));
     }
   }
 
@@ -132,7 +132,7 @@ class EachReduction : public Reduction {
 
 }  // namespace
 
-std::unique_ptr<const Reduction> factoriseEach(const ReductionTask& task) {
+std::unique_ptr<const Reduction> factorizeEach(const ReductionTask& task) {
   return std::make_unique<EachReduction>(task);
 }
 

@@ -68,7 +68,7 @@ class SharedReduction : public Reduction {
 
 }  // namespace
 
-std::unique_ptr<const Reduction> factoriseShared(const ReductionTask& task) {
+std::unique_ptr<const Reduction> factorizeShared(const ReductionTask& task) {
   return std::make_unique<SharedReduction>(task);
 }
 

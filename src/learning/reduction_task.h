@@ -10,13 +10,13 @@
 
 namespace place_recognition {
 
-/// What factorize() is asked, see reduction.h, and what its methods have in common.
+/// The arguments of factorize(), see reduction.h, and what its methods share.
 struct ReductionTask {
   const BinarySvms& machines;
   const Eigen::MatrixXd& kernel_values;
   const ReductionOptions& options;
   const Progress& progress;
-  /// What each column of `kernel_values` is divided by before it is factorized; never 0.
+  /// Divisor of each column of `kernel_values` before factorization; never 0.
   Eigen::RowVectorXd scales;
 
   ChoiceLimits limitsFor(const PivotedQr& qr) const {
@@ -27,10 +27,10 @@ struct ReductionTask {
   }
 };
 
-/// Each machine by itself, all with the same tau (section 6.3).
-std::unique_ptr<const Reduction> factoriseEach(const ReductionTask& task);
+/// Each machine separately, all with the same tau (section 6.3).
+std::unique_ptr<const Reduction> factorizeEach(const ReductionTask& task);
 
 /// All machines on one basis, fitted to their decision values.
-std::unique_ptr<const Reduction> factoriseShared(const ReductionTask& task);
+std::unique_ptr<const Reduction> factorizeShared(const ReductionTask& task);
 
 }  // namespace place_recognition

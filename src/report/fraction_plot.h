@@ -21,7 +21,7 @@ class FractionPlot {
  public:
   FractionPlot(const std::string& x_label, const std::string& y_label);
 
-  /// Pixels of a fraction.
+  /// Pixel coordinates of a fraction.
   double x(double fraction) const { return 44 + 300 * fraction; }
   double y(double fraction) const { return 250 - 225 * fraction; }
 
@@ -31,13 +31,13 @@ class FractionPlot {
   Svg svg_;
 };
 
-/// Points (fraction, fraction), 0..1, joined in their order.
+/// Points (fraction, fraction), 0..1, connected in order.
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;
 };
 
-/// Any such curves in one square, with their names.
+/// Several curves in one square plot, with their names.
 std::string fractionsPlot(const std::string& x_label, const std::string& y_label,
                           const std::vector<Curve>& curves);
 

@@ -5,11 +5,11 @@
 
 namespace place_recognition {
 
-/// Text that HTML and SVG show as it is; bytes that are not printable ASCII or valid UTF-8 become
-/// question marks.
+/// Escapes text for HTML and SVG; bytes that are not printable ASCII or valid UTF-8 become question
+/// marks.
 std::string escapeMarkup(const std::string& text);
 
-/// A drawing in SVG, in pixels from the top left corner. Colours and fonts are those of CSS.
+/// An SVG drawing, in pixels from the top left corner. Colours and fonts are those of CSS.
 class Svg {
  public:
   Svg(double width, double height);
@@ -21,7 +21,7 @@ class Svg {
   void circle(double x, double y, double radius, const std::string& fill,
               const std::string& tooltip = "");
   void ring(double x, double y, double radius, const std::string& stroke);
-  /// What lies inside one of `rings` of corners, but not inside two: rings inside others are holes.
+  /// The area inside an odd number of `rings` of corners: rings inside others are holes.
   void area(const std::vector<std::vector<std::pair<double, double>>>& rings,
             const std::string& fill, const std::string& stroke);
   /// `anchor`: start, middle or end; y is the base line.

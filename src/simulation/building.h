@@ -21,11 +21,11 @@ struct Room {
 struct Opening {
   enum Kind { kDoor, kSlidingDoor, kPane, kPassage, kWindow };
   Kind kind;
-  cv::Rect2f gap;    ///< m, in plan: as long as the hole, as deep as the wall is thick
+  cv::Rect2f gap;    ///< m, in plan: as long as the hole and as deep as the wall
   float sill, head;  ///< m
 };
 
-/// The side of a room where a wall stands, by the direction from the room's middle.
+/// The side of a room at which a wall stands, seen from the room's middle.
 enum class Side { kMinusY, kPlusX, kPlusY, kMinusX };
 
 /// The plan, the same in every building: two offices on one side of a corridor, the kitchen on the
@@ -34,11 +34,11 @@ const std::vector<Room>& rooms();
 const std::vector<Opening>& openings();
 const Room& room(const std::string& name);
 
-/// The room at, or nearest to, a point.
+/// The room at a point, or the nearest one.
 const Room& roomAt(double x, double y);
 
-/// Where a thing stands with its back against a wall, `along` metres from the wall's lower end and
-/// `off` metres from the wall; its -y looks into the room.
+/// Places a thing with its back to a wall, `along` metres from the wall's lower end and `off`
+/// metres from the wall; its -y faces the room.
 Placement against(const Room& room, Side side, float along, float off = 0.0f, float z = 0.0f);
 
 /// Walls, floors, ceilings, window and door frames, skirting boards, glass, and what is outside.

@@ -7,17 +7,17 @@
 
 namespace place_recognition::simulation {
 
-/// m above the floor, as high as the tripod of the thesis (section 3.2).
+/// m above the floor, the height of the tripod in the thesis (section 3.2).
 constexpr float kCameraHeight = 0.76f;
 
-/// Where the camera stands and looks.
+/// Position and direction of the camera.
 struct View {
   Vec3 eye;            ///< m
   float yaw = 0.0f;    ///< rad, anticlockwise from x
   float pitch = 0.0f;  ///< rad, up
 };
 
-/// What a camera that is fixed to the first one sees: turned by `angle`, rad, about the vertical
+/// The view of a camera that is fixed to the first one, turned by `angle`, rad, about the vertical
 /// through the eye.
 View turned(View view, float angle);
 
@@ -25,9 +25,9 @@ View turned(View view, float angle);
 /// 7.18 mm wide: 58 degrees across) for an image `width` pixels wide.
 float focalLength(int width);
 
-/// Radiance (CV_32FC3, linear) to an image (CV_8UC3): vignetting, automatic exposure that looks
-/// at the whole image and more at its middle, automatic white balance that corrects only part of
-/// the colour of the light, noise of photons and of reading out, sRGB curve with a soft shoulder.
+/// Converts radiance (CV_32FC3, linear) to an image (CV_8UC3): vignetting, automatic exposure that
+/// weights the middle of the image more, automatic white balance that corrects only part of the
+/// light's colour, photon and readout noise, sRGB curve with a soft shoulder.
 cv::Mat develop(const cv::Mat& radiance, Random random);
 
 }  // namespace place_recognition::simulation

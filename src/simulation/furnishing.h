@@ -9,11 +9,12 @@
 
 namespace place_recognition::simulation {
 
-/// Places what stays where it is from one run to the next.
+/// Places what stays the same from one run to the next.
 void furnish(Furniture& furniture);
 
-/// Places what a condition and the weeks between two runs change: which lamps are on, blinds, door
-/// leaves, chairs, screens, papers, mugs, boxes, people. Nothing of it comes near `keep_clear`.
+/// Places what depends on the condition and on the weeks between two runs: lamps that are on,
+/// blinds, door leaves, chairs, screens, papers, mugs, boxes, people. Keeps all of it away from
+/// `keep_clear`.
 void addChanges(Furniture& furniture, Condition condition,
                 const std::vector<cv::Point2f>& keep_clear);
 

@@ -8,7 +8,7 @@
 
 namespace place_recognition::simulation {
 
-/// A rectangle on the floor that is taken.
+/// An occupied rectangle on the floor.
 struct Footprint {
   Placement at;
   float half_width;   ///< m, along x of `at`
@@ -18,20 +18,20 @@ struct Footprint {
   float distance(float x, float y) const;
 };
 
-/// A table top on which small things may lie.
+/// A table top that may carry small things.
 struct Top {
   Placement at;                  ///< its middle, at its height
   float half_width, half_depth;  ///< m
 };
 
-/// Where a chair stands, before someone moves it; its front towards -y.
+/// Position of a chair before someone moves it; its front faces -y.
 struct Seat {
   Placement at;
   bool office;  ///< a chair on castors
 };
 
-/// Builds single pieces into a scene. Each stands at a placement: the middle of its back, on the
-/// floor, its front towards -y.
+/// Adds single pieces to a scene. A placement is the middle of a piece's back, on the floor; its
+/// front faces -y.
 class Furniture {
  public:
   Furniture(Scene& scene, const Palette& palette, Random random)
@@ -77,10 +77,10 @@ class Furniture {
   Random& random() { return random_; }
   const Palette& palette() const { return palette_; }
 
-  std::vector<Footprint> footprints;  ///< of all that stands on the floor
+  std::vector<Footprint> footprints;  ///< of everything on the floor
   std::vector<Top> tops;
   std::vector<Seat> seats;
-  std::vector<Placement> computers;  ///< where they stand on the desks
+  std::vector<Placement> computers;  ///< positions on the desks
 
  private:
   void stand(const Placement& at, float half_width, float front, float back);

@@ -3,7 +3,7 @@
 #include "simulation/simulation.h"
 #include "simulation/texture.h"
 
-/// How bright things that shine are, and in which colour: linear B, G, R; 1 is 100 cd/m^2.
+/// Radiance of luminous things: linear B, G, R; 1 is 100 cd/m^2.
 namespace place_recognition::simulation {
 
 /// A fluorescent tube behind its diffuser, about 4000 K and a little green.
@@ -13,7 +13,7 @@ const Vec3 kShadeRadiance(3.0f, 7.0f, 12.0f);
 const Vec3 kScreenRadiance(1.3f, 1.1f, 1.0f);
 
 struct Daylight {
-  Vec3 sky;       ///< radiance of what a window shows, on average: lights the room
+  Vec3 sky;       ///< radiance of the view through a window, on average: lights the room
   Vec3 outdoors;  ///< radiance of white in the picture of the outdoors
   Vec3 sun;       ///< irradiance of a surface that faces the sun; zero: hidden
   Vec3 to_sun;    ///< unit

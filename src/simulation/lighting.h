@@ -8,9 +8,9 @@
 
 namespace place_recognition::simulation {
 
-/// The light on every surface, computed once for a still scene: from lamps, windows and what the
-/// surfaces throw back, on a coarse grid; from the sun, whose patches have sharp borders, on a fine
-/// one. Thread-safe once built; the same whatever the number of threads.
+/// The light on every surface, computed once for a static scene: from lamps, windows and
+/// reflections between surfaces on a coarse grid; from the sun, whose patches have sharp borders,
+/// on a fine grid. Thread-safe once built; the result does not depend on the number of threads.
 class Lighting {
  public:
   /// `spacing`: m, of the coarse grid. Keeps references to scene and tracer.
@@ -21,7 +21,7 @@ class Lighting {
   Vec3 irradiance(int facet, float a, float b) const;
 
  private:
-  /// Values at the nodes of a grid that spans a facet; none: zero everywhere.
+  /// Values at the nodes of a grid that spans a facet; empty: zero everywhere.
   template <typename Value>
   struct Grid {
     int columns = 0, rows = 0;
@@ -35,18 +35,18 @@ class Lighting {
   Vec3 direct(const Vec3& point, const Vec3& normal) const;
   Vec3 fromLamp(const Lamp& lamp, const Vec3& point, const Vec3& normal, bool window) const;
   Vec3 bounced(const Vec3& point, const Vec3& normal) const;
-  /// Replaces soft_ by `first`, the light straight from the lamps, and what soft_ throws back.
+  /// Replaces soft_ by `first`, the direct light of the lamps, plus what soft_ reflects.
   void addBounce(const std::vector<Grid<Vec3>>& first, float spacing, unsigned threads);
   void bakeSun(std::size_t facet, float spacing);
 
-  /// Fills a grid a facet with `value(point, normal)`.
+  /// Fills one grid per facet with `value(point, normal)`.
   template <typename Function>
   std::vector<Grid<Vec3>> bake(float spacing, unsigned threads, const Function& value) const;
 
   const Scene& scene_;
   const RayTracer& tracer_;
   Daylight daylight_;
-  std::vector<Vec3> albedo_;        ///< of each material, on average
+  std::vector<Vec3> albedo_;        ///< average of each material
   std::vector<Grid<Vec3>> soft_;    ///< of each facet
   std::vector<Grid<float>> sunny_;  ///< of each facet: the cosine towards the sun where it shines
 };

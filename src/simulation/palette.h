@@ -19,7 +19,7 @@ struct Palette {
   int white, black, grey, beige, steel, porcelain;
   int wall_tiles, worktop;
   Choice fabrics, curtains, blinds, clothes, skins, hairs, mugs;
-  Choice books, posters, paintings, notices, whiteboards, calendars;  ///< shown once a facet
+  Choice books, posters, paintings, notices, whiteboards, calendars;  ///< shown once per facet
   Choice papers, screens, keyboards;
   int pigeonholes, control_panel, clock;
   int leaf, pot, cardboard, red;

@@ -11,7 +11,7 @@
 
 namespace place_recognition::simulation {
 
-/// A picture to be taken.
+/// An image to render.
 struct Pose {
   std::string room;
   std::string name;  ///< file stem
@@ -26,18 +26,18 @@ struct Marker {
   cv::Point2f at;
 };
 
-/// About a metre apart, wherever the floor is free.
+/// About one metre apart, wherever the floor is free.
 std::vector<Marker> markers(const std::vector<Footprint>& footprints);
 
-/// Twelve pictures from every marker, 30 degrees apart, clockwise as in the thesis (section 3.2);
-/// a tripod never stands quite as it did the last time.
+/// Twelve images per marker, 30 degrees apart, clockwise as in the thesis (section 3.2); the
+/// tripod's position varies slightly from run to run.
 std::vector<Pose> tripodRun(const std::vector<Marker>& markers, double rate, Random random);
 
-/// The way of the robot: through all rooms and back through the corridor, 0.1 m a step.
+/// The robot's path: through all rooms and back along the corridor, 0.1 m per step.
 std::vector<cv::Point2f> driveWay();
 
-/// Pictures on that way, `rate` a second, at 0.5 m/s and slower in turns. The robot passes where
-/// the way does, give or take `stray` (m) along each axis.
+/// Images along that path, `rate` per second, at 0.5 m/s and slower in turns. The robot deviates
+/// from the path by up to `stray` (m) along each axis.
 std::vector<Pose> driveRun(double rate, float stray, Random random);
 
 }  // namespace place_recognition::simulation

@@ -5,11 +5,11 @@
 
 namespace place_recognition::simulation {
 
-/// A small generator (SplitMix64) whose numbers are the same with every standard library, which
-/// std::uniform_real_distribution and its like do not promise.
+/// A small generator (SplitMix64) that gives the same numbers with every standard library, unlike
+/// std::uniform_real_distribution and similar.
 class Random {
  public:
-  /// Generators of the same seed and different streams are independent of each other.
+  /// Generators with the same seed and different streams are independent of each other.
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0)
       : state_(seed * 0x9E3779B97F4A7C15ull ^ (stream + 1) * 0xD1B54A32D192ED03ull) {
     next();

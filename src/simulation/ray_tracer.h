@@ -12,8 +12,8 @@ struct Hit {
   float a = 0.0f, b = 0.0f;  ///< m, along the facet's u and v
 };
 
-/// Answers what a ray meets, from either side; glass does not count. Thread-safe. A hierarchy of
-/// boxes, each split where the surface area heuristic expects the fewest tests.
+/// Finds what a ray hits, from either side; glass is ignored. Thread-safe. Uses a bounding volume
+/// hierarchy, split by the surface area heuristic.
 class RayTracer {
  public:
   /// Keeps a reference to the scene.
@@ -31,8 +31,8 @@ class RayTracer {
   };
   struct Node {
     Box box;
-    int first = 0;  ///< of a leaf: in order_; of an inner node: the left child, its sibling next
-    int count = 0;  ///< of a leaf's facets; 0: inner node
+    int first = 0;  ///< leaf: index in order_; inner node: left child, followed by its sibling
+    int count = 0;  ///< facets in a leaf; 0: inner node
   };
   struct Split {
     int axis = 0, middle = 0;

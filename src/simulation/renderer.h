@@ -11,9 +11,9 @@
 
 namespace place_recognition::simulation {
 
-/// Draws a lit scene through a pinhole: polygons are scanned into a depth buffer of 2 x 2 samples a
-/// pixel, then each visible sample is shaded once. Mirrors and glass ask the ray tracer. The centre
-/// of the upper left pixel is (0.5, 0.5). Thread-safe.
+/// Renders a lit scene with a pinhole camera: polygons are rasterized into a depth buffer with 2 x
+/// 2 samples per pixel, then each visible sample is shaded once. Mirrors and glass use the ray
+/// tracer. The centre of the upper left pixel is (0.5, 0.5). Thread-safe.
 class Renderer {
  public:
   /// Keeps references to all three. `focal`: in pixels of the image.

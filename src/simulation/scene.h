@@ -9,14 +9,14 @@
 
 namespace place_recognition::simulation {
 
-/// What a surface looks like. Diffuse, but for `mirror`.
+/// The appearance of a surface. Diffuse, except for `mirror`.
 struct Material {
   std::shared_ptr<const Texture> texture;
-  cv::Size2f size{1.0f, 1.0f};      ///< m a repeat of the texture; empty: once over the facet
-  Vec3 tint{1.0f, 1.0f, 1.0f};      ///< multiplies the texture; times it, the albedo
-  Vec3 emission{0.0f, 0.0f, 0.0f};  ///< radiance; multiplies the texture
+  cv::Size2f size{1.0f, 1.0f};      ///< m per repeat of the texture; empty: once over the facet
+  Vec3 tint{1.0f, 1.0f, 1.0f};      ///< factor of the texture; the product is the albedo
+  Vec3 emission{0.0f, 0.0f, 0.0f};  ///< radiance; factor of the texture
   float mirror = 0.0f;              ///< fraction of the mirrored scene, at normal incidence
-  bool glass = false;               ///< seen through, and shines through
+  bool glass = false;               ///< transparent to view and light
 };
 
 /// A convex planar polygon.
@@ -26,8 +26,8 @@ struct Facet {
   Vec3 u, v, normal;          ///< unit vectors: right and down as seen from the front; to the front
   float width = 0.0f;         ///< m, of the bounding rectangle, along u
   float height = 0.0f;        ///< m, along v
-  Vec3 bend{0.0f, 0.0f, 0.0f};  ///< by how much the normal of a rounded body turns along u
-  cv::Vec2f repeats;            ///< of the texture a metre, along u and v
+  Vec3 bend{0.0f, 0.0f, 0.0f};  ///< turn of the normal along u, for a rounded body
+  cv::Vec2f repeats;            ///< of the texture per metre, along u and v
   cv::Vec2f shift;              ///< of the texture, in repeats
   int material = 0;
   bool two_sided = false;
@@ -36,7 +36,7 @@ struct Facet {
   Vec3 at(float a, float b) const { return origin + a * u + b * v; }
 };
 
-/// A place to stand things at: local x, y, z turned by yaw about z, then moved.
+/// A frame for placing things: local x, y, z rotated by yaw about z, then moved.
 struct Placement {
   float x = 0.0f, y = 0.0f, z = 0.0f;  ///< m
   float yaw = 0.0f;                    ///< rad
@@ -45,18 +45,18 @@ struct Placement {
   Placement moved(float local_x, float local_y, float local_z = 0.0f, float turn = 0.0f) const;
 };
 
-/// A luminous rectangle. Without a normal it shines to all sides, as a bulb in a shade.
+/// A luminous rectangle. Without a normal it emits in all directions, like a bulb in a shade.
 struct Lamp {
   Vec3 centre;          ///< m
   Vec3 half_u, half_v;  ///< m, from the centre to the middle of two sides
-  Vec3 normal;          ///< unit, where it shines; zero: everywhere
+  Vec3 normal;          ///< unit, direction of emission; zero: all directions
   Vec3 radiance;        ///< linear
 };
 
-/// The glazed part of an outer wall. It shines as the sky behind it does.
+/// The glazed part of an outer wall, which emits like the sky behind it.
 using Window = Lamp;
 
-/// Everything that is in front of the camera.
+/// All geometry, materials and lights.
 class Scene {
  public:
   std::vector<Facet> facets;
@@ -72,11 +72,11 @@ class Scene {
   /// From `low` to `high` in the frame of `at`; without a bottom if it stands on the floor.
   void box(const Placement& at, const Vec3& low, const Vec3& high, int material);
 
-  /// An upright rectangle `width` by `height` that faces -y of `at`, its lower middle there.
+  /// An upright rectangle of `width` by `height` facing -y of `at`, with its lower middle there.
   Facet& picture(const Placement& at, float width, float height, int material);
 
-  /// A round body along a line from `bottom` to `top` (in the frame of `at`): half axes (across,
-  /// deep) of the ellipse at equal steps along it.
+  /// A round body along a line from `bottom` to `top` (in the frame of `at`): half-axes (width,
+  /// depth) of the ellipse at equal steps along it.
   void turned(const Placement& at, const Vec3& bottom, const Vec3& top,
               const std::vector<cv::Vec2f>& half_axes, int material, int sides = 12);
 };

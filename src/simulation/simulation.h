@@ -10,10 +10,10 @@
 
 namespace place_recognition {
 
-/// The light under which a run is recorded (thesis, section 3.4).
+/// The light in which a run is recorded (thesis, section 3.4).
 enum class Condition { kCloudy, kNight, kSunny };
 
-/// How the camera is moved: a tripod on markers (thesis, section 3.2) or a robot that drives.
+/// How the camera moves: on a tripod between markers (thesis, section 3.2) or on a driving robot.
 enum class Protocol { kIndecs, kDrive };
 
 /// "cloudy", "night", "sunny"; throws Error on anything else.
@@ -27,19 +27,20 @@ const char* name(Protocol protocol);
 struct SimulationOptions {
   Condition condition = Condition::kCloudy;
   Protocol protocol = Protocol::kIndecs;
-  /// The building: its colours, materials, posters and books. With the condition: what has been
-  /// moved since. Same options and same build, same pixels, whatever the number of threads.
+  /// Determines the building: its colours, materials, posters and books. Together with the
+  /// condition it determines what has been moved. The same options and build give the same pixels,
+  /// whatever the number of threads.
   std::uint64_t seed = 1;
-  /// From 1 (..1000): what has been moved, who walks about and, but for the first, how the robot
-  /// strays from its way.
+  /// 1..1000. Determines what has been moved, who walks about and, except for the first visit, how
+  /// the robot deviates from its path.
   unsigned visit = 1;
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
   unsigned threads = 0;     ///< 0: one per core
-  double rate = 5.0;        ///< frames a second (0.1..100); indecs: one image every 1/rate s
-  /// Those that the robot has at one spot: front, left, rear, right, by where they look, each once.
-  /// Each takes an image at every stamp. Empty: one that looks ahead and has no name.
+  double rate = 5.0;        ///< frames per second (0.1..100); indecs: one image every 1/rate s
+  /// Cameras of the robot, all at one point: front, left, rear, right, by viewing direction, each
+  /// at most once. Each takes an image at every stamp. Empty: one unnamed camera that looks ahead.
   std::vector<std::string> cameras;
-  /// The camera looks up into a mirror and so sees all around (OmniRenderer).
+  /// The camera looks up into a mirror and thus in all directions (OmniRenderer).
   bool omnidirectional = false;
 
   /// Throws Error naming the field that is out of range.
@@ -55,16 +56,16 @@ struct SimulatedFrame {
   double stamp = 0.0;  ///< s since the start of the run
   double x = 0.0;      ///< m, along the corridor
   double y = 0.0;      ///< m, to the left of x
-  double yaw = 0.0;    ///< rad, anticlockwise from x; the direction the robot looks in
+  double yaw = 0.0;    ///< rad, anticlockwise from x; the robot's viewing direction
 };
 
-/// Takes frame `index` of `count`; returns false to stop the run.
+/// Receives frame `index` of `count`; returns false to stop the run.
 using FrameSink =
     std::function<bool(const SimulatedFrame& frame, std::size_t index, std::size_t count)>;
 
-/// Renders a run of five rooms (office_a, office_b, kitchen, corridor, printer_area) and hands
-/// each frame to `sink` in order of time, then of cameras, from the calling thread. Throws Error on
-/// bad options and lets pass what the sink throws.
+/// Renders a run of five rooms (office_a, office_b, kitchen, corridor, printer_area) and passes
+/// each frame to `sink` in order of time, then of cameras, from the calling thread. Throws Error
+/// for invalid options, and whatever the sink throws.
 void simulate(const SimulationOptions& options, const FrameSink& sink);
 
 }  // namespace place_recognition

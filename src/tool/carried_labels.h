@@ -7,10 +7,10 @@
 
 namespace place_recognition::tool {
 
-/// For each of `recordings` (at least one) the label that holds at its start because it goes on
-/// where another of them ends, as the parts of a split recording do: a label is recorded when it is
-/// said, in the part of that time. Empty: none. Says on stderr what is carried, and which part
-/// lacks a label at its start.
+/// For each of `recordings` (at least one), the label valid at its start because the recording
+/// continues another of them, like the parts of a split recording: a label is recorded when it is
+/// said, in the part of that time. Empty if there is none. Reports on stderr what is carried over,
+/// and which part has no label at its start.
 std::vector<std::string> carriedLabels(const std::vector<std::string>& recordings,
                                        const BagRecordingOptions& options);
 

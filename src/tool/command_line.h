@@ -13,32 +13,33 @@
 
 namespace place_recognition::tool {
 
-/// Bad usage: what is wrong, without a full stop, so that where help is can follow.
+/// Bad usage. The message says what is wrong, without a full stop, so that a hint on help can
+/// follow.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// One option, or one argument without a name, of a verb, with the rules that its value obeys.
+/// An option, or an argument without a name, of a verb, with the rules for its value.
 class Option {
  public:
   using Values = std::vector<std::string>;
 
   Option& required();
-  /// A list takes all values that follow, not one at each mention.
+  /// A list takes all following values, not just one per occurrence.
   Option& many();
   /// A list takes its values from one word: a,b,c.
   Option& commaSeparated();
   Option& oneOf(Values choices);
-  /// Both ends included.
+  /// Includes both ends.
   Option& range(double min, double max);
   Option& positive();
-  /// `check` throws if a value will not do.
+  /// `check` throws if a value is invalid.
   Option& checked(std::function<void(const std::string&)> check);
-  /// The options that must be given with this one, or must not.
+  /// Options that must, or must not, be given with this one.
   Option& needs(const std::string& other);
   Option& excludes(const std::string& other);
-  /// The title in --help under which this option stands, if not "Options".
+  /// The title under which --help lists this option, instead of "Options".
   Option& group(const std::string& title);
 
  private:
@@ -50,7 +51,7 @@ class Option {
   void assign(const Values& words) const;
 
   std::string name_;     // "--model", or "INPUT" of an argument
-  std::string value_;    // what --help calls the value: "NAME"
+  std::string value_;    // the value's name in --help: "NAME"
   std::string meaning_;  // for --help
   std::string group_ = "Options";
   Kind kind_ = Kind::kValue;
@@ -78,15 +79,15 @@ class Verb {
   Option& flag(const std::string& name, bool& target, const std::string& meaning,
                bool meant = true);
 
-  /// A word without a name, in the order of declaration. Required, unless told `required = false`.
-  /// A vector takes all the words that are left, so it comes last.
+  /// A word without a name, in the order of declaration. Required unless `required` is false. A
+  /// vector takes all remaining words, so it must be last.
   template <typename T>
   Option& argument(const std::string& name, T& target, const std::string& meaning,
                    bool required = true);
 
-  /// What --help ends with: an example.
+  /// The end of --help: an example.
   void footer(std::string text) { footer_ = std::move(text); }
-  /// Not in the list of verbs.
+  /// Omits the verb from the list of verbs.
   void hide() { hidden_ = true; }
   /// The work: throws UsageError, Error for bad input, Cancelled after a signal.
   void run(std::function<void()> work) { work_ = std::move(work); }
@@ -99,7 +100,7 @@ class Verb {
   template <typename T>
   static void bind(Option& option, T& target);
 
-  using Given = std::map<std::string, Option::Values>;  // by the name of the option or argument
+  using Given = std::map<std::string, Option::Values>;  // by name of the option or argument
 
   Option::Values optionNames() const;
   bool isList(const std::string& name) const;
@@ -119,8 +120,8 @@ class Verb {
   std::function<void()> work_;
 };
 
-/// The verbs of a program, of which each run does one. Boost.Program_options reads the words; this
-/// adds the verbs, what options ask of one another, and a suggestion for a misspelt name.
+/// The verbs of a program; each run executes one. Boost.Program_options reads the words; this adds
+/// verbs, dependencies between options, and a suggestion for a misspelt name.
 class CommandLine {
  public:
   CommandLine(std::string program, std::string summary, std::string version);
@@ -128,11 +129,11 @@ class CommandLine {
   /// A name may be two words: "network add".
   Verb& verb(const std::string& name, const std::string& summary);
 
-  /// Does what the words say: a verb's work, --help or --version. Throws UsageError, and whatever
-  /// the work throws.
+  /// Executes what the words request: a verb's work, --help or --version. Throws UsageError, and
+  /// whatever the work throws.
   void run(const std::vector<std::string>& words);
 
-  /// The program and, as soon as run() knows it, the verb: "place_tool train".
+  /// The program and, once run() knows it, the verb: "place_tool train".
   const std::string& name() const { return name_; }
 
  private:
@@ -148,7 +149,7 @@ class CommandLine {
   std::deque<Verb> verbs_;
 };
 
-/// The number, or the text itself, that `text` stands for. Throws UsageError.
+/// The number that `text` represents, or the text itself. Throws UsageError.
 template <typename T>
 T parseValue(const std::string& text) {
   if constexpr (std::is_same_v<T, std::string>) {
@@ -156,7 +157,7 @@ T parseValue(const std::string& text) {
   } else {
     static_assert(std::is_arithmetic_v<T>);
     T value{};
-    // A conversion to an unsigned number takes -1 for a huge one.
+    // A conversion to an unsigned number would turn -1 into a huge one.
     const bool wraps = std::is_unsigned_v<T> && text.find('-') != std::string::npos;
     if (wraps || !boost::conversion::try_lexical_convert(text, value) ||
         !std::isfinite(static_cast<double>(value))) {

@@ -15,17 +15,16 @@ struct ConfigurationOptions {
 
   void addTo(Verb& verb);
 
-  /// `options`, overwritten by the file, overwritten by the assignments; checked. A list in the
-  /// file, as of cues, replaces that of `options`. Networks that they name are tried
+  /// `options`, overwritten by the file and then by the assignments; checked. A list in the file,
+  /// such as cues, replaces that of `options`. Tries the networks that the result names
   /// (network_trial.h). Throws Error naming the file and the key.
   TrainingOptions read(TrainingOptions options = TrainingOptions()) const;
 };
 
-/// A preset that comes with the package. Networks that it names are not tried.
+/// A preset of the package. Networks that it names are not tried.
 TrainingOptions readPreset(const std::string& name);
 
-/// Names of the presets that come with the package, in ascending order: `crfh` for
-/// `config/crfh.yaml`.
+/// Names of the package's presets, in ascending order: `crfh` for `config/crfh.yaml`.
 std::vector<std::string> presetNames();
 
 }  // namespace place_recognition::tool

@@ -5,11 +5,11 @@
 
 namespace place_recognition::tool {
 
-/// Whether `source` is something to download: http, https or ftp.
+/// Whether `source` is a URL: http, https or ftp.
 bool isUrl(const std::string& source);
 
-/// What `curl` gets from `url`, at most `limit` bytes. Throws Error, saying why, if that is
-/// nothing. `progress`: as the option of that name; a line on standard error while it lasts.
+/// Downloads at most `limit` bytes from `url` with `curl`. Throws Error, stating the reason, on
+/// failure. `progress`: as the option of that name; one line on standard error during the download.
 std::string download(const std::string& url, std::size_t limit, const std::string& progress);
 
 }  // namespace place_recognition::tool

@@ -8,16 +8,16 @@
 
 namespace place_recognition::tool {
 
-// An ONNX file may come from anywhere, and OpenCV's reader is not made for hostile ones. Before
-// this program uses one, another process, `place_tool network try`, reads it and runs it once,
-// with at most 4 GiB of memory and 60 s of processor time, as bags are read.
+// ONNX files may come from anywhere, and OpenCV's reader is not designed for hostile ones. Before
+// this program uses a file, a separate process, `place_tool network try`, reads it and runs it
+// once, with at most 4 GiB of memory and 60 s of processor time, as for bags.
 
-/// Tries the networks that `cues` name. Throws Error, one line that names the file, the layer
-/// and OpenCV's version, for the first that cannot be used.
+/// Tries the networks that `cues` name. Throws Error, one line that names the file, the layer and
+/// OpenCV's version, for the first one that cannot be used.
 void tryNetworks(const std::vector<CueOptions>& cues);
 
-/// Tries the network `name` (see networkPath()) as networkFacts() does, and returns what that
-/// finds. Throws Error likewise.
+/// Tries the network `name` (see networkPath()) as networkFacts() does, and returns the result.
+/// Throws Error likewise.
 NetworkFacts tryNetwork(const std::string& name, const std::string& layer);
 
 }  // namespace place_recognition::tool

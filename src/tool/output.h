@@ -11,43 +11,43 @@
 
 namespace place_recognition::tool {
 
-/// JSON, with its keys in alphabetical order.
+/// JSON with keys in alphabetical order.
 using Json = nlohmann::json;
 
-/// Where a verb's answers go: text for a person, figures for a program, progress for both.
+/// The outputs of a verb: text for a person, figures for a program, progress for both.
 struct OutputOptions {
-  std::string json;  ///< file, `-` for stdout, empty for no figures
+  std::string json;  ///< file, `-` for stdout; empty: no figures
   std::string progress = "auto";
 
   void addTo(Verb& verb);
 
-  /// For a person: stdout, or stderr where stdout belongs to a program.
+  /// The stream for a person: stdout, or stderr if a program reads stdout.
   std::ostream& text() const;
 
-  /// Writes the figures, one object on one line, if they were asked for. Throws Error if the file
-  /// cannot be written.
+  /// Writes the figures, one object on one line, if requested. Throws Error if the file cannot be
+  /// written.
   void writeJson(const Json& figures) const;
 };
 
-/// One line of JSON, whatever bytes its strings hold.
+/// One line of JSON; its strings may contain any bytes.
 std::string jsonLine(const Json& value);
 
-/// Throws Error if no file can be made at `path`, so that this is known before the work and not
-/// after it. Missing folders are no hindrance, and are not made.
+/// Throws Error if no file can be created at `path`, so that this is reported before the work
+/// instead of after it. Missing folders are allowed, and are not created.
 void requireWritable(const std::string& path);
 
-/// A folder that is made, with those above it, unless it is there. In the end those that were made
-/// and that nothing was put into are removed.
+/// Creates a folder, with those above it, unless it exists. The destructor removes those created
+/// folders that are still empty.
 class NewFolder {
  public:
-  /// Throws Error if it cannot be made.
+  /// Throws Error if the folder cannot be created.
   explicit NewFolder(const std::string& path);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;
 
  private:
-  std::vector<std::filesystem::path> made_;  // the inner ones first
+  std::vector<std::filesystem::path> made_;  // innermost first
 };
 
 }  // namespace place_recognition::tool

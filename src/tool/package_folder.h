@@ -4,8 +4,8 @@
 
 namespace place_recognition::tool {
 
-/// The folder `name` (config, label_page) of the installed package beside this program, or that of
-/// the source tree.
+/// The folder `name` (config, label_page) of the installed package beside this program, or of the
+/// source tree.
 std::string packageFolder(const std::string& name);
 
 }  // namespace place_recognition::tool

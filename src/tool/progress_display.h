@@ -7,10 +7,10 @@
 
 namespace place_recognition::tool {
 
-/// Shows how far a verb has come, and stops it when a signal has asked for that.
+/// Shows the progress of a verb, and stops the verb when a signal requests it.
 ///
-/// bar    one line on stderr, drawn again and again: stage, bar, percent, time left
-/// lines  a line on stderr every few seconds, from the first second on
+/// bar    one line on stderr, redrawn: stage, bar, percentage, time left
+/// lines  one line on stderr every few seconds, starting after one second
 /// json   lines {"stage": ..., "fraction": ...} on stdout, for other programs
 /// none   nothing
 /// auto   bar if stderr is a terminal, else lines
@@ -22,10 +22,10 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// To be handed to the work; this display must outlive it.
+  /// The callback for the work; this display must outlive it.
   Progress callback();
 
-  /// Takes the bar away, before something else is printed.
+  /// Removes the bar before something else is printed.
   void clear();
 
  private:

@@ -11,9 +11,9 @@
 
 namespace place_recognition::tool {
 
-/// A model in figures, before or after a reduction.
+/// Figures of a model before or after a reduction.
 struct ReductionFigures {
-  std::string method;  ///< `before` for the model that was reduced
+  std::string method;  ///< `before` for the original model
   std::size_t support_vectors = 0;
   DecisionValueChange change;
   std::optional<double> rate;  ///< 0..1 on the validation runs, if there are any
@@ -23,21 +23,21 @@ struct ReductionFigures {
   std::vector<std::pair<double, double>> curve;
 };
 
-/// What reductions made of a model.
+/// The results of reductions of a model.
 struct ReductionReport {
-  std::string model;      ///< file of the reduced one
-  std::string values_of;  ///< the images that changes of decision values are measured on, in words
-  ReductionFigures before;                ///< the model as it was
-  std::vector<ReductionFigures> methods;  ///< the one that was saved first
+  std::string model;      ///< file of the reduced model
+  std::string values_of;  ///< in words: the images on which changes of decision values are measured
+  ReductionFigures before;                ///< the original model
+  std::vector<ReductionFigures> methods;  ///< the saved one is first
 };
 
-/// A line for the model as it was and one for each method, in aligned columns.
+/// One line for the original model and one for each method, in aligned columns.
 std::string reductionTable(const ReductionReport& report);
 
-/// The figures of the method that was saved, and of all under `methods`.
+/// The figures of the saved method, and of all methods under `methods`.
 Json reductionJson(const ReductionReport& report);
 
-/// The table and, where there are validation runs, the curves as one HTML page.
+/// The table and, if there are validation runs, the curves as one HTML page.
 std::string reductionPage(const ReductionReport& report);
 
 }  // namespace place_recognition::tool

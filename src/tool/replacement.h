@@ -10,18 +10,18 @@
 
 namespace place_recognition::tool {
 
-/// Judges whether a new model may replace an old one: by the mean rate of the rooms of labelled
-/// runs that neither was trained on. It may be lower by one standard error, as if frames were
-/// independent: so many images do not tell that from equal. A room that one of the two has not
-/// learned counts as 0 for it.
+/// Decides whether a new model may replace an old one, by the rooms' mean rate on labelled runs
+/// that neither was trained on. The new rate may be lower by one standard error, as if frames were
+/// independent, because so many images cannot distinguish it from equal. A room that one of the
+/// models has not learned counts as 0 for it.
 class Replacement {
  public:
-  /// Answers `recordings` with the model at `path`; the path may be empty or of no file: then every
-  /// model is good enough. Throws Error, Cancelled.
+  /// Recognizes `recordings` with the model at `path`. If the path is empty or there is no file,
+  /// every new model is accepted. Throws Error, Cancelled.
   Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
               const Progress& progress);
 
-  /// The rate of `model` on the runs, 0..1. Throws Error if that of the old one is better.
+  /// The rate of `model` on the runs, 0..1. Throws Error if that of the old model is better.
   double judge(const Model& model, const Progress& progress) const;
 
  private:
@@ -33,7 +33,7 @@ class Replacement {
   static std::vector<Room> roomsOf(const Model& model,
                                    const std::vector<RecordingOpener>& recordings,
                                    const Progress& progress);
-  /// Mean and standard error over the rooms of both.
+  /// Mean and standard error over the rooms of both models.
   static std::pair<double, double> meanRate(const std::vector<Room>& rooms,
                                             const std::vector<Room>& others);
 

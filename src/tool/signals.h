@@ -2,11 +2,11 @@
 
 namespace place_recognition::tool {
 
-/// From now on SIGINT and SIGTERM ask for a stop instead of ending the process at once, so that
-/// nothing half-written is left behind; a second one ends it.
+/// Makes SIGINT and SIGTERM request a stop instead of ending the process at once, so that nothing
+/// half-written is left behind; a second signal ends it.
 void stopOnSignals();
 
-/// Whether a signal has asked for a stop.
+/// Whether a signal has requested a stop.
 bool stopRequested();
 
 }  // namespace place_recognition::tool

@@ -5,8 +5,8 @@
 
 namespace place_recognition::tool {
 
-/// A folder that gets its name only once it is complete; until then it is a temporary one beside
-/// it, which is removed unless commit() is reached.
+/// A folder that gets its name only once it is complete. Until then it is a temporary folder beside
+/// it, which is removed unless commit() is called.
 class StagedFolder {
  public:
   /// Throws Error if `target` exists and is not empty, or its parent cannot be written to.
@@ -15,10 +15,10 @@ class StagedFolder {
   StagedFolder(const StagedFolder&) = delete;
   StagedFolder& operator=(const StagedFolder&) = delete;
 
-  /// The temporary folder, to be filled.
+  /// The temporary folder, to be filled by the caller.
   const std::filesystem::path& path() const { return path_; }
 
-  /// Gives it its name.
+  /// Gives the folder its name.
   void commit();
 
  private:

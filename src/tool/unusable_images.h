@@ -6,17 +6,17 @@
 
 namespace place_recognition::tool {
 
-/// Images that a verb passes over, because one bad image is no reason to stop.
+/// Images that a verb skips, because one bad image is no reason to stop.
 class UnusableImages {
  public:
   void add(const std::string& name, const std::string& problem);
 
   std::size_t count() const { return count_; }
 
-  /// Throws Error if all `images` were of no use.
+  /// Throws Error if all `images` are unusable.
   void requireOthers(std::size_t images) const;
 
-  /// A line with their number and the reason for the first, if there are any.
+  /// Prints one line with their number and the first reason, if there are any.
   void warn(std::ostream& out) const;
 
  private:

@@ -21,7 +21,7 @@ void addInfo(CommandLine& tool);
 void addRestore(CommandLine& tool);
 void addNetworkAdd(CommandLine& tool);
 void addNetworkList(CommandLine& tool);
-/// Hidden: what tryNetworks() has another process do.
+/// Hidden: the child process of tryNetworks().
 void addNetworkTry(CommandLine& tool);
 /// Hidden: writes doc/configuration.md.
 void addDocument(CommandLine& tool);

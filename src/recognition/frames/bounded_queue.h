@@ -8,14 +8,14 @@
 
 namespace place_recognition {
 
-/// A queue between threads that holds a limited number of elements, so that a fast producer waits
-/// for slow consumers instead of filling the memory.
+/// A queue between threads with limited capacity, so that a fast producer waits for slow consumers
+/// instead of filling the memory.
 template <typename T>
 class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Waits for room; false, dropping the element, once the queue is closed.
+  /// Waits for room; false, dropping the element, if the queue is closed.
   bool push(T element) {
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait(lock, [this] { return closed_ || elements_.size() < capacity_; });
@@ -25,7 +25,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// Waits for an element; false once the queue is closed and empty.
+  /// Waits for an element; false if the queue is closed and empty.
   bool pop(T& element) {
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait(lock, [this] { return closed_ || !elements_.empty(); });
@@ -36,7 +36,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// No more elements go in; those inside still come out.
+  /// Rejects further elements; those inside can still be taken.
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
     closed_ = true;

@@ -9,30 +9,30 @@
 
 namespace place_recognition {
 
-/// What is done to the colours of an image before a cue looks at it, see CueOptions::normalize.
+/// Normalization of an image's colours for a cue, see CueOptions::normalize.
 enum class ColourNormalization { kNone, kBrightness, kGreyWorld, kRun };
 
 /// Throws Error naming the four words if `name` is none of them.
 ColourNormalization colourNormalization(const std::string& name);
 
-/// Logarithm of the mean level of each channel: blue, green, red. `image`: CV_8UC3 BGR or CV_8UC1,
-/// not empty; in a grey one the three are equal. A change of light by a gain per channel adds the
-/// logarithms of the gains. Levels count as 1 at least.
+/// Logarithms of the mean levels of blue, green and red; levels count as at least 1. `image`:
+/// CV_8UC3 BGR or CV_8UC1, not empty; the three are equal in a grey image. A change of light by one
+/// gain per channel adds the logarithms of the gains.
 Eigen::RowVector3d logColour(const cv::Mat& image);
 
-/// What an image's logColor() grows by in that light.
+/// The change of an image's logColour() in that light.
 Eigen::RowVector3d logGains(const Light& light);
 
-/// One image in the colours that each kind of normalization gives it, made when asked for and once.
-/// Not thread-safe.
+/// One image with the colours of each kind of normalization, computed on request and only once. Not
+/// thread-safe.
 class NormalizedImage {
  public:
-  /// `image`, of logColor() `color`, stays where it is while this is used. `correction`: what kRun
-  /// multiplies by, see LightEstimate.
+  /// Sets `image`, whose logColour() is `colour`; it must stay in memory during use. `correction`:
+  /// the gains of kRun, see LightEstimate.
   void set(const cv::Mat& image, const Eigen::RowVector3d& colour, const Light& correction);
 
-  /// kBrightness: the mean level of all channels is 110. kGreyWorld: that of each channel is
-  /// (Buchsbaum 1980).
+  /// kBrightness scales the mean level of all channels to 110; kGreyWorld scales each channel's
+  /// mean level to 110 (Buchsbaum 1980).
   const cv::Mat& in(ColourNormalization normalization);
 
  private:

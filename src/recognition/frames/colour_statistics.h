@@ -21,8 +21,9 @@ struct ColourMoments {
 /// Not known() if a place has no image.
 ColourStatistics colourStatistics(const std::vector<ColourMoments>& places);
 
-/// What colorStatistics() was given, but that every place has the same covariance. `images`: their
-/// number, of each place. No images if the statistics are not known.
+/// The arguments that colourStatistics() was given, except that every place has the same
+/// covariance. `images`: number of images of each place. Empty moments if the statistics are not
+/// known.
 std::vector<ColourMoments> colourMoments(const ColourStatistics& statistics,
                                          const std::vector<std::uint64_t>& images);
 

@@ -15,34 +15,33 @@
 
 namespace place_recognition {
 
-/// The road from an image to the feature of each cue, the same in training and in recognition: the
-/// image is brought to the size that is worked at, that of a mirror is unrolled, its colours are
-/// normalized, then each cue's extractor looks at it. Keeps its buffers from image to image: one
-/// per thread.
+/// The steps from an image to the feature of each cue, the same in training and recognition: the
+/// image is scaled to the working size, a mirror's ring is unrolled, colours are normalized, and
+/// each cue's extractor is run. Keeps its buffers: use one per thread.
 class CueExtraction {
  public:
-  /// For training. `images`: what the model is trained on, for their size. A mirror must not be to
-  /// be `found` any more, see withMirror().
+  /// For training. `images`: the training images, for their size. A mirror must no longer be
+  /// `found`, see withMirror().
   CueExtraction(const TrainingOptions& options, const ImageProfile& images);
-  /// For recognition: the cues of `model` that count, those of weight 0 are missing in every image.
+  /// For recognition with the cues of `model`; those of weight 0 are missing in every image.
   explicit CueExtraction(const Model& model);
 
-  /// Features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one per cue, into `features`, whose
-  /// memory is reused. False if no cue could be extracted; reason() then says why.
-  /// `light`: what cues that follow the light of the run multiply the image by.
+  /// Extracts the features of `image` (CV_8UC3 BGR or CV_8UC1, not empty), one per cue, into
+  /// `features`, whose memory is reused. False if no cue can be extracted; reason() then says why.
+  /// `light`: gains for cues that follow the light of the run.
   bool extract(const cv::Mat& image, std::vector<Feature>& features, const Light& light = {});
 
-  /// The same a cue at a time: the image that extractCue() looks at. It must stay where it is.
+  /// The same for one cue at a time: sets the image for extractCue(), which must stay in memory.
   void begin(const cv::Mat& image, const Light& light = {});
   /// False if the feature is missing.
   bool extractCue(std::size_t cue, Feature& feature);
 
-  /// logColor() of the last image, before any normalization; zero if no cue normalizes.
+  /// logColour() of the last image, before any normalization; zero if no cue normalizes.
   const Eigen::RowVector3d& colour() const { return colour_; }
 
   const std::string& reason() const { return reason_; }
 
-  /// Whether the last image had no cue because it shows too little, see InformationOptions.
+  /// Whether the last image has no cue because it shows too little, see InformationOptions.
   bool showsTooLittle() const { return shows_too_little_; }
 
  private:
@@ -56,8 +55,8 @@ class CueExtraction {
   bool shows_too_little_ = false;
   ImageScaler scaler_;
   Panorama panorama_;
-  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // none: the cue does not count
-  std::vector<ColourNormalization> normalizations_;            // of each cue
+  std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // null: the cue is not used
+  std::vector<ColourNormalization> normalizations_;            // by cue
   bool normalizes_ = false;
   Eigen::RowVector3d colour_ = Eigen::RowVector3d::Zero();
   NormalizedImage normalized_;

@@ -18,25 +18,25 @@
 
 namespace place_recognition {
 
-/// Where the features of one image go.
+/// The features of one image.
 struct ExtractedFeatures {
   std::vector<Feature> features;  ///< one per cue
   Eigen::RowVector3d colour;      ///< logColor() in the light of the training
   std::string problem;            ///< why no cue could be extracted; empty if one could
 };
 
-/// Threads that extract features from images handed to them.
+/// Threads that extract features from the images submitted to them.
 class ExtractionPool {
  public:
   ExtractionPool(const TrainingOptions& options, const ImageProfile& images, unsigned threads);
   ~ExtractionPool();
 
-  /// Queues an image, which cues that follow the light of the run see multiplied by `light`; waits
-  /// while the queue is full. `result` must stay where it is and is not to be touched before
-  /// finish(). Throws what an extractor threw.
+  /// Queues an image; cues that follow the light of the run multiply it by `light`. Waits while the
+  /// queue is full. `result` must stay in memory and must not be touched before finish(). Throws
+  /// what an extractor threw.
   void submit(const cv::Mat& image, ExtractedFeatures& result, const Light& light = {});
 
-  /// Waits until every result is there; more images may follow. Throws what an extractor threw.
+  /// Waits until every result is complete; more images may follow. Throws what an extractor threw.
   void finish();
 
  private:
@@ -54,7 +54,7 @@ class ExtractionPool {
   std::vector<std::thread> threads_;
   std::mutex mutex_;  // of the following
   std::condition_variable changed_;
-  std::size_t unfinished_ = 0;  // images submitted whose result is not there
+  std::size_t unfinished_ = 0;  // submitted images without a result
   std::exception_ptr failure_;
 };
 

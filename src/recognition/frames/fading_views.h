@@ -4,27 +4,28 @@
 
 namespace place_recognition {
 
-/// What the frames of a stream show of each place, as means of a few values. Older frames fade,
-/// within five minutes to 1/e, and a place tells no more than five views of it would, however long
-/// the robot stands there. Not thread-safe: one per stream.
+/// Means of a few values over the frames of a stream, for each place. Older frames fade, within
+/// five minutes to 1/e. A place counts as no more than five views, however long the robot stays
+/// there. Not thread-safe: use one per stream.
 class FadingViews {
  public:
   FadingViews(Eigen::Index places, Eigen::Index values);
 
   void reset();
 
-  /// Lets older frames fade until `stamp` (s), that of the next frame. A stamp more than a second
-  /// before the last one begins anew; so does the first one.
+  /// Fades older frames up to `stamp` (s), that of the next frame. The first stamp, or one more
+  /// than a second before the last one, starts anew.
   void beginFrame(double stamp);
 
-  /// Takes that frame: what it shows of each place (places x values), if it is the place, by the
-  /// probability of each. A frame that follows within a second counts by that part of a second.
+  /// Adds that frame: its values for each place (places x values), assuming it shows that place,
+  /// weighted by the places' probabilities. A frame within a second of the last one counts as that
+  /// fraction of a second.
   void add(const Eigen::RowVectorXd& probabilities, const Eigen::MatrixXd& values);
 
-  /// Sum_k v_k: how many views the frames are worth; those of a place v_k = 1 / (1/n_k + 1/5).
+  /// Sum_k v_k: the number of views that the frames are worth, where v_k = 1 / (1/n_k + 1/5).
   double views() const { return counts_.cwiseProduct(fractions()).sum(); }
 
-  /// Sum_k v_k m_k, with the mean m_k of each value over the frames of a place.
+  /// Sum_k v_k m_k, where m_k is the mean of each value over the frames of a place.
   Eigen::RowVectorXd sums() const { return fractions().transpose() * sums_; }
 
  private:
@@ -32,7 +33,7 @@ class FadingViews {
 
   double stamp_ = 0;
   bool started_ = false;
-  double fraction_ = 1;     // of the frame that is new
+  double fraction_ = 1;     // new fraction of the frame
   Eigen::VectorXd counts_;  // n_k
   Eigen::MatrixXd sums_;    // n_k m_k
 };

@@ -10,22 +10,22 @@
 
 namespace place_recognition {
 
-/// Watches the images of one camera or run for what makes answers bad and cannot be seen in them:
-/// images unlike those that the model was trained on, and a camera that shows nothing. Cheap: it
-/// looks at a few rows of each image. Not thread-safe.
+/// Watches the images of one camera or run for problems that make answers unreliable without
+/// showing in them: images unlike the training images, and a camera that shows nothing. Cheap: it
+/// reads a few rows of each image. Not thread-safe.
 class ImageGuard {
  public:
   explicit ImageGuard(const Model& model) : ImageGuard(model.images, model.options.image) {}
   ImageGuard(const ImageProfile& trained, const ImageOptions& options);
 
-  /// Judges the next image (CV_8UC3 or CV_8UC1, not empty), of `stamp`, s. Returns what is to be
-  /// said about it and has not been said of an image before: sentences for a person.
+  /// Judges the next image (CV_8UC3 or CV_8UC1, not empty), with its `stamp`, s. Returns new
+  /// remarks, not made about an earlier image: sentences for a person.
   std::vector<std::string> judge(const cv::Mat& image, double stamp);
 
-  /// What is wrong with the last image, without a full stop; empty: nothing.
+  /// The problem of the last image, without a full stop; empty if none.
   const std::string& problem() const { return problem_; }
 
-  /// Whether the camera shows nothing: the last image was uniform, or the same again and again.
+  /// Whether the camera shows nothing: the last image was uniform, or repeated too often.
   bool blind() const { return blind_; }
 
  private:
@@ -34,7 +34,7 @@ class ImageGuard {
   void judgeSize(cv::Size size);
   void judgeUniform(double brightness);
   bool isFrozen(const cv::Mat& image, double stamp);
-  /// `what` is wrong now; it is said, with advice, once.
+  /// Reports the problem `what`, and once, with `advice`, as a remark.
   void fault(Kind kind, const std::string& what, const std::string& advice);
   void say(Kind kind, const std::string& sentence);
 
@@ -45,7 +45,7 @@ class ImageGuard {
   bool blind_ = false;
   std::vector<std::string> news_;
   cv::Mat last_rows_;      // sampledRows() of the last image
-  int repeats_ = 0;        // how many before it had the same
+  int repeats_ = 0;        // number of images before it with the same rows
   double same_since_ = 0;  // s
 };
 

@@ -9,13 +9,13 @@
 
 namespace place_recognition {
 
-/// Counts the frames of a recording that are of no use for training and evaluation.
+/// Counts the frames of a recording that cannot be used for training or evaluation.
 class LeftOutFrames {
  public:
-  /// Whether `frame` has no label, no image, or a uniform one; it is counted then.
+  /// Counts `frame` and returns true if it has no label, no image, or a uniform image.
   bool takes(const Frame& frame);
 
-  /// Counts a frame of `place` that is of no use for another reason.
+  /// Counts a frame of `place` that cannot be used for another reason.
   void add(const std::string& place, const std::string& name, const std::string& problem);
 
   std::uint64_t count() const { return unlabelled_ + uniform_ + unusable_; }
@@ -23,10 +23,10 @@ class LeftOutFrames {
   /// "NAME: problem" of the first frame of each place.
   const std::map<std::string, std::string>& firstProblems() const { return first_problems_; }
 
-  /// The same of the first frame of all; empty: there is none.
+  /// The same for the first frame of all; empty if there is none.
   const std::string& firstProblem() const { return first_problem_; }
 
-  /// What was left out of the recording of that name: for each reason a sentence.
+  /// What was left out of the recording with this name, one sentence per reason.
   std::vector<std::string> sentences(const std::string& recording) const;
 
  private:

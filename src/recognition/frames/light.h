@@ -11,17 +11,17 @@
 
 namespace place_recognition {
 
-/// The gains of both.
+/// The products of the gains.
 inline Light operator*(const Light& a, const Light& b) {
   return {a.red * b.red, a.green * b.green, a.blue * b.blue};
 }
 
-/// Darker, brighter, warmer and colder, by about as much as automatic exposure and white balance
-/// leave over.
+/// Darker, brighter, warmer and colder light, by about the amounts for which automatic exposure and
+/// white balance fail to compensate.
 const std::vector<Light>& otherLights();
 
-/// Draws the light of each image at random: of every so many images of a room as there are
-/// otherLights(), one gets each of them.
+/// Draws the light of each image at random, stratified: as many consecutive images of a room as
+/// there are otherLights() get each of them once.
 class LightDraw {
  public:
   explicit LightDraw(std::uint64_t seed) : random_(seed) {}
@@ -31,7 +31,7 @@ class LightDraw {
 
  private:
   std::mt19937_64 random_;
-  std::map<std::string, std::vector<Light>> left_;  // of each room, until every light had its turn
+  std::map<std::string, std::vector<Light>> left_;  // of each room, in its current round
 };
 
 /// `image` (CV_8UC3 BGR or CV_8UC1 grey) in that light, saturated at white.

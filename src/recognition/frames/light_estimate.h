@@ -8,36 +8,36 @@
 
 namespace place_recognition {
 
-/// How the light of a stream of frames differs from that of the training: a gain per channel,
-/// which is added to the logarithm of a frame's mean levels.
+/// Estimates how the light of a stream of frames differs from that of the training: one gain per
+/// channel, whose logarithm is added to that of a frame's mean levels.
 ///
-/// A frame c_t (see logColor()) of place k is c_t = mu_k + g + e_t, with the mean mu_k of the
-/// place's training images and their covariance S about it. The recognizer's probabilities say how
-/// much of a frame counts for which place. The mean r_k of the n_k frames of a place less mu_k has
-/// the covariance V_k = S / views (see FadingViews). The light is most often that of the training,
-/// and else g ~ N(0, G):
+/// The colour c_t of a frame (see logColour()) of place k is c_t = mu_k + g + e_t, where mu_k is
+/// the mean of the place's training images and e_t has their covariance S. The recognizer's
+/// probabilities determine how much of a frame counts for which place. Let r_k be the mean of c_t -
+/// mu_k over the n_k frames of a place; its covariance is V_k = S / views (see FadingViews). A
+/// priori the light most often equals that of the training, and otherwise g ~ N(0, G):
 ///   P = Sum_k V_k^-1,  b = Sum_k V_k^-1 r_k,  g = (P + G^-1)^-1 b,
 ///   log odds(changed) = log(1/3) - log |I + G P| / 2 + b' g / 2.
-/// The estimate is odds / (1 + odds) g. Every other change than a gain per channel is noise to it.
-/// Not thread-safe: one per stream.
+/// The estimate is odds / (1 + odds) g. Any change other than a gain per channel is treated as
+/// noise. Not thread-safe: use one per stream.
 class LightEstimate {
  public:
   explicit LightEstimate(const ColourStatistics& training);
 
-  /// Lets older frames fade until `stamp` (s), that of the next frame, see FadingViews.
+  /// Fades older frames up to `stamp` (s), that of the next frame, see FadingViews.
   void beginFrame(double stamp);
 
-  /// Takes that frame: its logColor() as it came, and what the recognizer answered to it.
+  /// Adds that frame: its logColour() before correction, and the recognizer's probabilities for it.
   void add(const Eigen::RowVector3d& colour, const Eigen::RowVectorXd& probabilities);
 
   /// Forgets all frames.
   void reset();
 
-  /// What frames are to be multiplied by to look as in the training.
+  /// The gains that make frames look as in the training.
   const Light& correction() const { return correction_; }
 
-  /// How well the light is known: 1 / (1 + v / 0.15^2), with the variance v of the estimate, mean
-  /// of the channels. About 1/4 before the first frame.
+  /// Certainty of the light: 1 / (1 + v / 0.15^2), where v is the variance of the estimate,
+  /// averaged over the channels. About 1/4 before the first frame.
   double certainty() const { return certainty_; }
 
  private:

@@ -9,10 +9,11 @@
 
 namespace place_recognition {
 
-/// The numbers of one classifier as a model file holds them. Support vectors are bin by bin, or, if
-/// they are sets of local descriptors, one after the other; the arrays of the other kind are empty.
+/// The numbers of one classifier as stored in a model file. Support vectors are stored by bin or,
+/// if they are sets of local descriptors, one after another; the arrays of the other kind are
+/// empty.
 struct ClassifierNumbers {
-  /// Where each vector was recorded: the index of the place, in the upper 16 bits its age.
+  /// Origin of each vector: the index of its place; its age in the upper 16 bits.
   std::vector<std::uint32_t> vector_origins;
   std::vector<double> weights;           ///< vectors x machines, row-major
   std::vector<double> biases;            ///< one per machine
@@ -39,8 +40,8 @@ struct ClassifierNumbers {
 
 ClassifierNumbers numbersOf(const Classifier& classifier);
 
-/// The classifier of the cue with number `cue` of a model that has its options and places. Throws
-/// Error, a phrase without a source, if any count, range or number is not one of such a classifier.
+/// The classifier of cue number `cue` of a model whose options and places are set. Throws Error, a
+/// phrase without a source, if any count, range or number is invalid for such a classifier.
 Classifier classifierOf(ClassifierNumbers numbers, const Model& model, std::size_t cue);
 
 }  // namespace place_recognition

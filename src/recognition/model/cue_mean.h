@@ -4,8 +4,8 @@
 
 namespace place_recognition {
 
-/// Weighted mean of what the cues of one frame say. Dividing by the weights of those present keeps
-/// it in the units that the calibration was fitted in.
+/// Weighted mean of the decision values and familiarity of one frame's cues. It is divided by the
+/// weights of the cues present, which keeps it in the units that the calibration was fitted in.
 class CueMean {
  public:
   void begin(Eigen::Index places);
@@ -14,7 +14,7 @@ class CueMean {
            const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& decision_values,
            double familiarity);
 
-  /// To be called once all cues are added; false if none counts.
+  /// Call it after all cues are added; false if there is none.
   bool finish();
 
   const Eigen::RowVectorXd& decisionValues() const { return decision_values_; }

@@ -10,7 +10,7 @@ namespace place_recognition {
 std::vector<EmbeddingOptions*> embeddingsOf(TrainingOptions& options);
 std::vector<const EmbeddingOptions*> embeddingsOf(const TrainingOptions& options);
 
-/// `options` with every network loaded that they name. Throws Error like loadNetwork().
+/// `options` with all networks loaded that they name. Throws Error like loadNetwork().
 TrainingOptions withNetworks(TrainingOptions options);
 
 }  // namespace place_recognition

@@ -5,9 +5,10 @@
 
 namespace place_recognition {
 
-/// Writes `bytes` atomically to `path`, where what was there becomes the newest backup (see
-/// backupPath()) and the backups one older. Writers of one folder wait for each other, so of two at
-/// once each keeps the other's file. Throws Error, leaving the old file, if the disk refuses.
+/// Writes `bytes` atomically to `path`; the previous file becomes the newest backup (see
+/// backupPath()), and older backups move on by one. Writers to one folder wait for each other, so
+/// that each keeps the other's file as a backup. Throws Error, keeping the old file, if writing
+/// fails.
 void replaceKeepingBackups(const std::string& path, std::string_view bytes);
 
 }  // namespace place_recognition

@@ -7,11 +7,11 @@
 
 namespace place_recognition {
 
-// The outside of a model file: a header of 32 bytes with two checksums, the message of model.proto,
-// and the numbers: arrays, each as its count (8 bytes) and its elements, as a little-endian machine
-// holds them. Any change of any byte is noticed before what it changes is looked at.
+// The outer format of a model file: a header of 32 bytes with two checksums, the message of
+// model.proto, and the numbers: arrays, each as its count (8 bytes) and its elements, in
+// little-endian order. Any altered byte is detected before it is interpreted.
 
-/// Limit of the size of a model file.
+/// Maximum size of a model file.
 constexpr std::uint64_t kMaxModelBytes = 0x7fffffff;
 
 /// Collects arrays for packContainer().
@@ -33,34 +33,34 @@ class NumberWriter {
   std::string bytes_;
 };
 
-/// Whether a file starts as model files do.
+/// Whether a file begins like a model file.
 bool startsAsContainer(std::istream& file);
 
-/// A model file of this message and these numbers.
+/// A model file with this message and these numbers.
 std::string packContainer(std::string_view message, std::string_view numbers);
 
-/// Reads a model file from its start to its end. What does not fit throws Error, a phrase without a
-/// source.
+/// Reads a model file sequentially. Throws Error, a phrase without a source, if it is invalid.
 class ContainerReader {
  public:
-  /// Reads and checks all but the numbers. `file` must outlive this.
+  /// Reads and checks everything except the numbers. `file` must outlive this.
   explicit ContainerReader(std::istream& file);
 
   const std::string& message() const { return message_; }
-  /// The checksum that depends on every byte of the file, as 8 hexadecimal digits.
+  /// The checksum over every byte of the file, as 8 hexadecimal digits.
   std::string version() const;
 
-  /// Reads the next array, straight to where it will be used. It is to be trusted after finish().
+  /// Reads the next array directly into its final memory. Trust it only after finish().
   template <typename Vector>
   void operator()(Vector& numbers) {
     numbers = Vector(nextCount(sizeof(numbers[0])));
     read(numbers.data(), numbers.size() * sizeof(numbers[0]));
   }
-  /// Checks that there are no more arrays and that those which were read are unchanged.
+  /// Checks that there are no more arrays and that those read are unaltered.
   void finish() const;
 
  private:
-  /// The count of the next array, of elements of so many bytes; they are all there.
+  /// The count of the next array, whose elements have `element_bytes` each; the file contains all
+  /// of them.
   std::size_t nextCount(std::size_t element_bytes);
   void read(void* data, std::size_t size);
 
@@ -68,7 +68,7 @@ class ContainerReader {
   std::string message_;
   std::uint32_t version_ = 0;
   std::uint64_t bytes_left_ = 0;        ///< of the numbers
-  std::uint32_t numbers_checksum_ = 0;  ///< as it should be
+  std::uint32_t numbers_checksum_ = 0;  ///< as stored in the file
   std::uint32_t checksum_ = 0;          ///< of the numbers read
 };
 

@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-/// The place with the largest value; the first one of equals.
+/// The place with the largest value; of equal values, the first.
 template <typename Row>
 int largest(const Row& values) {
   int place = 0;
@@ -15,7 +15,7 @@ int largest(const Row& values) {
   return place;
 }
 
-/// A mean over rooms, each as important as any other however many frames it has.
+/// A mean over rooms, with equal weight per room regardless of its number of frames.
 struct RoomMean {
   double mean = 0;
   double standard_error = 0;  ///< of the mean, as if frames were independent
@@ -25,9 +25,8 @@ struct RoomMean {
 RoomMean roomMean(const std::vector<int>& truth, const std::vector<double>& values,
                   std::size_t places);
 
-/// Mean of the rooms' own rates, each room as important as any other however many frames it has
-/// (thesis section 8.1), over the rooms that occur in `truth`; 0 if none does. `answers`: place
-/// answered for each frame, -1 for none.
+/// Mean of the rooms' rates with equal weight per room (thesis section 8.1), over the rooms that
+/// occur in `truth`; 0 if none does. `answers`: the place answered for each frame, -1 for none.
 double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
                    std::size_t places);
 
@@ -35,19 +34,19 @@ double averageRate(const std::vector<int>& truth, const std::vector<int>& answer
 double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
                         std::size_t places);
 
-/// Two places that are taken for one another.
+/// Two places that are confused with one another.
 struct ConfusedPair {
   int a = 0, b = 0;  ///< a < b
   double rate = 0;   ///< fraction of the frames of both that are answered with the other one
   double standard_error = 0;  ///< of the rate, as if frames were independent
 };
 
-/// All pairs that are, the most confused first. As for averageRate().
+/// All confused pairs, the most confused first. Arguments as for averageRate().
 std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
                                         const std::vector<int>& answers, std::size_t places);
 
-/// Expected calibration error: frames in ten equal bins of confidence, the bins' |fraction of
-/// correct answers - mean confidence| weighted by their frames. 0 without frames.
+/// Expected calibration error: the mean of |fraction of correct answers - mean confidence| over ten
+/// equal bins of confidence, weighted by their frames. 0 without frames.
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct);
 
 }  // namespace place_recognition

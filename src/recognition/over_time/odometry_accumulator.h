@@ -7,7 +7,7 @@
 
 namespace place_recognition {
 
-/// A pose as odometry tells it.
+/// A pose from odometry.
 struct OdometryPose {
   double stamp = 0;  ///< s
   double x = 0;      ///< m
@@ -15,22 +15,22 @@ struct OdometryPose {
   double yaw = 0;    ///< rad
 };
 
-/// Adds up the way between the poses of odometry, for TemporalFilter. Thread-safe.
+/// Accumulates the path between poses of odometry, for TemporalFilter. Thread-safe.
 class OdometryAccumulator {
  public:
-  /// Poses that are not numbers are left out, as are steps that no robot makes: after those, or a
-  /// stamp before the last one, counting starts anew.
+  /// Ignores poses that are not finite, and steps that no robot makes. After such a step, or a
+  /// stamp before the last one, the path starts anew.
   void add(const OdometryPose& pose);
 
-  /// The way since the last call. Nothing if no pose is near `stamp`, s, or counting has started
-  /// since.
+  /// The path since the last call. Nothing if no pose is close to `stamp`, s, or if the path
+  /// started anew since the last call.
   std::optional<Motion> take(double stamp);
 
  private:
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // guards everything below
   std::optional<OdometryPose> last_;
   Motion way_;             // since the last take()
-  bool unbroken_ = false;  // counted without a break since the last take()
+  bool unbroken_ = false;  // no new start since the last take()
 };
 
 }  // namespace place_recognition

@@ -8,26 +8,26 @@
 
 namespace place_recognition {
 
-/// The model in use, exchanged as a whole while others recognize with it. Thread-safe: loading
-/// happens in the thread that asks for it, and nobody waits for that to take the model in use.
+/// The model in use, which can be replaced while others recognize with it. Thread-safe: a model is
+/// loaded in the calling thread, and getting the model in use never waits for that.
 class ModelSlot {
  public:
-  /// Loads the model `name` from modelFolder() in place of the one in use. Throws Error, saying why
-  /// and leaving the one in use, if it cannot be loaded.
+  /// Replaces the model in use by `name` from modelFolder(). Throws Error, saying why and keeping
+  /// the model in use, if it cannot be loaded.
   void load(const std::string& name);
 
-  /// Loads the model in use once more or, if there is none yet, that which could not be loaded.
+  /// Loads the model in use again or, if there is none yet, the one that could not be loaded.
   /// Throws Error like load().
   void reload();
 
   /// The model in use; null: none yet.
   std::shared_ptr<const Model> model() const;
 
-  /// Why the last load() or reload() has failed; empty: it has not.
+  /// Why the last load() or reload() failed; empty if it did not.
   std::string problem() const;
 
  private:
-  mutable std::mutex mutex_;  // of the three below
+  mutable std::mutex mutex_;  // guards the three below
   std::shared_ptr<const Model> model_;
   std::string name_;  // what reload() loads
   std::string problem_;

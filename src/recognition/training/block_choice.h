@@ -8,31 +8,31 @@
 
 namespace place_recognition {
 
-/// How fast the frames of a recording cease to be alike, averaged over rooms and cues. Distances
-/// are those of the kernels, in units of the mean distance between two frames of a room.
+/// How the similarity of frames in a recording decreases with time, averaged over rooms and cues.
+/// Distances are those of the kernels, in units of the mean distance between two frames of a room.
 struct LikenessOverTime {
   double step = 0;                ///< s, median time from one frame of a room to the next
-  std::vector<double> distances;  ///< [lag - 1]: mean between frames that are `lag` frames apart
-  double next_is_nearest = 0;     ///< fraction of frames that are most like the one before or after
+  std::vector<double> distances;  ///< [lag - 1]: mean between frames `lag` frames apart
+  double next_is_nearest = 0;     ///< fraction of frames most similar to the one before or after
 };
 
-/// Chooses the gap, in s, for cross-validation as the next run through the same rooms would have
-/// it: nearly the same views again, but no frame twice. The gap ends half a frame before the first
-/// lag at which frames differ by an eighth of the way from none (the distance prolonged to lag 0,
-/// which noise makes) to that of any two frames of the room; if most often the next frame in time
-/// is the most alike (in more than a third of the frames: by chance it is rarely), at least that
-/// one lies in the gap.
+/// Chooses the gap, in s, so that held-out frames resemble those of the next run through the same
+/// rooms: nearly the same views, but no frame twice. The gap ends half a frame before the first lag
+/// at which the distance has grown by an eighth of the way from lag 0 (extrapolated, since noise
+/// alone makes it positive) to the mean distance of the room. If the next frame in time is often
+/// the most similar (for more than a third of the frames; by chance this is rare), the gap includes
+/// at least that frame.
 double gapFor(const LikenessOverTime& likeness);
 
-/// The likeness of some hundred frames of `recording` to all others of their rooms. `features`:
-/// [cue][sample], some missing.
+/// The similarity of a few hundred frames of `recording` to all others of their rooms. `features`:
+/// [cue][sample]; some may be missing.
 LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int recording,
                                   const std::vector<std::vector<Feature>>& features,
                                   const std::vector<CueOptions>& cues, unsigned threads);
 
-/// The blocks of each recording: as `options` say, or else as its samples have it. Blocks are as
-/// long as the gap if not asked for, or longer if so few folds would leave less than two fifths to
-/// train on.
+/// The blocks of each recording: as `options` specify, or derived from its samples. Unless
+/// specified, blocks are as long as the gap, or longer if the folds would leave less than two
+/// fifths for training.
 std::vector<TimeBlocks> chooseBlocks(const std::vector<SampleOrigin>& samples,
                                      const std::vector<std::vector<Feature>>& features,
                                      const std::vector<CueOptions>& cues,

@@ -9,21 +9,23 @@
 
 namespace place_recognition {
 
-/// Everything that judges a model: held-out decision values of the samples that it learns now and,
-/// behind them, of frames that it was judged by before.
+/// The frames on which a model is validated: held-out decision values of the samples that it learns
+/// now, followed by frames from earlier validations.
 struct CalibrationSet {
   std::vector<SampleOrigin> samples;
-  std::vector<Fold> folds;                             ///< only what is tested
+  std::vector<Fold> folds;                             ///< only the test sets
   std::vector<std::vector<HeldOutValues>> reductions;  ///< [reduction][cue]
 
-  /// Adds frames that an earlier training held out; `place_of`: the place of now for each of
-  /// theirs. They have no decision value for a place that is new, and take the mean decision value
-  /// of those of the first `remembered` samples that show their own place; -1 if there is none.
+  /// Adds frames that an earlier training held out; `place_of` maps their places to the current
+  /// ones. They have no decision value for a new place. It is set to the mean decision value for
+  /// that place over the first `remembered` samples that show their own place, or to -1 if there
+  /// are none.
   void add(const HeldOutFrames& frames, const std::vector<int>& place_of, std::size_t remembered);
 };
 
-/// The frames of the judges that are valid in any cue, with one of the reductions; of more than
-/// the model keeps (kMaxHeldOutFrames), the same fraction of each place, drawn by `seed`.
+/// The frames of the calibration set that are valid in any cue, after one of the reductions. If
+/// there are more than a model keeps (kMaxHeldOutFrames), the same fraction of each place is drawn
+/// with `seed`.
 HeldOutFrames keptFrames(const CalibrationSet& calibration_set, std::size_t reduction,
                          std::uint64_t seed);
 

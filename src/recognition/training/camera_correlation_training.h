@@ -10,11 +10,11 @@
 
 namespace place_recognition {
 
-/// Correlation of the errors of `cameras` (SampleOrigin::camera) over the moments of a recording
-/// that two of them saw, by the held-out log odds that each gives the true place. A pair that has
-/// seen few moments together has the mean of the others, or kUnknownCorrelation if there is none.
-/// Nothing for a single camera, and for more than kMaxCameras, which are not of one robot. Only the
-/// first rows of `held_out` count, one per sample.
+/// Learns the correlation of the errors of `cameras` (SampleOrigin::camera) from the moments of a
+/// recording that two of them saw, by the held-out log odds that each gives the true place. A pair
+/// with few common moments gets the mean of the others, or kUnknownCorrelation if there are none.
+/// Empty for a single camera, and for more than kMaxCameras, which cannot belong to one robot. Only
+/// the first rows of `held_out`, one per sample, are used.
 CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras,
                                          const std::vector<SampleOrigin>& samples,
                                          const HeldOutValues& held_out,

@@ -13,7 +13,7 @@
 
 namespace place_recognition {
 
-/// What the trainings of all cues have in common.
+/// The arguments that the trainings of all cues share.
 struct TrainingTask {
   const std::vector<SampleOrigin>& samples;
   std::size_t places;
@@ -21,38 +21,37 @@ struct TrainingTask {
   const SvmOptions& svm;
   unsigned threads;
   const Progress& progress;
-  std::uint64_t seed = 1;  ///< of what is drawn at random
+  std::uint64_t seed = 1;  ///< of all random choices
   double forgetting = 0;   ///< see IncrementalOptions
-  /// One-against-all machines to learn on from, over the first samples that have the cue, which
-  /// every fold trains on; null: there are none.
+  /// One-against-all machines to extend in incremental training, over the first samples that have
+  /// the cue; every fold trains on these. Null if there are none.
   const BinarySvms* learned = nullptr;
 };
 
-/// Decision values of samples by machines that were trained without them and their neighbours in
-/// time.
+/// Decision values of samples by machines that were trained without these samples and their
+/// neighbours in time.
 struct HeldOutValues {
-  Eigen::MatrixXd decision_values;   ///< samples x places; zero where there is none
-  std::vector<bool> valid;           ///< of each sample: whether it has decision values
-  Eigen::VectorXd familiarity = {};  ///< of each sample: the largest kernel value
+  Eigen::MatrixXd decision_values;   ///< samples x places; zero if not valid
+  std::vector<bool> valid;           ///< by sample: whether it has decision values
+  Eigen::VectorXd familiarity = {};  ///< by sample: the largest kernel value
 };
 
-/// Binary SVMs over the support vectors that they were trained to have, after each of some
-/// reductions.
+/// Binary SVMs after each of several reductions, over the support vectors before reduction.
 struct ReducedMachines {
-  std::vector<int> vectors;          ///< ascending, among those trained on
-  std::vector<BinarySvms> machines;  ///< over `vectors`, one for each reduction
+  std::vector<int> vectors;          ///< ascending, among the training vectors
+  std::vector<BinarySvms> machines;  ///< over `vectors`, one per reduction
 };
 
-/// Trains on the Gram matrix of the training vectors, which are of `samples`, and reduces; see
+/// Trains on the Gram matrix of the training vectors, which belong to `samples`, and reduces; see
 /// reduceEach() for the order of `reductions`.
 ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& samples,
                              const TrainingTask& task,
                              const std::vector<ReductionOptions>& reductions);
 
-/// Held-out decision values of every sample of a cue by cross-validation, for each of `reductions`.
-/// `gram` is the Gram matrix of the cue's features; `rows`: the row of each sample in it, -1 if the
-/// sample lacks the cue. A sample is not valid if it lacks the cue, is tested in no fold, or if its
-/// own place could not be trained on in that fold.
+/// Computes held-out decision values of every sample of a cue by cross-validation, for each of
+/// `reductions`. `gram` is the Gram matrix of the cue's features; `rows` maps each sample to its
+/// row, -1 if the sample lacks the cue. A sample is not valid if it lacks the cue, is tested in no
+/// fold, or if its own place could not be trained on in that fold.
 std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vector<int>& rows,
                                          const TrainingTask& task,
                                          const std::vector<ReductionOptions>& reductions);
@@ -65,17 +64,16 @@ double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin
 double averageRateError(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                         std::size_t places);
 
-/// The pairs of places that the largest decision value takes for one another, over the valid
-/// samples.
+/// The pairs of places that the largest decision value confuses, over the valid samples.
 std::vector<ConfusedPair> confusedPairs(const HeldOutValues& held_out,
                                         const std::vector<SampleOrigin>& samples,
                                         std::size_t places);
 
-/// -log of the probability given to the true place, in nats, for each of `chosen` samples, after
-/// calibration on the decision values of these very samples (one number, which a few hundred frames
-/// determine well). Uses how sure the answers are, where a rate of a few hundred frames only knows
-/// right and wrong. A sample without decision values counts as an answer that knows nothing; no
-/// probability counts as less than a thousandth, so that no single frame decides.
+/// The loss -log(probability of the true place), in nats, of each of the `chosen` samples, after
+/// calibration on the decision values of these same samples (one number, which a few hundred frames
+/// determine well). It takes the certainty of the answers into account; the rate of a few hundred
+/// frames only distinguishes right from wrong. A sample without decision values counts as uniform
+/// probabilities. Probabilities count as at least a thousandth, so that no single frame decides.
 std::vector<double> logLosses(const HeldOutValues& held_out,
                               const std::vector<SampleOrigin>& samples,
                               const std::vector<int>& chosen);

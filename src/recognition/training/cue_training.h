@@ -10,17 +10,17 @@
 
 namespace place_recognition {
 
-/// What is learned for one cue, for each of the reductions in question.
+/// The result of training one cue, for each of the candidate reductions.
 struct TrainedCue {
-  double gamma;                       ///< of the kernel; as given, or as found by cross-validation
-  std::vector<Feature> vectors;       ///< the support vectors before reduction
-  std::vector<VectorOrigin> origins;  ///< of each of them
-  std::vector<BinarySvms> machines;   ///< over `vectors`, trained on all samples
+  double gamma;                         ///< of the kernel: as given, or found by cross-validation
+  std::vector<Feature> vectors;         ///< the support vectors before reduction
+  std::vector<VectorOrigin> origins;    ///< of each vector
+  std::vector<BinarySvms> machines;     ///< over `vectors`, trained on all samples
   std::vector<HeldOutValues> held_out;  ///< decision values of each sample by cross-validation
 };
 
-/// Learns one cue from the features of all samples of `task`, some of which may be missing (at
-/// least one is there). Deterministic, whatever the number of threads.
+/// Trains one cue on the features of all samples of `task`; some may be missing, but not all. The
+/// result does not depend on the number of threads.
 TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
                     const std::vector<ReductionOptions>& reductions, const TrainingTask& task);
 

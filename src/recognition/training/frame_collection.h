@@ -25,37 +25,37 @@ struct CollectedFrame {
   std::string name;
   int level = 0;  ///< see HalvingSample
   ExtractedFeatures extracted;
-  ExtractedFeatures changed;  ///< of the changed image, if that is asked for
+  ExtractedFeatures changed;  ///< of the changed image, if requested
 
   bool hasFeature() const { return extracted.problem.empty(); }
   bool hasChangedFeature() const { return !changed.features.empty() && changed.problem.empty(); }
 };
 
-/// The label of any frame, used or not.
+/// The label of a frame, whether it is used or not.
 struct SeenLabel {
   double stamp = 0;   ///< s
   std::string place;  ///< empty: unlabelled
 };
 
-/// What was read from recordings.
+/// Everything read from recordings.
 struct FrameCollection {
   std::vector<std::string> inputs;           ///< names of the recordings
   std::vector<std::string> cameras;          ///< topics, of all recordings
   std::vector<std::vector<SeenLabel>> seen;  ///< [recording]
   std::vector<LeftOutFrames> left_out;       ///< [recording]
   std::vector<std::string> warnings;
-  std::deque<CollectedFrame> frames;  ///< they stay where they are while threads fill them
-  std::uint64_t images = 0;           ///< all that were read
+  std::deque<CollectedFrame> frames;  ///< stay in place while threads fill them
+  std::uint64_t images = 0;           ///< number of all images read
   std::uint64_t passed_over = 0;      ///< by sampling.rate
-  ImageProfile profile;               ///< of the images that count, and the one expected
-  HalvingSample sample;               ///< by which `frames` were kept from growing
+  ImageProfile profile;               ///< of the images in use and the expected one
+  HalvingSample sample;               ///< the sample to which `frames` is limited
 };
 
-/// Reads the recordings and extracts the features of their labelled frames, of which it holds at
-/// most about twice `most`. `profile`: what images are brought to and held against. `model`: the
-/// one to learn on from, against whose light that of a recording is held; null: none. `change`: an
-/// image that is learned beside each, if any. Throws Error if a recording is damaged or a label
-/// cannot name a place.
+/// Reads the recordings and extracts the features of their labelled frames, and keeps at most about
+/// twice `most` of them. `profile`: the size to which images are scaled, and their expected
+/// properties. `model`: the model of incremental training, to whose light that of a recording is
+/// compared; null if none. `change`: makes an additional image from each, if set. Throws Error if a
+/// recording is damaged or a label cannot name a place.
 FrameCollection collectFrames(const std::vector<RecordingOpener>& recordings,
                               const TrainingOptions& options, const ImageProfile& profile,
                               const Model* model, const ImageChange& change, std::size_t most,

@@ -7,9 +7,10 @@
 
 namespace place_recognition {
 
-/// Ranks the members of a stream so that it can be thinned out further as it grows: of every 2^k
-/// consecutive members, from a multiple of 2^k on, exactly one has a level of k or more, drawn at
-/// random as the winner of a tournament. The first member of all wins every one.
+/// Assigns levels to the members of a stream so that it can be thinned out further as it grows: of
+/// every 2^k consecutive members, starting at a multiple of 2^k, exactly one has level k or higher.
+/// It is drawn at random as the winner of a tournament; the first member of all wins every
+/// tournament.
 class StratifiedLevels {
  public:
   explicit StratifiedLevels(std::uint64_t seed) : seed_(seed) {}
@@ -22,23 +23,23 @@ class StratifiedLevels {
   std::uint64_t seen_ = 0;
 };
 
-/// Which frames to keep of runs that may have more than fit into memory: of each place the same
-/// fraction, spread evenly over its frames, which is halved as often as needed.
+/// Selects the frames to keep from runs that may not fit into memory: the same fraction of each
+/// place, spread evenly over its frames, halved as often as needed.
 class HalvingSample {
  public:
   explicit HalvingSample(std::uint64_t seed) : seed_(seed) {}
 
-  /// The level of the next frame of `place`; nothing if it is left out.
+  /// The level of the next frame of `place`; nothing if it is not kept.
   std::optional<int> next(const std::string& place);
 
-  /// From now on half as many frames are kept, of those to come as of those so far.
+  /// Halves the fraction kept, for frames already seen and for those to come.
   void halve() { ++least_level_; }
 
-  /// Whether a frame of `place` that had this level is still kept, to be asked once after each
+  /// Whether a frame of `place` with this level is still kept. Call it once per frame after each
   /// halve().
   bool keeps(const std::string& place, int level);
 
-  /// How many frames of `place` are not.
+  /// Number of frames of `place` not kept.
   std::size_t leftOut(const std::string& place) const;
 
  private:

@@ -6,15 +6,15 @@
 
 namespace place_recognition {
 
-/// The light of a recording as one camera sees it, held against the training of a model by the
-/// labels of its frames: as Recognizer does by its own answers. Not thread-safe.
+/// The light of a recording as one camera sees it, relative to the training of a model, from the
+/// labels of its frames; Recognizer uses its own answers instead. Not thread-safe.
 class LabelledLight {
  public:
-  /// Without a model, or if none of its cues follows the light of a recording, the light is always
-  /// that of the training. `model` must outlive this.
+  /// Without a model, or if none of its cues follows the light of a recording, the light always
+  /// equals that of the training. `model` must outlive this.
   explicit LabelledLight(const Model* model);
 
-  /// What the image of `frame`, not empty, is multiplied by to look as in the training. Its colour
+  /// The gains that make the image of `frame`, not empty, look as in the training. Its colour
   /// counts from the next frame on, if the model knows its place.
   Light next(const Frame& frame);
 

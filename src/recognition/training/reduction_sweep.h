@@ -8,8 +8,8 @@
 
 namespace place_recognition {
 
-/// One method of reduction with any number of vectors of each cue, from one to all, measured on
-/// validation samples.
+/// One reduction method with any number of vectors per cue, from one to all, measured on validation
+/// samples.
 class ReductionSweep {
  public:
   /// `options`: method and normalization. `rate` must outlive this.
@@ -18,16 +18,17 @@ class ReductionSweep {
 
   double rate(int vectors) const;
 
-  /// The fewest vectors of the wanted rate; all if no number has it. The rate need not rise evenly
-  /// with the vectors, so the search begins at one, in steps that grow to a fiftieth.
+  /// The fewest vectors that reach the rate `wanted`; all if no number does. The rate need not
+  /// increase monotonically, so the search starts at one vector and proceeds in steps that grow to
+  /// a fiftieth.
   int fewest(double wanted, const Progress& progress) const;
 
-  /// Points (fraction of the vectors, rate), ascending to all vectors.
+  /// Points (fraction of the vectors, rate), ascending up to all vectors.
   std::vector<std::pair<double, double>> curve() const;
 
  private:
   const RateOnSamples& rate_;
-  int most_;  // vectors of the cue that has most
+  int most_;  // vectors of the cue with the most
   std::vector<std::unique_ptr<const Reduction>> reductions_;
 };
 

@@ -8,22 +8,21 @@
 
 namespace place_recognition {
 
-/// What a model remembers of the recordings that it learned: its support vectors as samples of run
-/// 0, in the order in which they were recorded. Each vector is a sample of its own, of which only
-/// the cue is there that it belongs to.
+/// The support vectors of a model as samples of recording 0, in the order in which they were
+/// recorded. Each vector is a separate sample that has only its own cue.
 Samples rememberedSamples(const Model& model);
 
-/// The samples of `remembered`, all of which are, and behind them those of `others`, whose runs are
-/// counted on: fresh ones, or those that another model remembers.
+/// Appends `others` (new samples, or those that another model remembers) to `remembered`, which
+/// consists of remembered samples only; the recordings of `others` are renumbered.
 Samples joinSamples(Samples remembered, Samples others);
 
-/// Throws Error, a sentence that names both, if `other` cannot join `model`: if its features are
-/// not those that `model` would have extracted from the same images.
+/// Throws Error, a sentence that names both, if `other` cannot join `model` because `model` would
+/// have extracted different features from the same images.
 void requireJoinable(const Model& model, const Model& other);
 
-/// The machines of each cue of `model`, over its remembered samples, for more places: those of the
-/// model are `place_before` among `places`, and no sample is known of the others. Empty if they are
-/// one-against-one.
+/// The machines of each cue of `model`, over its remembered samples, extended to `places` places:
+/// the model's places are at `place_before`, and the others have no samples. Empty for
+/// one-against-one machines.
 std::vector<BinarySvms> learnedMachines(const Model& model, const std::vector<int>& place_before,
                                         std::size_t places);
 

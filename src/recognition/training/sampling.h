@@ -10,14 +10,14 @@
 
 namespace place_recognition {
 
-/// Thins the frames of a recording out to a number each second, by their stamps. Where stamps do
-/// not grow from frame to frame they tell nothing, and all frames are taken.
+/// Thins the frames of a recording out to a number per second, by their stamps. If stamps do not
+/// increase from frame to frame, all frames are kept.
 class FrameRate {
  public:
-  /// Frames a second; 0: all.
+  /// Frames per second; 0: all.
   explicit FrameRate(double rate) : rate_(rate) {}
 
-  /// Whether the next frame of the recording, of `stamp` in s, is to be used.
+  /// Whether to use the next frame of the recording, with `stamp`, s.
   bool admits(double stamp) {
     if (stamp <= last_) limit_.reset();
     last_ = stamp;
@@ -30,35 +30,34 @@ class FrameRate {
   double last_ = -std::numeric_limits<double>::infinity();
 };
 
-/// How many members to keep of groups of these `sizes` so that there are no more than `most` (and
-/// one of each group): of each the same fraction.
+/// How many members to keep of groups with these `sizes` so that there are at most `most` in total
+/// (but one of each group): the same fraction of each.
 std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std::size_t most);
 
-/// Which samples to keep so that there are at most `counts[k]` of group k, by stratified sampling.
-/// The group is cut into as many stretches of equal length as are kept of it, and one sample is
-/// drawn from each: a fixed step would hit the period of a tripod's angles. `groups`: of each
-/// sample, an index into `counts`.
+/// Selects at most `counts[k]` samples of group k by stratified sampling: the group is divided into
+/// as many intervals of equal length, and one sample is drawn from each. A fixed step could
+/// coincide with a period, such as a tripod's angles. `groups`: by sample, an index into `counts`.
 std::vector<bool> stratifiedSample(const std::vector<int>& groups,
                                    const std::vector<std::size_t>& counts, std::uint64_t seed);
 
-/// The same with equalShares() of the groups: all samples if they are no more than `most`.
+/// The same with equalShares() of the groups; keeps all samples if there are no more than `most`.
 std::vector<bool> stratifiedSample(const std::vector<int>& groups, std::size_t most,
                                    std::uint64_t seed);
 
-/// Thins a stream out to one of every `step` members of a group, drawn at random but for the first,
-/// which always is the group's first member. For streams whose length is not known.
+/// Thins a stream of unknown length out to one of every `step` members, drawn at random except for
+/// the first, which is always kept.
 class StratifiedStream {
  public:
   StratifiedStream(std::size_t step, std::uint64_t seed) : step_(step), random_(seed) {}
 
-  /// Whether the next member is kept.
+  /// Whether to keep the next member.
   bool keepsNext();
 
  private:
   std::size_t step_;
   std::mt19937_64 random_;
   std::size_t seen_ = 0;
-  std::size_t drawn_ = 0;  // of the current stretch
+  std::size_t drawn_ = 0;  // in the current interval
 };
 
 }  // namespace place_recognition

@@ -4,25 +4,26 @@
 
 namespace place_recognition {
 
-/// Whether `path` is meant as a ROS 1 bag: by its name, which ends in .bag or, while it is being
-/// recorded, .bag.active (in any case), or by what it starts with.
+/// Whether `path` refers to a ROS 1 bag: by its name, which ends in .bag or, during recording,
+/// .bag.active (in upper or lower case), or by its first bytes.
 bool isBag(const std::string& path);
 
-/// Whether a recorder that was killed, or still records, has left the bag under this name.
+/// Whether the bag has the name of a recording that is still running, or whose recorder was killed.
 bool isActiveBag(const std::string& path);
 
-/// What is the matter with an active bag at `path` that has no index, and what to do, behind "PATH:
-/// ", without a full stop.
+/// What is wrong with an active bag at `path` that has no index, and what to do; a phrase that
+/// follows "PATH: ", without a full stop.
 std::string whyActive(const std::string& path);
 
-/// Whether the folder is a bag of ROS 2.
+/// Whether the folder is a ROS 2 bag.
 bool isRos2Bag(const std::string& folder);
 
-/// Throws Error, saying what is there instead, unless `path` can be read and starts as a bag does.
+/// Throws Error, saying what is there instead, unless `path` can be read and begins like a bag.
 void requireBag(const std::string& path);
 
-/// What is wrong with a file or folder that was given for a recording and is none that can be read:
-/// what it is and what to do, behind "PATH is ", without a full stop; empty if nothing is known.
+/// Describes a file or folder that was given as a recording but cannot be read as one: what it is
+/// and what to do; a phrase that follows "PATH is ", without a full stop. Empty if nothing is
+/// known.
 std::string whyNoRecording(const std::string& path);
 
 }  // namespace place_recognition

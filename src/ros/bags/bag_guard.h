@@ -5,14 +5,14 @@
 
 namespace place_recognition {
 
-/// For a process that does nothing but read the bag at `path`: limits its memory and lets a crash
-/// or an endless loop end it with a kCrash record on standard output.
+/// For a process that only reads the bag at `path`: limits its memory, and makes a crash or an
+/// endless loop end it with a kCrash record on standard output.
 void guardBag(const std::string& path);
 
-/// Gives the work up to the next call 60 seconds of processor time.
+/// Limits the work until the next call to 60 seconds of processor time.
 void restartWorkLimit();
 
-/// How many bytes of the bag have been passed; 0 if it is not open. From signal handlers too.
+/// Number of bytes of the bag read so far; 0 if it is not open. Safe in signal handlers.
 std::uint64_t bagOffset();
 
 }  // namespace place_recognition

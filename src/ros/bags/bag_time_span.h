@@ -7,9 +7,9 @@
 
 namespace place_recognition {
 
-/// The time of a bag: of its images, and of all messages that no gap of more than ten minutes sets
-/// apart from them. Of images that a clock stamped which was not set, more than a day from the
-/// others, the larger group counts.
+/// The time span of a bag: of its images, and of all messages that are not separated from them by a
+/// gap of more than ten minutes. If a clock was not set, so that groups of images are more than a
+/// day apart, the larger group counts.
 std::pair<ros::Time, ros::Time> timeSpan(const rosbag::Bag& bag);
 
 }  // namespace place_recognition

@@ -14,7 +14,7 @@ inline const std::string kCompressedImageType = "sensor_msgs/CompressedImage";
 
 /// A topic of a bag.
 struct RecordedTopic {
-  std::string type;  ///< of its messages, as "sensor_msgs/Image"
+  std::string type;  ///< of its messages, such as "sensor_msgs/Image"
   std::uint32_t messages = 0;
 
   bool hasImages() const { return type == kImageType || type == kCompressedImageType; }
@@ -25,18 +25,18 @@ using RecordedTopics = std::map<std::string, RecordedTopic>;
 
 RecordedTopics listTopics(const rosbag::Bag& bag);
 
-/// The topic of labels that is meant by `wanted`, with or without slashes at its start. Empty if
-/// the bag has none and `wanted` is empty or the default name. Throws Error if a topic was named
-/// that is not there or holds no labels.
+/// The topic of labels that `wanted` refers to, with or without leading slashes. Empty if the bag
+/// has none and `wanted` is empty or the default name. Throws Error if the named topic is missing
+/// or contains no labels.
 std::string chooseLabelTopic(const RecordedTopics& topics, const std::string& wanted);
 
-/// The topics of images that are meant by `wanted`, one per camera, also by their names without
-/// "/compressed" or slashes at their start; the only camera's if `wanted` is empty. Throws Error,
-/// with the topics that there are, if one is not there, has no images or is named twice.
+/// The topics of images that `wanted` refers to, one per camera; "/compressed" and leading slashes
+/// may be omitted. If `wanted` is empty, the topic of the only camera. Throws Error, listing the
+/// existing topics, if one is missing, has no images or is named twice.
 std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
                                            const std::vector<std::string>& wanted);
 
-/// The topic of a camera by that of its images, which may end in "/compressed".
+/// The topic of a camera, given that of its images, which may end in "/compressed".
 std::string cameraOf(const std::string& topic);
 
 }  // namespace place_recognition

@@ -7,7 +7,7 @@
 
 namespace place_recognition {
 
-/// How a labelled bag is written.
+/// Options for writing a labelled bag.
 struct LabelledBagOptions {
   enum class Compression { kNone, kLz4, kBz2 };
 
@@ -20,22 +20,22 @@ struct LabelledBagOptions {
   double base_time = 1'000'000'000;              ///< s since 1970, added to every stamp
 };
 
-/// Writes a bag of images and, whenever it changes, the label, as openBagRecording() reads it. The
-/// bag has its name only once it is complete: a temporary file beside it is renamed by close() and
-/// removed by the destructor.
+/// Writes a bag of images and of labels, one whenever the label changes, in the format of
+/// openBagRecording(). The bag gets its name only once it is complete: close() renames a temporary
+/// file beside it, and the destructor removes one that was not renamed.
 class LabelledBagWriter {
  public:
   /// Throws Error if the folder cannot be written to.
   explicit LabelledBagWriter(const std::string& path, const LabelledBagOptions& options = {});
   ~LabelledBagWriter();
 
-  /// `image`: CV_8UC3 BGR or CV_8UC1, not empty. `place`: empty is unlabelled. `stamp`: s, not
-  /// before the one before it. `camera`, if it is not empty, is the frame of the image and the
-  /// first part of its topic, /CAMERA/image_raw. Throws Error if the disk refuses.
+  /// `image`: CV_8UC3 BGR or CV_8UC1, not empty. `place`: empty means unlabelled. `stamp`: s, not
+  /// before the previous one. `camera`, if not empty, is the tf frame of the image and the first
+  /// part of its topic, /CAMERA/image_raw. Throws Error if writing fails.
   void write(const cv::Mat& image, const std::string& place, double stamp,
              const std::string& camera = "");
 
-  /// Completes the bag. Throws Error if the disk refuses.
+  /// Completes the bag. Throws Error if writing fails.
   void close();
 
  private:

@@ -8,22 +8,22 @@
 
 namespace place_recognition {
 
-/// A bag that has its name only once it is complete; until then it is a file beside it. A disk that
-/// is full is an Error. Thread-safe.
+/// A bag that gets its name only once it is complete; until then it is a file beside it. A full
+/// disk is reported as an Error. Thread-safe.
 class StagedBag {
  public:
-  /// The suffix of what is being recorded, as rosbag record has it.
+  /// Suffix of a bag during recording, as used by rosbag record.
   static constexpr const char* kActive = ".active";
 
   /// Opens `path` + `suffix` for writing. Throws Error if the folder cannot be written to.
   StagedBag(const std::string& path, const std::string& suffix);
 
-  /// What has not been completed or discarded stays behind under the name with the suffix.
+  /// Leaves a bag that was neither completed nor discarded behind, under the name with the suffix.
   ~StagedBag();
 
   void setCompression(rosbag::CompressionType type) { bag_->setCompression(type); }
 
-  /// Throws Error if the disk refuses.
+  /// Throws Error if writing fails.
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -34,10 +34,10 @@ class StagedBag {
     }
   }
 
-  /// Closes the bag and gives it its name. Throws Error if the disk refuses.
+  /// Closes the bag and gives it its name. Throws Error if writing fails.
   void complete();
 
-  /// Closes and removes it.
+  /// Closes and removes the bag.
   void discard();
 
   const std::string& path() const { return path_; }
@@ -48,7 +48,7 @@ class StagedBag {
 
   std::string path_;
   std::string staged_path_;
-  std::mutex mutex_;  // of the bag
+  std::mutex mutex_;  // guards the bag
   std::unique_ptr<rosbag::Bag> bag_;
 };
 

@@ -18,17 +18,17 @@
 
 namespace place_recognition {
 
-/// Says where the robot was when each image was taken, by its pose on a map of rooms. Says nothing
-/// (an empty label) where that is not sure: the pose of that time is missing, it is uncertain, or
-/// the robot is near the border of its room. Every image is recorded at once; its label, which has
-/// its time, follows as soon as its pose has come, or has not come in time. Callbacks come from one
-/// thread.
+/// Labels each image with the robot's room, from its pose on a map of rooms. The label is empty if
+/// the room is not certain: the pose at that time is missing or uncertain, or the robot is near the
+/// border of its room. Every image is recorded at once; its label, with the same time, follows as
+/// soon as its pose arrives or is overdue. Callbacks come from one thread.
 class AutoLabeler {
  public:
-  /// Throws Error if the file of rooms, another parameter or the bag cannot be used.
+  /// Throws Error if the file of rooms, another parameter or the bag is unusable.
   AutoLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// Labels what still waits and ends the recording. Throws Error if there is none to keep.
+  /// Labels the waiting images and ends the recording. Throws Error if there is no recording to
+  /// keep.
   void finish();
 
  private:
@@ -37,20 +37,20 @@ class AutoLabeler {
   void onImage(const ImageMessage& image);
   void onPose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose);
 
-  /// An image that is recorded, but not labelled yet.
+  /// An image that is recorded but not labelled yet.
   struct Waiting {
     ros::Time stamp;
     ros::Time arrival;
-    ros::Time time;  // in the bag, which its label has too
+    ros::Time time;  // of the image and its label in the bag
   };
 
-  /// Labels the images that wait, in order, up to the first whose pose may still come.
+  /// Labels the waiting images, in order, up to the first whose pose may still arrive.
   void labelWaiting();
   bool mayStillCome(const Waiting& image) const;
   void label(const Waiting& image, const std::optional<Eigen::Vector2d>& position);
-  /// Where the robot was at `stamp`, m; nothing, and `problem_` says why: that is not known.
+  /// Position of the robot at `stamp`, m; nothing if it is not known, for the reason in `problem_`.
   std::optional<Eigen::Vector2d> positionAt(const ros::Time& stamp);
-  /// Which of the two frames tf does not have, with those that it has; empty: it has both.
+  /// Names the frames that tf lacks, with those that it has; empty if it has both.
   std::string missingFrame() const;
 
   const RoomPolygons rooms_;
@@ -58,10 +58,10 @@ class AutoLabeler {
   const std::string robot_frame_;
   const double margin_;           // m
   const double max_deviation_;    // m
-  const ros::Duration patience_;  // how long a pose may take to come
-  double deviation_ = 0;          // m, of the pose; 0 as long as nobody tells it
+  const ros::Duration patience_;  // maximum delay of a pose
+  double deviation_ = 0;          // m, of the pose; 0 until it is known
   std::deque<Waiting> waiting_;
-  std::string problem_;  // why the pose that was looked up last is not known
+  std::string problem_;  // why the last pose looked up is not known
   std::uint64_t labelled_ = 0;
   std::uint64_t unlabelled_ = 0;
   tf2_ros::Buffer transforms_;

@@ -13,41 +13,41 @@
 
 namespace place_recognition {
 
-/// Says the place on `place_label` (latched, whenever it changes) and, if the parameter `~bag`
-/// names a file, records it there together with the images, as openBagRecording() reads it. Until
-/// the end the file has `.active` after its name. Thread-safe.
+/// Publishes the place on `place_label` (latched, whenever it changes) and, if the parameter `~bag`
+/// names a file, records it there together with the images, in the format of openBagRecording().
+/// During recording the file name ends in `.active`. Thread-safe.
 class LabelledRecording {
  public:
-  /// Throws Error if the file exists already, complete or not, or cannot be written.
+  /// Throws Error if the file already exists, complete or not, or cannot be written.
   LabelledRecording(const ros::NodeHandle& node, Parameters& parameters);
 
-  /// As finish(), but what is wrong is only logged.
+  /// Calls finish(), but only logs errors.
   ~LabelledRecording();
   LabelledRecording(const LabelledRecording&) = delete;
   LabelledRecording& operator=(const LabelledRecording&) = delete;
 
-  /// Whether images are wanted.
+  /// Whether images are recorded.
   bool isRecording() const { return bag_ != nullptr; }
 
-  /// From now on images should come: logs now and then how many have, or why none may come.
+  /// Begins to log regularly how many images have arrived, or why none may arrive.
   void expectImages();
 
-  /// From now on, or from the image on that add() returned `time` for, the robot is in this place;
-  /// empty: in none. Returns the name as it is recorded. Throws Error if it is no place name.
+  /// Sets the place of the robot, from now on or from the image for which add() returned `time`;
+  /// empty means none. Returns the name as recorded. Throws Error if it is not a place name.
   std::string say(const std::string& name);
   std::string say(const std::string& name, const ros::Time& time);
 
-  /// An image that has come just now. Returns its time in the bag; zero: there is no clock yet, and
-  /// it is not recorded.
+  /// Adds an image that has just arrived. Returns its time in the bag; zero if there is no clock
+  /// yet, in which case it is not recorded.
   ros::Time add(const ImageMessage& image);
 
-  /// Completes the file, once. Throws Error if it cannot be completed, if the disk has refused
-  /// something meanwhile, or if no image has come; then there is no file.
+  /// Completes the file, once. Throws Error if that fails, if writing has failed earlier, or if no
+  /// image has arrived; then there is no file.
   void finish();
 
  private:
-  /// The time in the bag of what comes now: after all before, whatever the clock does, so that each
-  /// image keeps its label.
+  /// The time in the bag for what arrives now. It is later than all earlier ones, whatever the
+  /// clock does, so that each image keeps its label.
   ros::Time nextTime();
   std::string change(const std::string& name, const ros::Time& time);
   void recordLabel(const ros::Time& time);
@@ -58,17 +58,17 @@ class LabelledRecording {
   std::string image_topic_;
   std::string image_transport_;
   std::string label_topic_;
-  std::unique_ptr<StagedBag> bag_;  // none: nothing is recorded
+  std::unique_ptr<StagedBag> bag_;  // null: nothing is recorded
 
-  std::mutex mutex_;  // of all up to ahead_
+  std::mutex mutex_;  // guards everything up to ahead_
   std::string place_;
   std::string recorded_place_;
   std::uint64_t images_ = 0;
-  std::uint64_t timeless_ = 0;  // images that came before simulated time did
+  std::uint64_t timeless_ = 0;  // images that arrived before simulated time started
   std::uint64_t reported_images_ = 0;
   bool failed_ = false;
   ros::Time last_time_;     // in the bag
-  ros::Duration ahead_{0};  // how far the bag is ahead of a clock that has jumped back
+  ros::Duration ahead_{0};  // lead of the bag over a clock that has jumped back
 
   ros::Time reported_time_;
   ros::NodeHandle node_;

@@ -15,15 +15,15 @@
 
 namespace place_recognition {
 
-/// Lets a person who drives the robot say where it is: by a key of the terminal, a button of the
-/// joystick, the topic `~say` or the service `~say`. Callbacks come from one thread, beside that of
-/// the keyboard.
+/// Lets the person who drives the robot say where it is: with a key of the terminal, a button of
+/// the joystick, the topic `~say` or the service `~say`. Callbacks come from one thread, besides
+/// that of the keyboard.
 class PlaceLabeler {
  public:
-  /// Throws Error if a parameter is wrong or the bag cannot be written.
+  /// Throws Error if a parameter is invalid or the bag cannot be written.
   PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// Ends the recording. Throws Error if there is none to keep.
+  /// Ends the recording. Throws Error if there is no recording to keep.
   void finish() { recording_.finish(); }
 
  private:
@@ -33,7 +33,7 @@ class PlaceLabeler {
   void onSay(const std_msgs::StringConstPtr& message);
   void onJoy(const sensor_msgs::JoyConstPtr& message);
   bool onSayService(SayPlace::Request& request, SayPlace::Response& response);
-  /// Returns the name as it is recorded.
+  /// Returns the name as recorded.
   std::string say(const std::string& name);
 
   LabelKeys keys_;
@@ -42,7 +42,7 @@ class PlaceLabeler {
   ros::Subscriber say_subscriber_;
   ros::Subscriber joy_subscriber_;
   ros::ServiceServer say_server_;
-  std::unique_ptr<Keyboard> keyboard_;  // none: there is no terminal
+  std::unique_ptr<Keyboard> keyboard_;  // null: there is no terminal
 };
 
 }  // namespace place_recognition

@@ -8,14 +8,14 @@
 
 namespace place_recognition {
 
-/// Whether the answers over time (`~belief`) speak for one room, and have done so for long enough.
-/// `now` is when an answer comes, or is asked for; it never falls but for forget(). Not
-/// thread-safe.
+/// Determines whether the answers over time (`~belief`) favour one room, and have done so for long
+/// enough. `now` is the time at which an answer arrives or is requested; it never decreases, except
+/// by forget(). Not thread-safe.
 class HeldRoom {
  public:
   struct Options {
     double min_probability = 0;  ///< of a room, against the other rooms and 'unknown', 0..1
-    double hold = 0;             ///< s that it must have had it
+    double hold = 0;             ///< s for which it must have had it
     double timeout = 0;          ///< s after which the next answer counts as missing
   };
 
@@ -25,13 +25,13 @@ class HeldRoom {
   void forget();
   void add(const PlaceRecognition& belief, const ros::Time& now);
 
-  /// The room that is sure. Empty: none is, for the reason that whyNot() tells.
+  /// The certain room. Empty if there is none, for the reason that whyNot() returns.
   std::string sureRoom(const ros::Time& now) const;
-  /// As in "the answer is 'unknown'"; empty: a room is sure.
+  /// The reason, such as "the answer is 'unknown'"; empty if a room is certain.
   std::string whyNot(const ros::Time& now) const;
 
-  /// The probability of a room now; 0 if no answer has come in time, or if the model does not know
-  /// the room.
+  /// The current probability of a room; 0 if no answer has arrived in time, or if the model does
+  /// not know the room.
   double probabilityOf(const std::string& room, const ros::Time& now) const;
 
  private:
@@ -40,7 +40,7 @@ class HeldRoom {
   Options options_;
   std::optional<PlaceRecognition> belief_;  // the last one
   ros::Time arrival_;                       // of it
-  ros::Time since_;                         // its room is likely enough; zero: it is not
+  ros::Time since_;  // since when its room is probable enough; zero: it is not
 };
 
 }  // namespace place_recognition

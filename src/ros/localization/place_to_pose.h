@@ -16,11 +16,11 @@
 
 namespace place_recognition {
 
-/// From the room to a pose on a map of rooms: has amcl start anew in the room when it is lost,
-/// tells the pose to whoever asks, and shows the rooms in rviz. Callbacks come from one thread.
+/// Relates rooms to poses on a map of rooms: restarts amcl in the room when it is lost, returns the
+/// pose of a room on request, and shows the rooms in rviz. Callbacks come from one thread.
 class PlaceToPose {
  public:
-  /// Throws Error if the file of rooms or another parameter cannot be used.
+  /// Throws Error if the file of rooms or another parameter is unusable.
   PlaceToPose(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
  private:
@@ -29,11 +29,11 @@ class PlaceToPose {
   bool onRoomPose(RoomPose::Request& request, RoomPose::Response& response);
   void onTimer();
 
-  /// ROS' time; forgets what was seen and done when it was set back.
+  /// The ROS time. If it was set back, discards everything seen and done.
   ros::Time followClock();
-  /// Says which rooms the model and the file do not share, once for each model.
+  /// Reports the rooms that only the model or only the file has, once per model.
   void compareRooms(const PlaceRecognition& belief);
-  /// If somebody listens, and if they are not shown already.
+  /// Publishes the markers if somebody listens and they have changed.
   void publishMarkers(const ros::Time& now);
   std::string roomsText() const;
 
@@ -43,9 +43,9 @@ class PlaceToPose {
   const RoomMarkers markers_;
   HeldRoom held_;
   Relocalizer relocalizer_;
-  std::optional<std::string> model_version_;  // whose rooms were compared last
+  std::optional<std::string> model_version_;  // of the last rooms compared
   ros::Time last_time_;
-  std::vector<long> shown_;  // percent of each polygon, as published last; empty: never
+  std::vector<long> shown_;  // percentage of each polygon, as last published; empty: never
 
   ros::Publisher markers_publisher_;
   ros::Subscriber belief_subscriber_;

@@ -10,14 +10,15 @@
 
 namespace place_recognition {
 
-/// The rooms on the map for rviz: each polygon's outline, and its area, which is the more opaque
-/// the more probable the room is; each room's name stands once, in its largest polygon.
+/// The rooms on the map for rviz: each polygon's outline, and its area, whose opacity increases
+/// with the room's probability. Each room's name is shown once, in its largest polygon.
 class RoomMarkers {
  public:
   /// The corners of `rooms` are in the tf frame `frame`.
   RoomMarkers(const RoomPolygons& rooms, const std::string& frame);
 
-  /// `probabilityOf` tells that of a room, 0..1. The markers replace those of the call before.
+  /// `probabilityOf` returns the probability of a room, 0..1. The markers replace those of the last
+  /// call.
   visualization_msgs::MarkerArray at(
       const std::function<double(const std::string&)>& probabilityOf) const;
 

@@ -6,22 +6,23 @@
 
 namespace place_recognition {
 
-// What bag_reader tells openBagRecording() and bagInfo() through a pipe. In this order: one kSpan,
-// a kTopic each topic, the kLabel in order of time, perhaps a kDepth, a kCamera each topic that is
-// read, the kImage or kProblem in order of time, kEnd; or, at any point, kError or kCrash as the
-// last.
+// Records that bag_reader sends to openBagRecording() and bagInfo() through a pipe. Their order:
+// one kSpan, one kTopic per topic, the kLabel records in order of time, possibly a kDepth, one
+// kCamera per topic to read, the kImage or kProblem records in order of time, and kEnd. A kError or
+// kCrash may come at any point and is the last record.
 
 enum class BagRecordKind : std::uint32_t {
-  kSpan,     ///< time and stamp: first and last bag time
-  kTopic,    ///< text: name; detail: type; number: messages; rows and cols of the first image
-  kLabel,    ///< text: label; time
-  kDepth,    ///< rows and cols: the lowest and highest value of images of 16 bits, see DepthExtent
-  kCamera,   ///< text: the topic without /compressed
-  kImage,    ///< text: name; time; stamp; number: of its camera; rows, cols, type; pixels follow
-  kProblem,  ///< an image that cannot be decoded: as kImage, but detail: why, and no pixels
-  kError,    ///< detail: why the bag cannot be read, for a person; text: what to do, unless that
-             ///< says it; number: byte offset
-  kCrash,    ///< number: byte offset that had been read to
+  kSpan,    ///< time and stamp: first and last bag time
+  kTopic,   ///< text: name; detail: type; number: messages; rows and cols of the first image
+  kLabel,   ///< text: label; time
+  kDepth,   ///< rows and cols: the lowest and highest value of images with 16 bits, see DepthExtent
+  kCamera,  ///< text: the topic without /compressed
+  kImage,   ///< text: name; time; stamp; number: of its camera; rows, cols, type; pixels follow
+  kProblem,  ///< an image that cannot be decoded: like kImage, with the reason in detail, and no
+             ///< pixels
+  kError,    ///< detail: why the bag cannot be read, for a person; text: what to do, if detail does
+             ///< not say it; number: byte offset
+  kCrash,    ///< number: byte offset reached
   kEnd,
 };
 
@@ -36,21 +37,21 @@ struct BagRecordNumbers {
 };
 
 struct BagRecord : BagRecordNumbers {
-  std::string text;    ///< cut off at kMaxText
+  std::string text;    ///< truncated to kMaxText
   std::string detail;  ///< likewise
 
   static constexpr std::size_t kMaxText = 4096;
 };
 
-/// Writes a record without its pixels; false if nobody reads any more.
+/// Writes a record without its pixels; false if nobody reads the pipe any more.
 bool writeRecord(int fd, const BagRecord& record);
 bool writeBytes(int fd, const void* bytes, std::size_t count);
 
-/// Reads a record without its pixels; nothing at the end of the pipe or if it is not well formed.
+/// Reads a record without its pixels; nothing at the end of the pipe or if the record is malformed.
 std::optional<BagRecord> readRecord(int fd);
 bool readBytes(int fd, void* bytes, std::size_t count);
 
-/// Writes a kCrash record, from a signal handler.
+/// Writes a kCrash record; for use in a signal handler.
 void writeCrash(int fd, std::uint64_t offset);
 
 }  // namespace place_recognition

@@ -15,32 +15,32 @@
 
 namespace place_recognition {
 
-/// Larger images are refused before any memory is taken for them.
+/// Larger images are rejected before any memory is allocated for them.
 constexpr std::uint32_t kMaxImageSide = 8192;
 
-/// Throws Error for an image of no pixels or of more than kMaxImageSide on a side.
+/// Throws Error for an image without pixels or with more than kMaxImageSide pixels on a side.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
-/// The image of a message, BGR or grey, of 8 or 16 bits per channel (see DepthScale). Of encodings
-/// that are so already it shares the message's memory, so the message must outlive it. Understands
-/// rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1.
-/// Throws Error for other encodings and for sizes that do not agree; nothing else, whatever the
-/// message holds.
+/// Converts a message to an image, BGR or grey, with 8 or 16 bits per channel (see DepthScale). If
+/// the encoding already has this form, the image shares the message's memory, so the message must
+/// outlive it. Supports rgb, bgr, rgba, bgra, mono and bayer with 8 or 16 bits, yuv422,
+/// yuv422_yuy2, 8UC1, 8UC3 and 16UC1. Throws Error for other encodings and for inconsistent sizes;
+/// nothing else, whatever the message contains.
 cv::Mat toImage(const sensor_msgs::Image& message);
 cv::Mat toImage(sensor_msgs::Image&& message) = delete;
 
-/// The same for an image that decodeImage() takes. Its `format` tells, as image_transport has it,
-/// the encoding of the image that was compressed and how that was stored: "rgb8; jpeg compressed
-/// bgr8" holds BGR, "rgb8; jpeg compressed rgb8" has red and blue swapped, "bayer_rggb8; png
-/// compressed" is a mosaic. Without a semicolon ("jpeg") it is BGR or grey.
+/// The same for an image that decodeImage() accepts. Its `format`, as in image_transport, states
+/// the encoding before compression and the stored one: "rgb8; jpeg compressed bgr8" contains BGR,
+/// "rgb8; jpeg compressed rgb8" has red and blue swapped, "bayer_rggb8; png compressed" is a
+/// mosaic. Without a semicolon ("jpeg") it is BGR or grey.
 cv::Mat toImage(const sensor_msgs::CompressedImage& message);
 
-/// The message of an answer to the image with `header`; `seconds` were spent on it.
+/// The message of an answer to the image with `header`; `seconds` is the time it took.
 PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model& model,
                                     const std_msgs::Header& header, double seconds);
 
-/// Gives `message` the place, and the probabilities of all places, that `answer` has. Those of the
-/// message sum to 1 without 'unknown', whose share is what `evidence` lacks.
+/// Sets the place and the probabilities of all places in `message` to those of `answer`. In the
+/// message they sum to 1 without 'unknown'; the probability of 'unknown' is 1 - `evidence`.
 void revise(const FilteredAnswer& answer, PlaceRecognition& message);
 
 ModelInfo toModelInfo(const Model& model);

@@ -15,7 +15,7 @@
 
 namespace place_recognition {
 
-/// An image as it came.
+/// An image message as received.
 class ImageMessage {
  public:
   ImageMessage() = default;
@@ -24,10 +24,10 @@ class ImageMessage {
       : message_(std::move(message)) {}
 
   const std_msgs::Header& header() const;
-  /// The image, which may share the message's memory. Throws Error if it cannot be used.
+  /// The image, which may share the message's memory. Throws Error if it is unusable.
   cv::Mat image() const;
 
-  /// What its topic has after the name without a transport.
+  /// What its topic appends to the name without a transport.
   const char* topicSuffix() const;
 
   /// Calls `use` with the message itself, a sensor_msgs::Image or CompressedImage.
@@ -40,24 +40,24 @@ class ImageMessage {
   std::variant<sensor_msgs::ImageConstPtr, sensor_msgs::CompressedImageConstPtr> message_;
 };
 
-/// The subscription to a topic of images, by the transport that the parameter `~image_transport`
-/// names. `compressed` is decoded here, for not every installation has image_transport's plugin for
-/// it.
+/// The subscription to a topic of images, with the transport that the parameter `~image_transport`
+/// names. `compressed` is decoded here, because not every installation has image_transport's plugin
+/// for it.
 class ImageInput {
  public:
   using Callback = std::function<void(const ImageMessage&)>;
 
-  /// While the callback is busy, the newest `queue` images wait. `topic`: without what the
-  /// transport appends to it. Throws Error if the transport is not installed.
+  /// While the callback is busy, the newest `queue` images wait. `topic`: without the suffix of the
+  /// transport. Throws Error if the transport is not installed.
   ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
              Parameters& parameters, Callback callback, std::uint32_t queue,
              std::string topic = names::kImage);
 
-  /// Both may be called at any time, by one thread at a time.
+  /// May be called at any time, from one thread at a time.
   void subscribe();
   void unsubscribe();
 
-  /// The topic without what the transport appends to it.
+  /// The topic without the suffix of the transport.
   std::string topic() const { return node_.resolveName(topic_); }
   const std::string& transport() const { return transport_name_; }
 

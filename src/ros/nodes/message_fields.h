@@ -9,11 +9,11 @@
 
 namespace place_recognition {
 
-/// A field of a message: one value, or those of a list.
+/// A field of a message: one value, or the values of a list.
 struct MessageField {
-  std::string type;  ///< "string", "bool", "uint32" or "float64", also of the elements of a list
+  std::string type;  ///< "string", "bool", "uint32" or "float64"; for a list, of its elements
   std::string name;
-  std::vector<std::string> values;  ///< text as it is, numbers in decimal, bool as 0 or 1
+  std::vector<std::string> values;  ///< text unchanged, numbers in decimal, bool as 0 or 1
 };
 
 using MessageBytes = std::vector<std::uint8_t>;
@@ -26,8 +26,8 @@ MessageBytes serialized(const Message& message) {
   return bytes;
 }
 
-/// The fields of a message by its `definition` (the text of its .msg file), in their order. They
-/// must be strings, bools, uint32, float64, or lists of these (asserted).
+/// The fields of a message with this `definition` (the text of its .msg file), in order. They must
+/// be strings, bools, uint32, float64, or lists of these (asserted).
 std::vector<MessageField> fieldsOf(const std::string& definition, MessageBytes bytes);
 
 template <typename Message>
@@ -35,7 +35,8 @@ std::vector<MessageField> fieldsOf(const Message& message) {
   return fieldsOf(ros::message_traits::Definition<Message>::value(), serialized(message));
 }
 
-/// The message of type To whose fields are those of `from`, in the same order.
+/// The message of type To with the fields of `from`, which must be of the same types and in the
+/// same order.
 template <typename To, typename From>
 To sameFields(const From& from) {
   To to;

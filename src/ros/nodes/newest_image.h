@@ -16,14 +16,14 @@
 
 namespace place_recognition {
 
-/// An image and when it came.
+/// An image and its time of arrival.
 struct ArrivedImage {
   ImageMessage message;
   std::chrono::steady_clock::time_point arrival;
-  std::size_t camera;  ///< that it is of
+  std::size_t camera;  ///< of the image
 };
 
-/// An image that somebody asks about, and where the answer goes.
+/// A request for the answer to a given image.
 struct Question {
   ImageMessage message;
   std::promise<PlaceRecognition> answer;
@@ -31,14 +31,15 @@ struct Question {
 
 using Work = std::variant<ArrivedImage, Question>;
 
-/// Hands images from the threads that receive them to the one that works on them. Holds one per
-/// camera at most: while the worker is busy, the newest takes the place of the one before, and the
-/// cameras take turns. Questions, for which somebody waits, go first and none is lost. Thread-safe.
+/// Passes images from the threads that receive them to the thread that processes them. Holds at
+/// most one image per camera: while the worker is busy, the newest replaces the previous one, and
+/// the cameras take turns. Questions, for which somebody waits, go first, and none is lost.
+/// Thread-safe.
 class NewestImage {
  public:
   explicit NewestImage(std::size_t cameras = 1) : images_(cameras) {}
 
-  /// False: an image that nobody has taken was replaced.
+  /// False if an image that was not taken yet is replaced.
   bool put(const ImageMessage& message, std::size_t camera = 0) {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::optional<ArrivedImage>& image = images_[camera];
@@ -48,7 +49,7 @@ class NewestImage {
     return free;
   }
 
-  /// The answer comes in the worker's turn; std::future_error after close().
+  /// The answer arrives when the worker reaches the question; std::future_error after close().
   std::future<PlaceRecognition> ask(const ImageMessage& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     Question question{message, {}};
@@ -79,7 +80,7 @@ class NewestImage {
     return taken;
   }
 
-  /// Forgets the images that wait.
+  /// Discards the waiting images.
   void clear() {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (std::optional<ArrivedImage>& image : images_) image.reset();
@@ -93,7 +94,7 @@ class NewestImage {
   }
 
  private:
-  /// The image of the next camera in turn that has one; null: none has.
+  /// The image of the next camera in turn that has one; null if none has.
   std::optional<ArrivedImage>* nextImage() {
     for (std::size_t i = 1; i <= images_.size(); ++i) {
       std::optional<ArrivedImage>& image = images_[(last_ + i) % images_.size()];
@@ -105,7 +106,7 @@ class NewestImage {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<std::optional<ArrivedImage>> images_;
-  std::size_t last_ = 0;  // camera of the image taken last
+  std::size_t last_ = 0;  // camera of the last image taken
   std::deque<Question> questions_;
   bool closed_ = false;
 };

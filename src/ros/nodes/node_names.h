@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// Names, queue sizes and a default of what the nodes publish, subscribe to and serve. Those of the
-/// nodes' own things are private: `~recognition` is /place_recognizer/recognition.
+/// Names of the topics, services and actions of the nodes, their queue sizes and a default. Names
+/// of a node's own interfaces are private: `~recognition` is /place_recognizer/recognition.
 namespace place_recognition::names {
 
 // place_recognizer
@@ -44,13 +44,13 @@ constexpr const char* kRoomMarkers = "room_markers";
 /// Default of `~image_timeout`, s.
 constexpr double kImageTimeout = 5;
 
-/// The newest image counts; older ones are of no use.
+/// Only the newest image matters.
 constexpr std::uint32_t kImageQueue = 1;
-/// As much odometry as comes while a node is busy for a moment.
+/// Enough odometry for the moments in which a node is busy.
 constexpr std::uint32_t kOdometryQueue = 100;
-/// A recording loses no image while the disk is busy for a moment.
+/// A recording must not lose images while the disk is briefly busy.
 constexpr std::uint32_t kRecordingQueue = 100;
-/// A subscriber that is slow for a moment loses no answer.
+/// A subscriber that is briefly slow must not lose answers.
 constexpr std::uint32_t kAnswerQueue = 10;
 
 }  // namespace place_recognition::names

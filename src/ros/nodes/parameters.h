@@ -10,15 +10,15 @@
 
 namespace place_recognition {
 
-/// The private parameters of a node, as they are when this is made. All nodes read theirs here.
-/// Each function returns the parameter ~name or, if it is not set, `otherwise`; a value that cannot
-/// be meant (parameter_value.h) or lies out of its limits throws Error, which names the parameter,
-/// what it is and what is wanted. Not thread-safe.
+/// The private parameters of a node at the time of construction. All nodes read their parameters
+/// here. Each function returns the parameter ~name or, if it is not set, `otherwise`. A value
+/// without a sensible interpretation (parameter_value.h) or out of range throws Error, which names
+/// the parameter, its value and what is expected. Not thread-safe.
 class Parameters {
  public:
-  /// Asks the master for all parameters below the namespace of `private_node`.
+  /// Requests all parameters below the namespace of `private_node` from the master.
   explicit Parameters(const ros::NodeHandle& private_node);
-  /// `values`: a mapping of the parameters' names. `node`: for messages.
+  /// `values`: a mapping of parameter names. `node`: for messages.
   Parameters(std::string node, XmlRpc::XmlRpcValue values);
 
   bool flag(const std::string& name, bool otherwise);
@@ -29,31 +29,31 @@ class Parameters {
               double most = std::numeric_limits<double>::max());
   std::string text(const std::string& name, const std::string& otherwise = "");
 
-  /// A list; a single value stands for a list of one, and nothing for an empty one.
+  /// A list; a single value stands for a list of one, and no value for an empty one.
   std::vector<std::string> texts(const std::string& name);
   std::vector<int> integers(const std::string& name);
   std::vector<double> reals(const std::string& name, double least, double most);
 
-  /// A sentence for all that a person may have meant otherwise: each parameter that is set but that
-  /// no function above was asked for, with the name that may be meant, but for those that belong to
-  /// the libraries in use; each argument `name:=value` of the program or nodelet that remaps a
-  /// topic by the name of a parameter, which is to be `_name:=value`; and each single name with
-  /// commas where a list is wanted.
+  /// One sentence for everything that may not be what a person meant: each parameter that is set
+  /// but not read by any function above, with the name that may be meant, except for those of the
+  /// libraries in use; each argument `name:=value` of the program or nodelet that remaps a topic
+  /// named like a parameter, which should be `_name:=value`; and each single name with commas if a
+  /// list is expected.
   std::vector<std::string> doubts() const;
 
   /// Logs doubts() as warnings.
   void warnOfDoubts() const;
 
  private:
-  /// Null: it is not set.
+  /// Null if the parameter is not set.
   const XmlRpc::XmlRpcValue* find(const std::string& name);
-  /// The known name that the unknown one may stand for; empty: none.
+  /// The known name of which the unknown one may be a misspelling; empty if none.
   std::string meantBy(const std::string& name, const XmlRpc::XmlRpcValue& value) const;
 
   std::optional<ros::NodeHandle> private_node_;
   std::string node_;
   XmlRpc::XmlRpcValue values_;
-  std::vector<std::string> known_;  // those asked for
+  std::vector<std::string> known_;  // names read so far
   std::vector<std::string> notes_;
 };
 

@@ -11,13 +11,12 @@
 
 namespace place_recognition {
 
-/// The topics of the answers: `~recognition` of each frame, and what the frames amount to over
-/// time:
-/// `~place` (latched, when it changes), `~belief`, `~smoothed`, `~marker`. Not thread-safe but for
+/// The topics of the answers: `~recognition` for each frame, and for the answers over time `~place`
+/// (latched, when it changes), `~belief`, `~smoothed` and `~marker`. Not thread-safe, except for
 /// isWanted().
 class AnswerPublishers {
  public:
-  /// `changed` is called, from any thread, when somebody begins or ceases to listen.
+  /// `changed` is called, from any thread, when somebody starts or stops listening.
   void advertise(ros::NodeHandle private_node, const std::function<void()>& changed);
 
   /// Whether anybody listens.
@@ -25,14 +24,15 @@ class AnswerPublishers {
 
   void publishFrame(const PlaceRecognition& message) { recognition_.publish(message); }
 
-  /// `message` answers the frame that `tracker` was updated with last; the place is `place` now.
+  /// `message` answers the frame with which `tracker` was last updated; `place` is the current
+  /// place.
   void publishOverTime(const std::string& place, const PlaceRecognition& message,
                        PlaceTracker& tracker);
 
-  /// What was seen is forgotten: the place is unknown.
+  /// Publishes that the place is unknown, because everything seen is discarded.
   void forget(PlaceTracker& tracker);
 
-  /// As published last.
+  /// The place last published.
   const std::string& place() const { return last_place_; }
 
  private:

@@ -8,21 +8,21 @@
 
 namespace place_recognition {
 
-/// A camera of the robot, as the parameters say it.
+/// A camera of the robot, as configured by the parameters.
 struct CameraName {
-  std::string name;   ///< for messages and topics below the node; empty: the only one
-  std::string topic;  ///< of its images, without what the transport appends
-  std::string model;  ///< of its own; empty: the one of all
+  std::string name;   ///< for messages and topics below the node; empty: the only camera
+  std::string topic;  ///< of its images, without the suffix of the transport
+  std::string model;  ///< its own model; empty: the common one
 };
 
-/// The cameras of `~cameras`, each a topic or, without a slash, a name before /image_raw, with the
-/// models of `~models`; if it is not set, one on `image`. Throws Error if a name is no topic,
-/// stands there twice, or has no model though others do.
+/// Reads the cameras from `~cameras`, each a topic or, without a slash, a name before /image_raw,
+/// with the models in `~models`. If it is not set, there is one camera on `image`. Throws Error if
+/// a name is not a topic, occurs twice, or has no model although others do.
 std::vector<CameraName> readCameras(Parameters& parameters);
 
-/// How alike the cameras err as `~camera_correlation` gives it, one number for all pairs or one for
-/// each (first and second, first and third, ...): cameras x cameras. Empty: not given. Throws Error
-/// for any other number of numbers.
+/// Reads the correlation of the cameras' errors from `~camera_correlation`, one number for all
+/// pairs or one per pair (first and second, first and third, ...): cameras x cameras. Empty if it
+/// is not set. Throws Error for any other count of numbers.
 Eigen::MatrixXd readCameraCorrelation(Parameters& parameters, std::size_t cameras);
 
 }  // namespace place_recognition

@@ -21,12 +21,13 @@
 
 namespace place_recognition {
 
-/// One camera of place_recognizer: takes its images, and answers each by itself with the model that
-/// is for it. Not thread-safe but for what says so.
+/// One camera of place_recognizer: receives its images and recognizes each with the camera's model.
+/// Not thread-safe, except where stated.
 class CameraRecognizer {
  public:
-  /// `model_slot` must outlive it. `wanted_changed` is called when somebody begins or ceases to
-  /// listen to the debug image; images go to `received`. Both may be called from any thread.
+  /// `model_slot` must outlive it. `wanted_changed` is called when somebody starts or stops
+  /// listening to the debug image; images are passed to `received`. Both may be called from any
+  /// thread.
   CameraRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                    Parameters& parameters, CameraName name, const ModelSlot& model_slot,
                    ImageInput::Callback received, const std::function<void()>& wanted_changed);
@@ -36,39 +37,38 @@ class CameraRecognizer {
   /// Thread-safe.
   ImageStatus& status() { return status_; }
 
-  /// By one thread at a time.
+  /// From one thread at a time.
   void subscribe();
   void unsubscribe();
 
-  /// Takes up the model of the slot and what can be set of the answers. True if the model is
-  /// another one than before.
+  /// Adopts the model of the slot and the settings for answers. True if the model has changed.
   bool follow(const PlaceRecognizerConfig& config);
-  /// The model in use; null: none.
+  /// The model in use; null if none.
   const std::shared_ptr<const Model>& model() const { return model_; }
   double unknownThreshold() const { return unknown_threshold_; }
 
-  /// Whether an image of that stamp, s, is to be answered; remembers the stamp.
+  /// Whether to recognize an image with this stamp, s; remembers the stamp.
   bool admits(double stamp, double maximum_rate);
-  /// The stamp of the last image, admitted or not, s; it falls only when time has jumped back.
+  /// The stamp of the last image, admitted or not, s; it decreases only if time has jumped back.
   double lastStamp() const { return last_stamp_; }
 
-  /// The image as the model takes it, which may share the message's memory. Throws Error if it
-  /// cannot be used. From here on there must be a model.
+  /// The image in the form that the model expects; it may share the message's memory. Throws Error
+  /// if it is unusable. This and the functions below require a model.
   cv::Mat imageOf(const ImageMessage& message);
-  /// The answer to the next image, of `stamp`, s, that came at `arrival`.
+  /// The answer to the next image, with `stamp`, s, which arrived at `arrival`.
   const Recognition& recognize(const cv::Mat& image, double stamp,
                                ImageStatus::Clock::time_point arrival);
-  /// Whether the image answered last shows anything.
+  /// Whether the camera shows nothing, according to the last image recognized.
   bool blind() const { return guard_->blind(); }
-  /// The answer to an image, which changes nothing of the answers to images.
+  /// The answer to a single image; has no effect on the answers to the stream.
   Recognition recognizeImage(const ImageMessage& message);
 
-  /// If somebody listens.
+  /// Does nothing if nobody listens.
   void publishDebugImage(const cv::Mat& image, const Recognition& recognition,
                          const std_msgs::Header& header);
   bool debugImageIsWanted() const { return debug_image_publisher_.getNumSubscribers() > 0; }
 
-  /// Forgets what was seen.
+  /// Discards everything seen.
   void reset();
 
  private:
@@ -83,10 +83,10 @@ class CameraRecognizer {
   std::unique_ptr<Recognizer> recognizer_;  // of the model
   std::optional<ImageGuard> guard_;         // likewise
   double unknown_threshold_ = 0;
-  double deadline_ = 0;  // s; 0: none
+  double deadline_ = 0;  // s; 0 if none
   RateLimit rate_limit_;
-  DepthScale depth_scale_;  // of the model, or of the images that came
-  std::string depth_text_;  // as logged last
+  DepthScale depth_scale_;  // of the model, or of the images so far
+  std::string depth_text_;  // as last logged
   double last_stamp_ = 0;   // s
   image_transport::Publisher debug_image_publisher_;
 };

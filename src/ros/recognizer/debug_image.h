@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// The image (CV_8UC3 or CV_8UC1) with the answer in its upper left corner and, below it, a bar
-/// for the probability of each place; CV_8UC3.
+/// The image (CV_8UC3 or CV_8UC1) with the answer in its upper left corner and, below it, one bar
+/// per place for its probability; CV_8UC3.
 cv::Mat drawAnswer(const cv::Mat& image, const Recognition& recognition, const Model& model);
 
 }  // namespace place_recognition

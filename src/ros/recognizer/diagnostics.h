@@ -11,18 +11,18 @@
 
 namespace place_recognition {
 
-/// What place_recognizer tells on /diagnostics each second: the state of its models, and of the
+/// Reports of place_recognizer on /diagnostics, once per second: the state of its models, and the
 /// images and answers of each camera. Thread-safe.
 class Diagnostics {
  public:
   Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
               const std::string& node_name);
 
-  /// What it reports as `name`; they must outlive it.
+  /// Adds a source, reported as `name`, which must outlive this.
   void add(const std::string& name, const ModelSlot& model_slot);
   void add(const std::string& name, ImageStatus& images);
 
-  /// Reports from now on, when all have been added.
+  /// Starts reporting, once all sources are added.
   void start();
 
  private:

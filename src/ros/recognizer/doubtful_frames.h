@@ -15,23 +15,23 @@
 
 namespace place_recognition {
 
-/// What is kept of the frames that a recognizer doubts, and where.
+/// Which doubtful frames a recognizer keeps, and where.
 struct KeepOptions {
   std::string folder;       ///< empty: nothing is kept
-  int per_hour = 240;       ///< frames at most, evenly over the time
+  int per_hour = 240;       ///< maximum number of frames, spread evenly over time
   int megabytes = 500;      ///< of all bags in the folder; the oldest are removed
   std::string label_topic;  ///< resolved
 };
 
 /// Keeps the frames that the model should learn next: those answered 'unknown', and those whose
-/// answer is another one than that of the frame before. They go to bags `doubtful_<UTC time>.bag`
-/// with the place over time as their label, so that a person only needs to correct it; a bag ends
-/// after an hour or an eighth of the megabytes. Bags with labels of a person beside them
-/// (`doubtful_<UTC time>.labels.yaml`) are neither counted nor removed. A disk that refuses ends
-/// the keeping with a message, not the node. Not thread-safe but for isKeeping().
+/// answer differs from that of the previous frame. They are written to bags `doubtful_<UTC
+/// time>.bag` with the place over time as their label, so that a person only needs to correct it. A
+/// bag ends after an hour or an eighth of the megabytes. Bags with a person's labels beside them
+/// (`doubtful_<UTC time>.labels.yaml`) are neither counted nor removed. If writing fails, keeping
+/// ends with a message, but the node continues. Not thread-safe, except for isKeeping().
 class DoubtfulFrames {
  public:
-  /// Throws Error if the folder cannot be made or written to, or if another recognizer keeps its
+  /// Throws Error if the folder cannot be created or written to, or if another recognizer keeps its
   /// frames there.
   explicit DoubtfulFrames(KeepOptions options);
 
@@ -53,20 +53,20 @@ class DoubtfulFrames {
   void keep(const std::string& topic, const ImageMessage& image, const std::string& place);
   void begin(const ros::Time& time);
   void finishBag();
-  /// Removes the oldest bags until the next one has room within the megabytes.
+  /// Removes the oldest bags until the next one fits within the megabytes.
   void removeOldest() const;
 
   const KeepOptions options_;
   std::unique_ptr<FolderLock> lock_;
-  bool failed_ = false;                     // the disk has refused
-  ros::Time due_;                           // of the next frame to be kept
+  bool failed_ = false;                     // writing has failed
+  ros::Time due_;                           // time of the next frame to keep
   std::map<std::string, int> last_places_;  // the answer to the last frame of each topic
-  std::unique_ptr<StagedBag> bag_;          // none: no frame since the last one ended
+  std::unique_ptr<StagedBag> bag_;          // null: no frame since the last bag ended
   std::time_t named_ = 0;                   // the time in its name
   ros::Time begin_, last_;                  // of its frames
   std::uint64_t bytes_ = 0;                 // of the bag
   std::uint64_t images_ = 0;                // in the bag
-  std::string label_;                       // in the bag now
+  std::string label_;                       // the current label in the bag
 };
 
 }  // namespace place_recognition

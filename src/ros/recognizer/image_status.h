@@ -14,8 +14,8 @@
 
 namespace place_recognition {
 
-/// What became of the images of one camera, for diagnostics. Once in each silence of the camera it
-/// also logs what may be wrong. Thread-safe.
+/// Tracks what happens to the images of one camera, for diagnostics. Once in each silence of the
+/// camera it also logs the possible cause. Thread-safe.
 class ImageStatus {
  public:
   using Clock = std::chrono::steady_clock;
@@ -24,29 +24,30 @@ class ImageStatus {
   /// `input` must outlive it.
   ImageStatus(Parameters& parameters, const ImageInput& input);
 
-  void listening(bool subscribed);  ///< no image is missed while the node does not listen
+  void listening(bool subscribed);  ///< while false, the node does not expect images
   void arrived();
-  void skipped();  ///< a newer image came before its turn
-  void leftOut();  ///< by the limit of the rate
+  void skipped();  ///< replaced by a newer image before its turn
+  void leftOut();  ///< because of the rate limit
   void unusable(const std::string& problem);
-  /// What is wrong with the last image, see ImageGuard; empty: nothing.
+  /// What is wrong with the last image, see ImageGuard; empty if nothing.
   void judged(const std::string& problem);
   /// An image was answered without a place, for this reason.
   void saidNothing(const std::string& reason);
-  /// So many cues were not computed for an image.
+  /// This number of cues was not computed for an image.
   void held(std::size_t cues);
-  /// How the images differ from those of the training, as the answers so far tell, see Recognizer.
+  /// The difference of the images from those of the training, estimated from the answers so far,
+  /// see Recognizer.
   void followed(const Light& correction, double evidence_shift);
-  /// Why answers do not count for ~place, as long as it lasts; empty: they do.
+  /// Why answers are not used for ~place, as long as that is so; empty if they are.
   void notCounted(const std::string& why);
-  /// An answer was published to the image of `stamp` that came at `arrival`.
+  /// An answer was published to the image with `stamp` that arrived at `arrival`.
   void answered(const ros::Time& stamp, Clock::time_point arrival);
 
   void report(Report& report);
   void warnOfSilence();
 
  private:
-  /// What happened since the last report.
+  /// Counts since the last report.
   struct Recent {
     int images = 0;
     int unusable = 0;
@@ -56,14 +57,14 @@ class ImageStatus {
   };
 
   void summarize(const Recent& recent, double silence, Report& report) const;
-  /// Whether a silence has become worth a warning just now.
+  /// Whether a silence has just become long enough for a warning.
   bool silenceBegins();
 
   const ImageInput& input_;
-  const double timeout_;        // s without an image that are worth a warning; 0: none
-  const double max_image_age_;  // s between stamp and answer; 0: any, as in a replay
+  const double timeout_;        // s without an image until a warning; 0: none
+  const double max_image_age_;  // s between stamp and answer; 0: no limit, for a replay
 
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // guards everything below
   Recent recent_;
   std::uint64_t skipped_ = 0;
   std::uint64_t left_out_ = 0;
@@ -72,10 +73,10 @@ class ImageStatus {
   std::uint64_t answers_ = 0;
   std::uint64_t with_held_cues_ = 0;
   std::string last_problem_;
-  std::string last_silence_;   // why an image said nothing
-  std::string image_problem_;  // as long as it lasts, as the next one
+  std::string last_silence_;   // why an image was answered without a place
+  std::string image_problem_;  // current, likewise the next one
   std::string not_counted_;
-  double last_age_ = 0;  // s, of the image last answered
+  double last_age_ = 0;  // s, of the last image answered
   Light light_correction_;
   double evidence_shift_ = 0;
   bool listening_ = false;

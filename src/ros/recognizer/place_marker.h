@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// The place as text for rviz, which stands where the camera is and faces the viewer. It vanishes
-/// when no other follows for a while.
+/// The place as text for rviz, shown at the camera and facing the viewer. It disappears if no other
+/// marker follows for a while.
 visualization_msgs::Marker placeMarker(const std::string& place, const std_msgs::Header& header);
 
 }  // namespace place_recognition

@@ -28,13 +28,14 @@
 
 namespace place_recognition {
 
-/// Names the room of each image of one camera or several, as a node or a nodelet: one object for
-/// both. Callbacks may come from any number of threads; images are worked on in a thread of its
-/// own, always the newest of each camera.
+/// Names the room in each image of one or several cameras; one class for both the node and the
+/// nodelet. Callbacks may come from any number of threads; a separate thread processes the images,
+/// always the newest of each camera.
 class PlaceRecognizer {
  public:
-  /// `name` is that of the node or nodelet, for diagnostics. Throws Error if a parameter is wrong;
-  /// a model that cannot be loaded is only reported, for ~load_model may name another.
+  /// `name` is that of the node or nodelet, for diagnostics. Throws Error if a parameter is
+  /// invalid; a model that cannot be loaded is only reported, because ~load_model may name another
+  /// one.
   PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                   const std::string& name);
   ~PlaceRecognizer();
@@ -44,7 +45,7 @@ class PlaceRecognizer {
  private:
   PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                   const std::string& name, Parameters parameters);
-  void startCameras(Parameters& parameters);  // needs control_mutex_, as does advertise()
+  void startCameras(Parameters& parameters);  // requires control_mutex_, as does advertise()
   void advertise();
   void loadFirstModels(const std::string& name);
   void updateSubscription();
@@ -58,14 +59,14 @@ class PlaceRecognizer {
   bool onRecognize(Recognize::Request& request, Recognize::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  /// Calls `load` and tells in `response` how that went.
+  /// Calls `load` and reports the result in `response`.
   template <typename Load, typename Response>
   void changeModel(const Load& load, Response& response);
 
   void work();
   void answer(const ArrivedImage& arrived);
   void recognize(const ArrivedImage& arrived);
-  /// Asked by ~recognize: changes nothing that an answer to a frame depends on.
+  /// For ~recognize: has no effect on the answers to frames.
   void answer(Question& question);
   void followModels();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
@@ -77,22 +78,22 @@ class PlaceRecognizer {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   const std::vector<CameraName> names_;
-  std::deque<ModelSlot> model_slots_;  // one for all cameras, or one for each
+  std::deque<ModelSlot> model_slots_;  // one for all cameras, or one per camera
   const double image_timeout_;         // s; 0: none
   NewestImage newest_;
   std::vector<std::unique_ptr<CameraRecognizer>> cameras_;
   Diagnostics diagnostics_;
 
-  std::mutex control_mutex_;  // of what decides whether images are wanted
+  std::mutex control_mutex_;  // guards what decides whether images are wanted
   const bool lazy_;
   bool enabled_ = true;
   bool subscribed_ = false;
 
-  std::mutex state_mutex_;  // of what an answer depends on and leaves behind
+  std::mutex state_mutex_;  // guards what an answer depends on and modifies
   PlaceRecognizerConfig config_;
   PlaceTracker place_tracker_;
   DoubtfulFrames doubtful_frames_;
-  ImageStatus::Clock::time_point last_image_;  // arrival of the last one that could be used
+  ImageStatus::Clock::time_point last_image_;  // arrival of the last usable image
   AnswerPublishers answers_;
 
   ros::Publisher model_info_publisher_;

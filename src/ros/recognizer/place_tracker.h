@@ -15,48 +15,48 @@
 
 namespace place_recognition {
 
-/// What the answers to single frames of all cameras amount to over time: a TemporalFilter with what
-/// the node knows beside them, how alike the cameras err (`~camera_correlation`, else what the
-/// model has learned), which rooms adjoin (the file that the parameter `~adjacency` names, else
-/// what the model has learned) and how far the robot has driven (the topic `odom`, if
-/// `~use_odometry`); and what they amount to when one waits a little (SmoothedAnswers). Not
-/// thread-safe, but for odometry, which may come at any time.
+/// Combines the answers to single frames of all cameras over time, with a TemporalFilter and the
+/// node's additional knowledge: how the cameras' errors correlate (`~camera_correlation`, else as
+/// learned by the model), which rooms adjoin (the file in the parameter `~adjacency`, else as
+/// learned by the model) and how far the robot has driven (the topic `odom`, if `~use_odometry` is
+/// set). Also provides the smoothed answers (SmoothedAnswers). Not thread-safe, except for
+/// odometry, which may arrive at any time.
 class PlaceTracker {
  public:
-  /// `cameras`: the topics of their images, one at least.
+  /// `cameras`: the topics of their images, at least one.
   PlaceTracker(const ros::NodeHandle& node, Parameters& parameters,
                std::vector<std::string> cameras = {""});
 
-  /// From now on frames of each camera are answered by its model; null: by none. A map that does
-  /// not fit them is reported and left out. `smoothing`, s: see the parameter; 0: the answer is
-  /// that to the single frame.
+  /// Sets the model of each camera; null if it has none. A map that does not fit the models is
+  /// reported and ignored. `smoothing`, s: see the parameter; 0: the answer over time is that to
+  /// the single frame.
   void setModels(std::vector<std::shared_ptr<const Model>> models, double smoothing);
   void setModel(std::shared_ptr<const Model> model, double smoothing);
   void setSmoothing(double smoothing);
   void setUnknownThreshold(double threshold, std::size_t camera = 0);
 
-  /// Whether frames of a camera count.
+  /// Whether frames of a camera are used.
   bool counts(std::size_t camera) const;
-  /// Why they do not, for its model knows other places than the first one;
-  /// empty: they do.
+  /// Why they are not: its model knows other places than the first model. Empty if they are.
   std::string whyNotCounted(std::size_t camera) const;
 
-  /// The place after the frame of `stamp`, s, of a camera that counts, or kUnknownPlace; valid
-  /// until the next call.
+  /// The place after the frame with `stamp`, s, of a camera whose frames are used, or
+  /// kUnknownPlace; valid until the next call.
   const std::string& update(double stamp, const Recognition& recognition, std::size_t camera = 0);
 
-  /// `message` answers the frame of the last update(). The same with what all frames so far make of
-  /// the places; where the smoothing is 0, as it is.
+  /// `message`, the answer to the frame of the last update(), with the places' probabilities after
+  /// all frames so far. Unchanged if smoothing is 0.
   PlaceRecognition belief(PlaceRecognition message) const;
 
-  /// `message` answers the frame of the last update(). The messages of frames before it, whose time
-  /// to wait (`~smoothing_lag`) is over, with the places that they have in the light of what came
-  /// since; none where the smoothing is 0.
+  /// `message` is the answer to the frame of the last update(). Returns the messages of earlier
+  /// frames whose waiting time (`~smoothing_lag`) is over, with their places revised by the frames
+  /// since then; none if smoothing is 0.
   std::vector<PlaceRecognition> smooth(const PlaceRecognition& message);
-  /// Nobody is interested: messages that wait are forgotten.
+  /// Discards the waiting messages because nobody listens.
   void dropSmoothed() { smoothed_.clear(); }
 
-  /// Forgets what was seen. The messages that wait for what does not come now, as smooth().
+  /// Discards everything seen. Returns the waiting messages, like smooth(), since no more frames
+  /// follow.
   std::vector<PlaceRecognition> reset();
 
  private:
@@ -69,10 +69,10 @@ class PlaceTracker {
   const Eigen::MatrixXd given_correlation_;           // empty: as learned
   const std::string adjacency_path_;                  // empty: none
   std::vector<std::shared_ptr<const Model>> models_;  // one per camera; null: none yet
-  std::shared_ptr<const Model> model_;                // the first of them, whose places count
+  std::shared_ptr<const Model> model_;  // the first of them, which determines the places
   Adjacency adjacency_{0};
   double smoothing_ = 0;
-  std::unique_ptr<TemporalFilter> filter_;  // none: not smoothed
+  std::unique_ptr<TemporalFilter> filter_;  // null: not smoothed
   SmoothedAnswers smoothed_;
   OdometryAccumulator way_;
   ros::Subscriber odometry_subscriber_;

@@ -10,26 +10,26 @@
 
 namespace place_recognition {
 
-/// Answers to frames in the light of what came after them: each message waits for the frames of a
-/// FixedLagSmoother's lag and comes back with its place. Not thread-safe.
+/// Revises the answers to frames by the frames that follow: each message waits for the lag of a
+/// FixedLagSmoother and is returned with its place. Not thread-safe.
 class SmoothedAnswers {
  public:
   /// `lag`: s, 0..10.
   explicit SmoothedAnswers(double lag) : lag_(lag) {}
 
-  /// From now on messages are of a filter with this map and these options; calls finish().
+  /// Switches to messages of a filter with this adjacency and these options; calls finish().
   void follow(const Adjacency& adjacency, const TemporalFilterOptions& options);
 
-  /// `message` answers the frame that `filter` has been updated with last.
+  /// `message` answers the frame with which `filter` was last updated.
   void add(const TemporalFilter& filter, const PlaceRecognition& message);
 
-  /// Answers the messages that wait by what has been seen so far.
+  /// Answers the waiting messages with the frames seen so far.
   void finish();
 
-  /// Forgets all messages.
+  /// Discards all messages.
   void clear();
 
-  /// Those that are done, in order, each once.
+  /// Returns the completed messages in order, each once.
   std::vector<PlaceRecognition> take();
 
  private:

@@ -11,22 +11,22 @@
 
 namespace place_recognition {
 
-/// One training, done by place_tool in a child process, so that neither its memory nor a crash is
-/// the trainer's.
+/// One training, run by place_tool in a child process, so that neither its memory nor a crash
+/// affects the trainer.
 class TrainJob {
  public:
   using FeedbackCallback = std::function<void(const TrainFeedback&)>;
-  /// A sentence on what is used otherwise than it may be meant, or not at all.
+  /// A sentence about input that is ignored or may be used differently than intended.
   using WarningCallback = std::function<void(const std::string&)>;
 
-  /// `bag_roots`: the folders below which bags may lie.
+  /// `bag_roots`: folders that may contain bags.
   TrainJob(const TrainGoal& goal, const std::vector<std::string>& bag_roots);
 
-  /// Trains and returns when it is over; what went wrong is in the result's message, with the
-  /// warnings that came before.
+  /// Trains and returns when finished; the result's message contains an error, with the preceding
+  /// warnings.
   TrainResult run(const FeedbackCallback& on_feedback, const WarningCallback& on_warning);
 
-  /// Stops run(), now or as soon as it is called. From any thread.
+  /// Stops run(), now or as soon as it is called. Safe from any thread.
   void cancel() { cancelled_ = true; }
   bool cancelled() const { return cancelled_; }
 

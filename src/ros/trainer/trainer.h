@@ -15,18 +15,18 @@
 
 namespace place_recognition {
 
-/// Learns models from labelled bags: the action ~train and the service ~retrain. One training at a
-/// time; whoever asks for another meanwhile is refused. Callbacks may come from any number of
-/// threads, of which ~retrain holds one as long as it lasts.
+/// Trains models from labelled bags: the action ~train and the service ~retrain. Only one training
+/// runs at a time; other requests are rejected meanwhile. Callbacks may come from any number of
+/// threads; ~retrain occupies one until it finishes.
 class Trainer {
  public:
-  /// Throws Error if a parameter is wrong.
+  /// Throws Error if a parameter is invalid.
   Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
   ~Trainer();
   Trainer(const Trainer&) = delete;
   Trainer& operator=(const Trainer&) = delete;
 
-  /// Cancels the training at work, and refuses all that are asked for from now on.
+  /// Cancels the running training, and rejects all later requests.
   void finish();
 
  private:
@@ -37,21 +37,21 @@ class Trainer {
   void onCancel(GoalHandle handle);
   bool onRetrain(Retrain::Request& request, Retrain::Response& response);
 
-  /// The job for `goal`, now the only one; null if there is one already.
+  /// Makes a job for `goal` the current one; null if there already is one.
   std::shared_ptr<TrainJob> begin(const TrainGoal& goal);
   void end();
   void work(GoalHandle handle, const std::shared_ptr<TrainJob>& job);
   void reloadRecognizers(const TrainGoal& goal, TrainResult& result);
-  /// Empty: it has loaded the model; else why not.
+  /// Empty if the recognizer has loaded the model; else the reason.
   std::string reload(const std::string& recognizer, const std::string& model);
 
   ros::NodeHandle node_;
   std::vector<std::string> bag_roots_;
 
-  std::mutex mutex_;  // of the four below
+  std::mutex mutex_;  // guards the four below
   bool finished_ = false;
   std::shared_ptr<TrainJob> job_;
-  GoalHandle goal_;  // that of job_, if an action has asked for it
+  GoalHandle goal_;  // of job_, if an action requested it
   std::thread worker_;
 
   ActionServer action_server_;
