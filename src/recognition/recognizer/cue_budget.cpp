@@ -8,8 +8,8 @@
 namespace place_recognition {
 namespace {
 
-constexpr double kApproach = 0.2;          // of the way down to what a cue took last, per frame
-constexpr double kKeptWhenLeftOut = 0.98;  // of what is expected of a cue, per frame without it
+constexpr double kApproach = 0.2;          // of the way down to a cue's last time, per frame
+constexpr double kKeptWhenLeftOut = 0.98;  // of a cue's expected time, per frame without it
 
 }  // namespace
 
@@ -33,11 +33,9 @@ void CueBudget::begin(double seconds) {
                    [this](std::size_t a, std::size_t b) { return expected_[a] < expected_[b]; });
 }
 
-bool CueBudget::allows(std::size_t cue) {
-  if (clock_() + expected_[cue] <= end_) return true;
-  expected_[cue] *= kKeptWhenLeftOut;
-  return false;
-}
+bool CueBudget::fits(std::size_t cue) const { return clock_() + expected_[cue] <= end_; }
+
+void CueBudget::leaveOut(std::size_t cue) { expected_[cue] *= kKeptWhenLeftOut; }
 
 void CueBudget::finish(std::size_t cue, double seconds) {
   computed_[cue] = true;

@@ -7,7 +7,7 @@
 
 namespace place_recognition {
 
-/// Which cues of a frame there is time for, by what each of them took in the frames before. Not
+/// Decides which cues of a frame can be computed in time, from their times in earlier frames. Not
 /// thread-safe.
 class CueBudget {
  public:
@@ -16,19 +16,22 @@ class CueBudget {
 
   explicit CueBudget(std::size_t cues, Clock clock = steadySeconds);
 
-  /// A frame that may take `seconds` from now on; infinity: any time.
+  /// Begins a frame that may take `seconds` from now on; infinity: no limit.
   void begin(double seconds);
 
-  /// All cues, the one that is expected to take least first. Constant during a frame.
+  /// All cues, the quickest expected first. Constant during a frame.
   const std::vector<std::size_t>& order() const { return order_; }
 
-  /// Whether the cue is expected to be done in time. What a cue takes is expected to be what it
-  /// took last if that was more than expected, and else to approach it. A cue that was not computed
-  /// counts as if it had been as much slower or faster than expected as those that were, and each
-  /// time that it is not allowed a little less, so that it gets another chance.
-  bool allows(std::size_t cue);
+  /// Whether the cue is expected to finish in time. The expected time of a cue rises to its last
+  /// time at once, and falls towards it gradually. For cues that were not computed it changes by
+  /// the same ratio as for those that were.
+  bool fits(std::size_t cue) const;
 
-  /// Calls `work`, which computes a cue, and remembers what that took.
+  /// Leaves out a cue that does not fit. Its expected time decreases a little, so that the cue is
+  /// tried again some day.
+  void leaveOut(std::size_t cue);
+
+  /// Calls `work`, which computes a cue, and measures its time.
   template <typename Work>
   void time(std::size_t cue, const Work& work) {
     const double start = clock_();
@@ -42,10 +45,10 @@ class CueBudget {
 
   Clock clock_;
   double end_ = std::numeric_limits<double>::infinity();
-  std::vector<double> expected_;  // s, one per cue; 0: it was never computed
-  std::vector<bool> computed_;    // of each cue: in this frame
-  double spent_ = 0;              // s, on the cues of this frame that had been computed before
-  double foreseen_ = 0;           // s, what was expected of them
+  std::vector<double> expected_;  // s, one per cue; 0: never computed
+  std::vector<bool> computed_;    // by cue: in this frame
+  double spent_ = 0;              // s, on cues of this frame that were computed in earlier ones
+  double foreseen_ = 0;           // s, expected for them
   std::vector<std::size_t> order_;
 };
 

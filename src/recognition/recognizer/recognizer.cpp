@@ -102,7 +102,9 @@ void Recognizer::askCuesInTime(double stamp) {
   bool answered = false;
   for (const std::size_t c : budget_->order()) {
     const bool due = embeddings_are_due || !is_embedding_[c];
-    if (!due || (answered && !budget_->allows(c))) {
+    const bool late = due && answered && !budget_->fits(c);
+    if (late) budget_->leaveOut(c);
+    if (!due || late) {
       recognition_.held.push_back(c);
       continue;
     }
