@@ -30,6 +30,10 @@ constexpr std::size_t kBatch = 8;
 constexpr float kStray = 0.1f;
 
 constexpr unsigned kMaxVisits = 1000;
+constexpr unsigned kMaxFloors = 1000;
+
+/// From the last frame of a floor to the first of the next, s.
+constexpr double kLiftTime = 10.0;
 
 /// Cameras by their names: how far each is turned to the left, rad.
 constexpr std::pair<const char*, float> kMounts[] = {
@@ -101,6 +105,36 @@ SimulatedFrame frameOf(const Pose& pose, const std::string& camera) {
   return frame;
 }
 
+void simulateFloor(const SimulationOptions& options, const FrameSink& sink) {
+  Scene scene;
+  const std::vector<Pose> poses = prepare(options, scene);
+  const RayTracer tracer(scene);
+  // A grid of light finer than what the image shows would be wasted.
+  const float spacing = 0.12f * std::max(1.0f, 512.0f / static_cast<float>(options.size.width));
+  const Lighting lighting(scene, tracer, daylight(options.condition), spacing, options.threads);
+  const Render render = renderOf(options, scene, tracer, lighting);
+
+  const std::uint64_t noise_seed = randomOf(options, kNoiseStream).next();
+  const std::vector<std::string> cameras =
+      options.cameras.empty() ? std::vector<std::string>{""} : options.cameras;
+  const std::size_t frames = poses.size() * cameras.size();
+  std::vector<SimulatedFrame> batch(kBatch);
+  for (std::size_t start = 0; start < frames; start += kBatch) {
+    const std::size_t count = std::min(kBatch, frames - start);
+    parallelFor(count, options.threads, [&](std::size_t i, unsigned) {
+      const std::size_t number = (start + i) / cameras.size();
+      const std::string& camera = cameras[(start + i) % cameras.size()];
+      const std::size_t mount = camera.empty() ? 0 : mountOf(camera);
+      const View view = turned(poses[number].view, kMounts[mount].second);
+      batch[i] = frameOf(poses[number], camera);
+      batch[i].image = develop(render(view), Random(noise_seed + mount, number));
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!sink(batch[i], start + i, frames)) return;
+    }
+  }
+}
+
 }  // namespace
 
 const char* name(Condition condition) {
@@ -139,6 +173,10 @@ void SimulationOptions::check() const {
   if (visit < 1 || visit > kMaxVisits) {
     throw Error("Simulation visit " + std::to_string(visit) + " is out of range; give 1 to 1000.");
   }
+  if (floors < 1 || floors > kMaxFloors) {
+    throw Error("Simulation floors " + std::to_string(floors) +
+                " is out of range; give 1 to 1000.");
+  }
   if (!(rate >= 0.1 && rate <= 100.0)) {
     throw Error("Simulation rate " + std::to_string(rate) +
                 " is out of range; give 0.1 to 100 frames a second.");
@@ -152,32 +190,24 @@ void SimulationOptions::check() const {
 
 void simulate(const SimulationOptions& options, const FrameSink& sink) {
   options.check();
-  Scene scene;
-  const std::vector<Pose> poses = prepare(options, scene);
-  const RayTracer tracer(scene);
-  // A grid of light finer than what the image shows would be wasted.
-  const float spacing = 0.12f * std::max(1.0f, 512.0f / static_cast<float>(options.size.width));
-  const Lighting lighting(scene, tracer, daylight(options.condition), spacing, options.threads);
-  const Render render = renderOf(options, scene, tracer, lighting);
-
-  const std::uint64_t noise_seed = randomOf(options, kNoiseStream).next();
-  const std::vector<std::string> cameras =
-      options.cameras.empty() ? std::vector<std::string>{""} : options.cameras;
-  const std::size_t frames = poses.size() * cameras.size();
-  std::vector<SimulatedFrame> batch(kBatch);
-  for (std::size_t start = 0; start < frames; start += kBatch) {
-    const std::size_t count = std::min(kBatch, frames - start);
-    parallelFor(count, options.threads, [&](std::size_t i, unsigned) {
-      const std::size_t number = (start + i) / cameras.size();
-      const std::string& camera = cameras[(start + i) % cameras.size()];
-      const std::size_t mount = camera.empty() ? 0 : mountOf(camera);
-      const View view = turned(poses[number].view, kMounts[mount].second);
-      batch[i] = frameOf(poses[number], camera);
-      batch[i].image = develop(render(view), Random(noise_seed + mount, number));
+  if (options.floors == 1) {
+    simulateFloor(options, sink);
+    return;
+  }
+  SimulationOptions floor = options;
+  double start = 0.0;
+  bool goes_on = true;
+  for (unsigned below = 0; below < options.floors && goes_on; ++below, ++floor.seed) {
+    const std::string prefix = "floor" + std::to_string(below + 1) + "_";
+    double last = start;
+    simulateFloor(floor, [&](SimulatedFrame frame, std::size_t index, std::size_t count) {
+      frame.room = prefix + frame.room;
+      frame.name = prefix + frame.name;
+      frame.stamp = last = start + frame.stamp;
+      goes_on = sink(frame, below * count + index, options.floors * count);
+      return goes_on;
     });
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!sink(batch[i], start + i, frames)) return;
-    }
+    start = last + kLiftTime;
   }
 }
 

@@ -34,6 +34,10 @@ struct SimulationOptions {
   /// 1..1000. Determines what has been moved, who walks about and, except for the first visit, how
   /// the robot deviates from its path.
   unsigned visit = 1;
+  /// 1..1000. If there are several, floor N (from 1) is the building of seed `seed` + N - 1, and
+  /// its rooms and frames are named floorN_kitchen and so on. The robot takes a lift to the next
+  /// floor.
+  unsigned floors = 1;
   cv::Size size{512, 384};  ///< pixels, each side 16..4096
   unsigned threads = 0;     ///< 0: one per core
   double rate = 5.0;        ///< frames per second (0.1..100); indecs: one image every 1/rate s
@@ -59,7 +63,8 @@ struct SimulatedFrame {
   double yaw = 0.0;    ///< rad, anticlockwise from x; the robot's viewing direction
 };
 
-/// Receives frame `index` of `count`; returns false to stop the run.
+/// Receives frame `index` of `count`, an estimate if there are several floors; returns false to
+/// stop the run.
 using FrameSink =
     std::function<bool(const SimulatedFrame& frame, std::size_t index, std::size_t count)>;
 

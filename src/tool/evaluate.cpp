@@ -17,15 +17,24 @@ namespace {
 struct EvaluateOptions {
   std::vector<std::string> inputs;
   std::string model;
+  std::string adjacency;
   std::string report;
   InputOptions input;
   OutputOptions output;
 };
 
+std::shared_ptr<const Model> modelOf(const EvaluateOptions& options) {
+  Model model = loadModel(modelPath(options.model));
+  if (!options.adjacency.empty()) {
+    model.adjacency = readAdjacency(options.adjacency, model.places);
+  }
+  return std::make_shared<const Model>(std::move(model));
+}
+
 void evaluateModel(const EvaluateOptions& options) {
   const std::string report = options.report + "/report.html";
   if (!options.report.empty()) requireWritable(report);
-  const auto model = std::make_shared<const Model>(loadModel(modelPath(options.model)));
+  const std::shared_ptr<const Model> model = modelOf(options);
   const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
@@ -53,6 +62,9 @@ void addEvaluate(CommandLine& tool) {
   const auto options = std::make_shared<EvaluateOptions>();
   verb.argument("INPUT", options->inputs, kInputHelp);
   verb.option("--model", "NAME", options->model, "Name or file of the model").required();
+  verb.option("--adjacency", "FILE", options->adjacency,
+              "YAML file that lists which rooms adjoin, rooms: {kitchen: [corridor], ...}, as the "
+              "node's ~adjacency; left out: as learned by the model");
   verb.option("--report", "DIR", options->report,
               "Write DIR/report.html with metrics, plots and the images of the worst errors");
   options->input.addTo(verb);

@@ -117,6 +117,8 @@ void addSimulate(CommandLine& tool) {
               "Selects the building; the same seed gives the same pixels");
   verb.option("--visit", "N", options->simulation.visit,
               "Day of the visit, from 1 (default): on each day other things are moved");
+  verb.option("--floors", "N", options->simulation.floors,
+              "Floors of the building, each with five rooms of its own, as floor2_kitchen");
   verb.option("--format", "NAME", options->format,
               "bag: DIR/cloudy.bag; images: DIR/cloudy/ROOM/NAME.png")
       .oneOf({"bag", "images"});

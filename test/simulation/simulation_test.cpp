@@ -49,6 +49,30 @@ TEST(Simulation, SameSeedSamePixelsWhateverTheNumberOfThreads) {
   EXPECT_FALSE(sameImages(one, firstFrames(options, 12)));
 }
 
+TEST(Simulation, EachFloorIsTheBuildingOfTheNextSeed) {
+  SimulationOptions options = small(Condition::kCloudy);
+  options.protocol = Protocol::kDrive;
+  options.rate = 0.5;
+  const auto frames = firstFrames(options, 1000);
+  options.floors = 2;
+  const auto both = firstFrames(options, 1000);
+  options.floors = 1;
+  options.seed = 2;
+  auto expected = frames;
+  for (const SimulatedFrame& frame : firstFrames(options, 1000)) expected.push_back(frame);
+
+  EXPECT_TRUE(sameImages(both, expected));
+  ASSERT_EQ(both.size(), expected.size());
+  double last = -1.0;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const std::string prefix = i < frames.size() ? "floor1_" : "floor2_";
+    EXPECT_EQ(both[i].room, prefix + expected[i].room);
+    EXPECT_EQ(both[i].name, prefix + expected[i].name);
+    EXPECT_GT(both[i].stamp, last);
+    last = both[i].stamp;
+  }
+}
+
 TEST(Simulation, AnotherVisitIsToTheSameBuildingOnAnotherDay) {
   SimulationOptions options = small(Condition::kNight);  // all lamps are on, whatever the day
   const auto first = firstFrames(options, 12);
@@ -157,6 +181,9 @@ TEST(Simulation, OptionsOutOfRangeAreRefused) {
   EXPECT_THROW(options.check(), Error);
   options = {};
   options.visit = 0;
+  EXPECT_THROW(options.check(), Error);
+  options = {};
+  options.floors = 0;
   EXPECT_THROW(options.check(), Error);
   options = {};
   options.rate = 0.0;

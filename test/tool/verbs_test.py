@@ -65,6 +65,20 @@ class TrainTest(ToolCase):
         self.assertEqual(list(figures["rooms"]), ["kitchen"])
 
 
+    def test_evaluate_takes_a_map_of_adjoining_rooms(self):
+        self.succeed("simulate", "--out", "drive", "--protocol", "drive", "--size", "64x48",
+                     "--rate", 2, "--conditions", "cloudy")
+        self.succeed("train", "drive/cloudy.bag", "--model", "./home.places", *COLOUR)
+        wrong_map = self.folder / "wrong.yaml"
+        wrong_map.write_text("rooms: {kitchen: [office_b], office_a: [printer_area]}")
+        evaluate = ("evaluate", "drive/cloudy.bag", "--model", "./home.places")
+        learned, wrong = (self.figures(*evaluate, *adjacency) for adjacency in (
+            (), ("--adjacency", "wrong.yaml")))
+        self.assertEqual(learned["average_rate"], wrong["average_rate"])
+        self.assertNotEqual(learned["over_time"], wrong["over_time"])
+        wrong_map.write_text("rooms: {attic: [kitchen]}")
+        self.assertIn("attic", self.refuse(*evaluate, "--adjacency", "wrong.yaml"))
+
     def test_it_learns_on_from_a_model_within_a_limit(self):
         self.write_run("monday", rooms=("kitchen", "corridor"))
         self.write_run("tuesday", seed=1, rooms=("office",))
