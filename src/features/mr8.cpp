@@ -1,7 +1,5 @@
 #include "features/mr8.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "place_recognition/error.h"
@@ -11,6 +9,18 @@ namespace place_recognition {
 namespace {
 
 constexpr int kSigned = 2 * Mr8FilterBank::kScales;  ///< the first response that may be negative
+constexpr int kDigitsOfWord = 4;                     ///< of at most 200 values; 32 bits hold them
+
+/// Magnitudes from 0 to the range, other responses from -range to range.
+Quantizer quantizer(const Mr8Options& options, int response) {
+  const bool is_signed = response >= kSigned;
+  const auto bins = static_cast<float>(options.bins);
+  const float zero = is_signed ? bins / 2 : 0;  // its level
+  const float whole = std::floor(zero);
+  const auto weight = std::pow(options.bins, response % kDigitsOfWord);
+  return {(bins - zero) / static_cast<float>(options.range), zero - whole, -whole, bins - 1 - whole,
+          static_cast<std::uint32_t>(weight)};
+}
 
 }  // namespace
 
@@ -24,6 +34,7 @@ void Mr8Options::check() const {
 Mr8Extractor::Mr8Extractor(const Mr8Options& options)
     : options_(options), responses_(options.weber) {
   options_.check();
+  for (int k = 0; k < Mr8FilterBank::kResponses; ++k) quantizers_[k] = quantizer(options, k);
 }
 
 void Mr8Extractor::extract(const cv::Mat& image, Feature& feature) {
@@ -39,18 +50,15 @@ void Mr8Extractor::extract(const cv::Mat& image, Feature& feature) {
 }
 
 void Mr8Extractor::countRow(const Mr8FilterBank::Responses& responses, int y) {
-  const float levels = static_cast<float>(options_.bins);
-  const float range = static_cast<float>(options_.range);
-  std::array<const float*, Mr8FilterBank::kResponses> rows;
-  for (int k = 0; k < Mr8FilterBank::kResponses; ++k) rows[k] = responses[k][y];
-  for (std::size_t x = 0; x < bins_.size(); ++x) {
-    std::uint64_t bin = 0;
-    for (int k = Mr8FilterBank::kResponses - 1; k >= 0; --k) {
-      const float fraction = rows[k][x] / range;
-      const float level = levels * (k < kSigned ? fraction : 0.5f * (fraction + 1));
-      bin = bin * options_.bins + static_cast<std::uint64_t>(std::clamp(level, 0.0f, levels - 1));
+  const int columns = static_cast<int>(bins_.size());
+  word_.resize(bins_.size());
+  std::uint64_t weight = 1;
+  for (int first = 0; first < Mr8FilterBank::kResponses; first += kDigitsOfWord) {
+    for (int k = first; k < first + kDigitsOfWord; ++k) {
+      quantize(responses[k][y], quantizers_[k], k > first, columns, word_.data());
     }
-    bins_[x] = bin;
+    joinWord(word_.data(), weight, first > 0, columns, bins_.data());
+    for (int k = 0; k < kDigitsOfWord; ++k) weight *= options_.bins;
   }
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "features/bin_counter.h"
 #include "features/feature_extractor.h"
 #include "features/mr8_responses.h"
+#include "features/row_kernels.h"
 #include "place_recognition/texture_options.h"
 
 namespace place_recognition {
@@ -28,9 +30,11 @@ class Mr8Extractor : public FeatureExtractor {
   void countRow(const Mr8FilterBank::Responses& responses, int y);
 
   Mr8Options options_;
+  std::array<Quantizer, Mr8FilterBank::kResponses> quantizers_;
   Mr8Responses responses_;
   BinCounter counter_;
-  std::vector<std::uint64_t> bins_;  ///< of the pixels of one row
+  std::vector<std::uint32_t> word_;  ///< of the pixels of one row, half of the digits of their bins
+  std::vector<std::uint64_t> bins_;
 };
 
 }  // namespace place_recognition

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "base/simd.h"
 
@@ -9,7 +11,11 @@ namespace place_recognition {
 
 namespace {
 
+using Numbers = ImageFft::Numbers;
+
+constexpr int kLanes = ImageFft::kLanes;
 constexpr int kHalf = Mr8FilterBank::kSupport / 2;
+constexpr int kTile = 320;  // At most; pixels. A tile's spectrum stays in the second-level cache.
 constexpr double kElongation = 3;
 constexpr double kIsotropicSigma = 10;
 
@@ -34,50 +40,48 @@ cv::Mat1f makeOrientedFilter(int orientation, const Function& function) {
   return makeFilter(true, [&](int x, int y) { return function(c * x + s * y, c * y - s * x); });
 }
 
-/// The spectrum of a filter whose centre is at the origin.
-cv::Mat2f spectrumOf(const cv::Mat1f& filter, cv::Size size) {
-  cv::Mat1f around_origin(size, 0.0f);
-  for (int y = -kHalf; y <= kHalf; ++y) {
-    for (int x = -kHalf; x <= kHalf; ++x) {
-      around_origin((y + size.height) % size.height, (x + size.width) % size.width) =
-          filter(y + kHalf, x + kHalf);
+/// out = factors * in
+PLACE_RECOGNITION_TARGET_CLONES
+void multiply(const Numbers* __restrict in, const float* __restrict factors, int count,
+              Numbers* __restrict out) {
+  for (int i = 0; i < count; ++i, factors += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      out[i].real[lane] = factors[lane] * in[i].real[lane];
+      out[i].imaginary[lane] = factors[lane] * in[i].imaginary[lane];
     }
   }
-  cv::Mat2f spectrum;
-  cv::dft(around_origin, spectrum, cv::DFT_COMPLEX_OUTPUT);
-  return spectrum;
 }
 
-cv::Mat1f part(const cv::Mat2f& spectrum, int which) {
-  cv::Mat1f plane;
-  cv::extractChannel(spectrum, plane, which);
-  return plane;
-}
-
-/// out = (real + i imaginary) in, element by element.
+/// out = (real + i imaginary) * in
 PLACE_RECOGNITION_TARGET_CLONES
-void multiply(const float* in, const float* real, const float* imaginary, int count,
-              float* __restrict out) {
-  for (int i = 0; i < count; ++i) {
-    out[2 * i] = real[i] * in[2 * i] - imaginary[i] * in[2 * i + 1];
-    out[2 * i + 1] = real[i] * in[2 * i + 1] + imaginary[i] * in[2 * i];
+void multiply(const Numbers* __restrict in, const float* __restrict real,
+              const float* __restrict imaginary, int count, Numbers* __restrict out) {
+  for (int i = 0; i < count; ++i, real += kLanes, imaginary += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const float a = in[i].real[lane], b = in[i].imaginary[lane];
+      out[i].real[lane] = real[lane] * a - imaginary[lane] * b;
+      out[i].imaginary[lane] = real[lane] * b + imaginary[lane] * a;
+    }
   }
 }
 
+/// largest = max(largest, |in|), part by part; or = |in| if `first`.
 PLACE_RECOGNITION_TARGET_CLONES
-void multiplyImaginary(const float* in, const float* imaginary, int count, float* __restrict out) {
+void keepLarger(const Numbers* __restrict in, int count, bool first, Numbers* __restrict largest) {
+  const auto larger = [first](float a, float b) { return !first && a > b ? a : b; };
   for (int i = 0; i < count; ++i) {
-    out[2 * i] = -imaginary[i] * in[2 * i + 1];
-    out[2 * i + 1] = imaginary[i] * in[2 * i];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      largest[i].real[lane] = larger(largest[i].real[lane], std::fabs(in[i].real[lane]));
+      largest[i].imaginary[lane] =
+          larger(largest[i].imaginary[lane], std::fabs(in[i].imaginary[lane]));
+    }
   }
 }
 
-PLACE_RECOGNITION_TARGET_CLONES
-void keepLarger(const float* pairs, int count, float* __restrict first, float* __restrict second) {
-  for (int i = 0; i < count; ++i) {
-    first[i] = std::max(first[i], std::fabs(pairs[2 * i]));
-    second[i] = std::max(second[i], std::fabs(pairs[2 * i + 1]));
-  }
+/// The length of the equal parts, at most kTile long, that `length` is cut into.
+int tileLength(int length) {
+  const int tiles = (length + kTile - 1) / kTile;
+  return (length + tiles - 1) / tiles;
 }
 
 }  // namespace
@@ -108,51 +112,119 @@ cv::Mat1f Mr8FilterBank::laplacian() {
   });
 }
 
-void Mr8FilterBank::prepare(cv::Size size) {
-  if (gaussian_spectrum_.size() == size) return;
-  edge_and_bar_.clear();
-  for (int scale = 0; scale < kScales; ++scale) {
-    for (int orientation = 0; orientation < kOrientations; ++orientation) {
-      const cv::Mat1f odd = part(spectrumOf(edge(scale, orientation), size), 1);
-      const cv::Mat1f even = part(spectrumOf(bar(scale, orientation), size), 0);
-      edge_and_bar_.push_back(odd + even);
+void Mr8FilterBank::apply(const cv::Mat1f& image, Responses& responses) {
+  for (cv::Mat1f& response : responses) response.create(image.size());
+  const cv::Size size(tileLength(image.cols), tileLength(image.rows));
+  prepare(size);
+  for (int y = 0; y < image.rows; y += size.height) {
+    for (int x = 0; x < image.cols; x += size.width) {
+      const cv::Rect tile = cv::Rect({x, y}, size) & cv::Rect({}, image.size());
+      pad(image, tile);
+      fft_->forward(padded_, spectrum_);
+      filterTile(tile, responses);
     }
   }
-  gaussian_spectrum_ = part(spectrumOf(gaussian(), size), 0);
-  laplacian_spectrum_ = part(spectrumOf(laplacian(), size), 0);
 }
 
-void Mr8FilterBank::apply(const cv::Mat1f& image, Responses& responses) {
-  const cv::Size size(cv::getOptimalDFTSize(image.cols + 2 * kHalf),
-                      cv::getOptimalDFTSize(image.rows + 2 * kHalf));
-  prepare(size);
-  cv::copyMakeBorder(image, padded_, kHalf, size.height - image.rows - kHalf, kHalf,
-                     size.width - image.cols - kHalf, cv::BORDER_REFLECT_101);
-  cv::dft(padded_, spectrum_, cv::DFT_COMPLEX_OUTPUT);
-  filtered_.create(size);
-  const auto inverse = [this] { cv::dft(filtered_, filtered_, cv::DFT_INVERSE | cv::DFT_SCALE); };
+void Mr8FilterBank::prepare(cv::Size tile) {
+  const cv::Size size(BatchedFft::lengthFrom(tile.width + 2 * kHalf),
+                      BatchedFft::lengthFrom(tile.height + 2 * kHalf));
+  if (fft_ && fft_->size() == size) return;
+  fft_.emplace(size);
+  bar_and_edge_.clear();
+  for (int scale = 0; scale < kScales; ++scale) {
+    for (int orientation = 0; orientation < kOrientations; ++orientation) {
+      Plane sum = spectrumOf(bar(scale, orientation), &Numbers::real);
+      const Plane odd = spectrumOf(edge(scale, orientation), &Numbers::imaginary);
+      std::transform(sum.begin(), sum.end(), odd.begin(), sum.begin(), std::minus<float>());
+      bar_and_edge_.push_back(std::move(sum));
+    }
+  }
+  gaussian_ = spectrumOf(gaussian(), &Numbers::real);
+  laplacian_ = spectrumOf(laplacian(), &Numbers::real);
+}
 
-  for (cv::Mat1f& response : responses) response = cv::Mat1f::zeros(image.size());
-  const cv::Rect inside(cv::Point(kHalf, kHalf), image.size());
-  for (std::size_t i = 0; i < edge_and_bar_.size(); ++i) {
-    for (int y = 0; y < size.height; ++y) {
-      multiplyImaginary(spectrum_.ptr<float>(y), edge_and_bar_[i][y], size.width,
-                        filtered_.ptr<float>(y));
-    }
-    inverse();
-    const std::size_t scale = i / kOrientations;
-    for (int y = 0; y < image.rows; ++y) {
-      keepLarger(filtered_.ptr<float>(y + kHalf, kHalf), image.cols, responses[scale][y],
-                 responses[kScales + scale][y]);
+Mr8FilterBank::Plane Mr8FilterBank::spectrumOf(const cv::Mat1f& filter,
+                                               float (Numbers::*part)[kLanes]) {
+  const cv::Size size = fft_->size();
+  padded_.create(size);
+  padded_ = 0;
+  for (int y = -kHalf; y <= kHalf; ++y) {
+    for (int x = -kHalf; x <= kHalf; ++x) {
+      padded_((y + size.height) % size.height, (x + size.width) % size.width) =
+          filter(y + kHalf, x + kHalf);
     }
   }
+  fft_->forward(padded_, spectrum_);
+  const float pixels = static_cast<float>(size.area());
+  Plane plane;
+  for (const Numbers& numbers : spectrum_) {
+    for (const float number : numbers.*part) plane.push_back(number / pixels);
+  }
+  return plane;
+}
+
+void Mr8FilterBank::pad(const cv::Mat1f& image, cv::Rect tile) {
+  // What lies before the tile is at the end of the period.
+  const auto source = [](int at, int period, int first, int length) {
+    return cv::borderInterpolate(first + (at < period - kHalf ? at : at - period), length,
+                                 cv::BORDER_REFLECT_101);
+  };
+  const cv::Size size = fft_->size();
+  std::vector<int> columns;
+  for (int x = 0; x < size.width; ++x) {
+    columns.push_back(source(x, size.width, tile.x, image.cols));
+  }
+  padded_.create(size);
   for (int y = 0; y < size.height; ++y) {
-    multiply(spectrum_.ptr<float>(y), gaussian_spectrum_[y], laplacian_spectrum_[y], size.width,
-             filtered_.ptr<float>(y));
+    const float* const in = image[source(y, size.height, tile.y, image.rows)];
+    float* const out = padded_[y];
+    for (int x = 0; x < size.width; ++x) out[x] = in[columns[x]];
   }
-  inverse();
-  cv::extractChannel(filtered_(inside), responses[2 * kScales], 0);
-  cv::extractChannel(filtered_(inside), responses[2 * kScales + 1], 1);
+}
+
+void Mr8FilterBank::filterTile(cv::Rect tile, Responses& responses) {
+  const int width = fft_->size().width;
+  pairs_.resize((tile.width + kLanes - 1) / kLanes * tile.height);
+  for (int scale = 0; scale < kScales; ++scale) {
+    for (int orientation = 0; orientation < kOrientations; ++orientation) {
+      const float* const factors = bar_and_edge_[scale * kOrientations + orientation].data();
+      fft_->inverse(
+          [&](int band, Numbers* columns) {
+            const int first = band * width;
+            multiply(spectrum_.data() + first, factors + kLanes * first, width, columns);
+          },
+          tile.width,
+          [&](int x, const Numbers* rows) {
+            keepLarger(rows, tile.height, orientation == 0, pairs(x, tile));
+          });
+    }
+    takePairs(tile, responses[kScales + scale], responses[scale]);
+  }
+  fft_->inverse(
+      [&](int band, Numbers* columns) {
+        const int first = band * width;
+        multiply(spectrum_.data() + first, gaussian_.data() + kLanes * first,
+                 laplacian_.data() + kLanes * first, width, columns);
+      },
+      tile.width,
+      [&](int x, const Numbers* rows) { std::copy_n(rows, tile.height, pairs(x, tile)); });
+  takePairs(tile, responses[2 * kScales], responses[2 * kScales + 1]);
+}
+
+Numbers* Mr8FilterBank::pairs(int x, cv::Rect tile) {
+  return pairs_.data() + x / kLanes * tile.height;
+}
+
+void Mr8FilterBank::takePairs(cv::Rect tile, cv::Mat1f& real, cv::Mat1f& imaginary) {
+  for (int y = 0; y < tile.height; ++y) {
+    for (int x = 0; x < tile.width; x += kLanes) {
+      const Numbers& numbers = pairs(x, tile)[y];
+      const int count = std::min(kLanes, tile.width - x);
+      std::copy_n(numbers.real, count, &real(tile.y + y, tile.x + x));
+      std::copy_n(numbers.imaginary, count, &imaginary(tile.y + y, tile.x + x));
+    }
+  }
 }
 
 }  // namespace place_recognition

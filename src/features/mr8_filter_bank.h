@@ -2,7 +2,10 @@
 
 #include <array>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
+
+#include "features/image_fft.h"
 
 namespace place_recognition {
 
@@ -31,16 +34,25 @@ class Mr8FilterBank {
   static cv::Mat1f laplacian();
 
  private:
-  void prepare(cv::Size size);
+  using Numbers = ImageFft::Numbers;
+  /// Real numbers in the order of an ImageFft::Spectrum.
+  using Plane = std::vector<float>;
 
-  // An edge filter is odd and a bar filter even, so the spectrum of edge + i bar is i times a real
-  // one: real products do, and one inverse transform gives both responses.
-  std::vector<cv::Mat1f> edge_and_bar_;  ///< scale by scale, those real spectra
-  cv::Mat1f gaussian_spectrum_;          ///< even filters: real
-  cv::Mat1f laplacian_spectrum_;
-  cv::Mat1f padded_;
-  cv::Mat2f spectrum_;
-  cv::Mat2f filtered_;
+  void prepare(cv::Size tile);
+  Plane spectrumOf(const cv::Mat1f& filter, float (Numbers::*part)[ImageFft::kLanes]);
+  void pad(const cv::Mat1f& image, cv::Rect tile);
+  void filterTile(cv::Rect tile, Responses& responses);
+  Numbers* pairs(int x, cv::Rect tile);
+  void takePairs(cv::Rect tile, cv::Mat1f& real, cv::Mat1f& imaginary);
+
+  std::optional<ImageFft> fft_;
+  // A bar filter is even and an edge filter odd, so the spectrum of bar + i edge is real: real
+  // products do, and one inverse transform gives both responses.
+  std::vector<Plane> bar_and_edge_;  ///< scale by scale, those spectra
+  Plane gaussian_, laplacian_;       ///< even filters: real
+  cv::Mat1f padded_;                 ///< a tile with what the filters see around it
+  ImageFft::Spectrum spectrum_;
+  std::vector<Numbers> pairs_;  ///< two responses to a tile, kLanes columns side by side
 };
 
 }  // namespace place_recognition

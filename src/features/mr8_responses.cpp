@@ -2,13 +2,18 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <opencv2/imgproc.hpp>
+
+#include "base/simd.h"
 
 namespace place_recognition {
 
 namespace {
 
 constexpr float kWeberContrast = 0.03f;
+constexpr float kLeast = 1e-30f;  ///< norm that is divided by
 
 /// Below the deviation of grey levels that are all the same but one, in grey levels; above the
 /// rounding errors of that of a blank image, which is not zero on every machine.
@@ -22,16 +27,32 @@ void normalize(const cv::Mat& grey, cv::Mat1f& image) {
   grey.convertTo(image, CV_32F, scale, -mean[0] * scale);
 }
 
-/// Scales the responses r of each pixel of a row by log(1 + |r| / 0.03) / |r|.
-void scaleByContrast(Mr8FilterBank::Responses& responses, int y) {
-  std::array<float*, Mr8FilterBank::kResponses> rows;
-  for (int k = 0; k < Mr8FilterBank::kResponses; ++k) rows[k] = responses[k][y];
-  for (int x = 0; x < responses[0].cols; ++x) {
+/// The natural logarithm of x >= 1, to 2e-7: with x = 2^k m and s = (m - 1) / (m + 1), |s| < 0.172,
+/// it is k log 2 + 2 (s + s^3 / 3 + s^5 / 5 + ...).
+PLACE_RECOGNITION_INLINE float logarithm(float x) {
+  constexpr std::int32_t kRootOfHalf = 0x3f3504f3;  // the bits of the least m
+  std::int32_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  const std::int32_t k = (bits - kRootOfHalf) >> 23;
+  bits -= k << 23;
+  float m;
+  std::memcpy(&m, &bits, sizeof m);
+  const float s = (m - 1) / (m + 1), square = s * s;
+  const float series =
+      1 + square * (1.0f / 3 + square * (1.0f / 5 + square * (1.0f / 7 + square * (1.0f / 9))));
+  return static_cast<float>(k) * 0.69314718056f + 2 * s * series;
+}
+
+/// Scales the responses r of n pixels by log(1 + |r| / 0.03) / |r|.
+PLACE_RECOGNITION_TARGET_CLONES
+void scaleRow(const std::array<float*, Mr8FilterBank::kResponses>& responses, int n) {
+  const std::array<float*, Mr8FilterBank::kResponses> rows = responses;
+  PLACE_RECOGNITION_INDEPENDENT
+  for (int x = 0; x < n; ++x) {
     float square = 0;
     for (const float* row : rows) square += row[x] * row[x];
     const float norm = std::sqrt(square);
-    if (!(norm > 0)) continue;
-    const float gain = std::log1p(norm / kWeberContrast) / norm;
+    const float gain = logarithm(1 + norm / kWeberContrast) / std::max(norm, kLeast);
     for (float* row : rows) row[x] *= gain;
   }
 }
@@ -46,8 +67,16 @@ const Mr8FilterBank::Responses& Mr8Responses::of(const cv::Mat& image) {
   }
   normalize(grey_, normalized_);
   filters_.apply(normalized_, responses_);
-  for (int y = 0; weber_ && y < image.rows; ++y) scaleByContrast(responses_, y);
+  if (weber_) scaleByContrast();
   return responses_;
+}
+
+void Mr8Responses::scaleByContrast() {
+  for (int y = 0; y < responses_[0].rows; ++y) {
+    std::array<float*, Mr8FilterBank::kResponses> rows;
+    for (int k = 0; k < Mr8FilterBank::kResponses; ++k) rows[k] = responses_[k][y];
+    scaleRow(rows, responses_[0].cols);
+  }
 }
 
 }  // namespace place_recognition

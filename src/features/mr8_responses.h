@@ -17,6 +17,8 @@ class Mr8Responses {
   const Mr8FilterBank::Responses& of(const cv::Mat& image);
 
  private:
+  void scaleByContrast();
+
   bool weber_;
   Mr8FilterBank filters_;
   Mr8FilterBank::Responses responses_;

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "features/local_images.h"
+#include "features/mr8_responses.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -75,6 +77,44 @@ TEST(Mr8FilterBank, RespondsAsTheDefinitionSays) {
   }
 }
 
+/// The same for all pixels, by OpenCV's filters.
+Mr8FilterBank::Responses reference(const cv::Mat1f& image) {
+  const auto filtered = [&](const cv::Mat1f& filter) {
+    cv::Mat1f response;
+    cv::filter2D(image, response, CV_32F, filter, {-1, -1}, 0, cv::BORDER_REFLECT_101);
+    return response;
+  };
+  Mr8FilterBank::Responses responses;
+  for (int scale = 0; scale < Mr8FilterBank::kScales; ++scale) {
+    cv::Mat1f& edges = responses[scale] = cv::Mat1f::zeros(image.size());
+    cv::Mat1f& bars = responses[3 + scale] = cv::Mat1f::zeros(image.size());
+    for (int i = 0; i < Mr8FilterBank::kOrientations; ++i) {
+      cv::max(edges, cv::abs(filtered(Mr8FilterBank::edge(scale, i))), edges);
+      cv::max(bars, cv::abs(filtered(Mr8FilterBank::bar(scale, i))), bars);
+    }
+  }
+  responses[6] = filtered(Mr8FilterBank::gaussian());
+  responses[7] = filtered(Mr8FilterBank::laplacian());
+  return responses;
+}
+
+// One tile, several, and some that are not whole.
+TEST(Mr8FilterBank, RespondsToImagesOfAnySize) {
+  Mr8FilterBank bank;
+  Mr8FilterBank::Responses responses;
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 40), cv::Size(320, 240),
+                              cv::Size(333, 25), cv::Size(70, 643)}) {
+    const cv::Mat1f image = texture(size.width, size.height, 1) / 128 - 1;
+    bank.apply(image, responses);
+    const Mr8FilterBank::Responses expected = reference(image);
+    for (int k = 0; k < Mr8FilterBank::kResponses; ++k) {
+      ASSERT_EQ(responses[k].size(), size);
+      EXPECT_LT(cv::norm(responses[k], expected[k], cv::NORM_INF), 1e-5)
+          << "response " << k << " to " << size;
+    }
+  }
+}
+
 TEST(Mr8FilterBank, TurnsWithTheImageByQuarters) {
   const cv::Mat1f image = texture(80, 70, 2) / 128 - 1;
   cv::Mat1f turned_image, expected;
@@ -122,6 +162,52 @@ TEST(Mr8FilterBank, NearlyIgnoresTurnsByTheStepOfOrientations) {
       EXPECT_NEAR(turned[k](kMiddle, kMiddle), upright[k](kMiddle, kMiddle), 0.06 * scale)
           << "response " << k << " at " << degrees << " degrees";
     }
+  }
+}
+
+TEST(Mr8Responses, AreScaledByContrast) {
+  // At the right a thousandth of the contrast.
+  cv::Mat1f image = texture(120, 90, 6);
+  image.colRange(60, 120) = image.colRange(60, 120) / 100 + 128;
+  Mr8Responses plain(false), scaled(true);
+  const Mr8FilterBank::Responses& r = plain.of(cv::Mat1b(image));
+  const Mr8FilterBank::Responses& s = scaled.of(cv::Mat1b(image));
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      double square = 0;
+      for (const cv::Mat1f& response : r) square += std::pow(response(y, x), 2);
+      const double norm = std::sqrt(square);
+      for (int k = 0; k < Mr8FilterBank::kResponses; ++k) {
+        ASSERT_NEAR(s[k](y, x), r[k](y, x) * std::log1p(norm / 0.03) / norm, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(Mr8, CountsTheLevelsOfTheResponses) {
+  const cv::Mat1b image(texture(80, 60, 7));
+  const Mr8FilterBank::Responses responses = Mr8Responses(true).of(image);
+  for (const int bins : {2, 5, 200}) {
+    Mr8Options options;
+    options.bins = bins;
+    options.range = 0.7;
+    std::map<std::uint64_t, double> expected;
+    for (int y = 0; y < image.rows; ++y) {
+      for (int x = 0; x < image.cols; ++x) {
+        std::uint64_t bin = 0;
+        for (int k = 7; k >= 0; --k) {
+          const double fraction = responses[k](y, x) / options.range;
+          const double level = std::floor(bins * (k < 6 ? fraction : (fraction + 1) / 2));
+          bin = bin * bins + static_cast<std::uint64_t>(std::clamp(level, 0.0, bins - 1.0));
+        }
+        expected[bin] += 1.0 / static_cast<double>(image.total());
+      }
+    }
+    const SparseVector h = extract(image, options);
+    double difference = 0;
+    for (std::size_t i = 0; i < h.size(); ++i) expected[h.indices[i]] -= h.values[i];
+    for (const auto& [bin, rest] : expected) difference += std::abs(rest);
+    EXPECT_LT(difference, 2e-3) << bins << " bins; but for pixels within rounding of a level";
   }
 }
 
