@@ -10,14 +10,18 @@
 # --config:
 #   config   preset or YAML file of `train`; left out: the default
 #   tune     1: search for a configuration of each building first; slow
+#   parts    jobs that share the search for a building; of more than 8, some have nothing to do
+#   search   further options of `tune`, as in "--same-light"
 #   options  further options of `train`, as in "--set sampling.rate=5"
 #   tool     place_tool, if it is not on PATH
 
+import shlex
 from pathlib import Path
 
 BUILDINGS, OUT = Path(config["buildings"]), config["out"]
 TOOL, OPTIONS = config.get("tool", "place_tool"), config.get("options", "")
 TUNE = str(config.get("tune", "0")) not in ("0", "no", "false", "False")
+PARTS, SEARCH = int(config.get("parts", 4)), config.get("search", "")
 REPORT = Path(workflow.basedir) / "fleet_report.py"
 
 names = sorted(folder.name for folder in BUILDINGS.iterdir() if (folder / "train").is_dir())
@@ -26,17 +30,22 @@ if not names:
 tested = [name for name in names if (BUILDINGS / name / "test").is_dir()]
 
 
+def recordings(wildcards):
+    return BUILDINGS / wildcards.name / "train"
+
+
 def configuration(wildcards):
     return [f"{OUT}/{wildcards.name}/tuned.yaml"] if TUNE else []
 
 
 def configured(wildcards, input):
     chosen = input[0] if input else config.get("config")
-    return f"--config {chosen}" if chosen else ""
+    return f"--config {shlex.quote(chosen)}" if chosen else ""
 
 
 wildcard_constraints:
     name="[^/]+",
+    part="[0-9]+",
 
 
 localrules: all, report
@@ -46,12 +55,31 @@ rule all:
     input: OUT + "/report.html"
 
 
-rule tune:
-    output: OUT + "/{name}/tuned.yaml"
-    params: runs=lambda wildcards: BUILDINGS / wildcards.name / "train"
+# What the parts have found out lies in the folder `cells` beside them.
+rule search:
+    output: touch(OUT + "/{name}/search/{part}")
+    params:
+        runs=recordings,
+        cells=OUT + "/{name}/search/cells",
+        tuned=OUT + "/{name}/tuned.yaml",
     threads: 2
     retries: 3
-    shell: "{TOOL} tune {params.runs:q} --out {output:q} --threads {threads} --progress none"
+    shell:
+        "{TOOL} tune {params.runs:q} --out {params.tuned:q} --cells {params.cells:q} {SEARCH}"
+        " --part {wildcards.part}/{PARTS} --threads {threads} --progress none"
+
+
+rule tune:
+    input: [OUT + "/{name}/search/" + str(part) for part in range(1, PARTS + 1)]
+    output: OUT + "/{name}/tuned.yaml"
+    params:
+        runs=recordings,
+        cells=OUT + "/{name}/search/cells",
+    threads: 2
+    retries: 3
+    shell:
+        "{TOOL} tune {params.runs:q} --out {output:q} --cells {params.cells:q} {SEARCH}"
+        " --threads {threads} --progress none"
 
 
 rule train:
@@ -60,7 +88,7 @@ rule train:
         model=OUT + "/models/{name}.places",
         figures=OUT + "/{name}/training.json",
     params:
-        runs=lambda wildcards: BUILDINGS / wildcards.name / "train",
+        runs=recordings,
         configured=configured,
     threads: 2
     retries: 3

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "place_recognition/part.h"
 #include "place_recognition/progress.h"
 #include "place_recognition/training.h"
 #include "place_recognition/training_options.h"
@@ -98,8 +99,27 @@ struct Tuning {
 /// Throws Error if the runs cannot be learned from, or a network cannot be used. If `progress`
 /// requests a stop, the result so far is returned, initially `base`; Cancelled is thrown if the
 /// images are not counted yet. The result does not depend on `threads`.
+///
+/// If `cells` names a folder, step 1 stores there what it finds out about each set in each round
+/// and does not compute again what the folder already holds: an interrupted search continues where
+/// it stopped. A cell is used only for the same frames and options.
 Tuning tune(const std::vector<RecordingOpener>& recordings,
             const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
-            const SearchSpace& space, unsigned threads = 0, const Progress& progress = {});
+            const SearchSpace& space, unsigned threads = 0, const Progress& progress = {},
+            const std::string& cells = {});
+
+/// The outcome of a part of a search.
+struct TuningPart {
+  std::size_t cells = 0;
+  std::size_t computed = 0;  ///< in this run; the others already existed
+};
+
+/// Computes the cells of `part` of the sets of descriptors, most of the work of tune(), and stores
+/// them in the folder `cells`, for tune() with the same arguments. Parts may run at the same time,
+/// on several machines that share the folder. Throws Error, Cancelled.
+TuningPart tunePart(const std::vector<RecordingOpener>& recordings,
+                    const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
+                    const SearchSpace& space, const std::string& cells, const Part& part,
+                    unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace place_recognition

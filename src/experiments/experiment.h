@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cell_store.h"
+#include "base/cell_store.h"
 #include "place_recognition/progress.h"
 
 namespace place_recognition {

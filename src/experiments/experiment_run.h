@@ -5,14 +5,9 @@
 #include <string>
 
 #include "experiments/experiment.h"
+#include "place_recognition/part.h"
 
 namespace place_recognition {
-
-/// Part `number` of `count` of an experiment's cells, 1..count.
-struct Part {
-  int number = 1;
-  int count = 1;
-};
 
 /// The outcome of a run of an experiment.
 struct ExperimentOutcome {

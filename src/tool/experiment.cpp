@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <memory>
 #include <ostream>
 
@@ -13,6 +12,7 @@
 #include "experiments/materials_experiment.h"
 #include "experiments/reduction_experiment.h"
 #include "tool/output.h"
+#include "tool/part_option.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -29,16 +29,6 @@ struct ExperimentOptions {
   unsigned threads = 0;
   OutputOptions output;
 };
-
-Part parsePart(const std::string& text) {
-  Part part;
-  char rest = 0;
-  const bool two = std::sscanf(text.c_str(), "%d/%d%c", &part.number, &part.count, &rest) == 2;
-  if (!two || part.number < 1 || part.count < part.number) {
-    throw UsageError("--part: '" + text + "' is not of the form 3/21");
-  }
-  return part;
-}
 
 std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
                                            std::vector<ImageSet> sets) {

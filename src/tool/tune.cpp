@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "base/atomic_file.h"
@@ -14,6 +15,7 @@
 #include "tool/inputs.h"
 #include "tool/network_trial.h"
 #include "tool/output.h"
+#include "tool/part_option.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -24,6 +26,8 @@ struct TuneOptions {
   std::vector<std::string> validate;
   std::string out;
   std::string space;
+  std::string cells;
+  std::string part;
   bool same_light = false;
   unsigned threads = 0;
   InputOptions input;
@@ -132,26 +136,53 @@ void printSummary(const Tuning& tuning, const std::string& path, std::ostream& o
       << path << ")" << std::endl;
 }
 
-void tune(const TuneOptions& options) {
-  SearchSpace space = readSpace(options.space);
-  if (options.same_light) space.other_light = false;
-  const TrainingOptions base = options.configuration.read();
-  addInstalledNetwork(base, space);
-  requireWritable(options.out);
-  const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
-  const std::vector<RecordingOpener> hold_out = options.validate.empty()
-                                                    ? std::vector<RecordingOpener>()
-                                                    : options.input.openers(options.validate);
+/// What a search goes by.
+struct Task {
+  TrainingOptions base;
+  SearchSpace space;
+  std::vector<RecordingOpener> recordings;
+  std::vector<RecordingOpener> hold_out;
+};
 
+void tuneWhole(const TuneOptions& options, const Task& task) {
   ProgressDisplay display(options.output.progress);
-  const Tuning tuning = place_recognition::tune(recordings, hold_out, base, space, options.threads,
-                                                display.callback());
+  const Tuning tuning =
+      place_recognition::tune(task.recordings, task.hold_out, task.base, task.space,
+                              options.threads, display.callback(), options.cells);
   writeFileAtomically(options.out, yamlOf(tuning, options.inputs));
   display.clear();
 
   printSummary(tuning, options.out, options.output.text());
   options.output.writeJson(figures(tuning, options.out));
   if (!tuning.complete) throw Cancelled();
+}
+
+void tuneInPart(const TuneOptions& options, const Task& task, const Part& part) {
+  ProgressDisplay display(options.output.progress);
+  const TuningPart result = tunePart(task.recordings, task.hold_out, task.base, task.space,
+                                     options.cells, part, options.threads, display.callback());
+  display.clear();
+  options.output.text() << result.cells << " cells, " << result.computed
+                        << " computed now: " << options.cells << std::endl;
+  options.output.writeJson({{"cells", result.cells}, {"computed", result.computed}});
+}
+
+void tune(const TuneOptions& options) {
+  const std::optional<Part> part =
+      options.part.empty() ? std::nullopt : std::make_optional(parsePart(options.part));
+  Task task{options.configuration.read(), readSpace(options.space), {}, {}};
+  if (options.same_light) task.space.other_light = false;
+  addInstalledNetwork(task.base, task.space);
+  requireWritable(options.out);
+  task.recordings = options.input.openers(options.inputs);
+  if (!options.validate.empty()) task.hold_out = options.input.openers(options.validate);
+  std::optional<NewFolder> cells;
+  if (!options.cells.empty()) cells.emplace(options.cells);
+  if (part) {
+    tuneInPart(options, task, *part);
+  } else {
+    tuneWhole(options, task);
+  }
 }
 
 }  // namespace
@@ -169,6 +200,14 @@ void addTune(CommandLine& tool) {
   verb.flag("--same-light", options->same_light,
             "The light never differs from that of these runs: do not vary it in the held-out "
             "images that represent the next run");
+  verb.option("--cells", "DIR", options->cells,
+              "Folder for what is found out about each set of descriptors: an interrupted search "
+              "continues where it stopped");
+  verb.option("--part", "K/N", options->part,
+              "Compute only the K-th of N parts of the cells, at most one part for each set of "
+              "descriptors, and write no configuration. Without --part, the same command then "
+              "writes it")
+      .needs("--cells");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
   verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");

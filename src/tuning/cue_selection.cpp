@@ -83,7 +83,7 @@ Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_
     for (const std::size_t c : combination) of_these.push_back(held_out[c]);
     const std::vector<CueOptions> cues = optionsOf(comparisons, combination);
     const Score result = score(combined(of_these, cues), samples);
-    search.note(stage, cues, search.base.svm.c, samples, result);
+    search.trials.push_back(trialOf(stage, cues, search.base.svm.c, samples, result));
     return result;
   };
 
@@ -127,7 +127,7 @@ double chooseC(const std::vector<CueComparison>& comparisons, const Combination&
       held_out.push_back(comparisons[cue].heldOut(svm, search.threads));
     }
     scores.push_back(score(combined(held_out, cues), samples));
-    search.note("C", cues, c, samples, scores.back());
+    search.trials.push_back(trialOf("C", cues, c, samples, scores.back()));
   }
   const std::size_t index = firstNearlyAsGood(scores);
   search.best = search.trials[first_trial + index];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "tuning/candidates.h"
@@ -13,13 +14,12 @@ struct Thinning {
   std::size_t last;   ///< and in the last
 };
 
-/// Counts the labelled images of the recordings and decides.
-Thinning planThinning(const TuningRecordings& recordings, const SearchSpace& space,
-                      const Progress& progress, std::uint64_t& images);
+/// For a search on `images` labelled images.
+Thinning planThinning(std::uint64_t images, const SearchSpace& space);
 
-/// The best cue of each family by successive halving: the first round leaves
-/// a quarter of each family, the second, on twice as many images, one. Where all images are
-/// few, one round does.
+/// The best cue of each family by successive halving: the first round keeps a quarter of each
+/// family, the second, on twice as many images, one cue. A single round is enough if there are few
+/// images. No family's result depends on the other families.
 std::vector<CueOptions> bestOfEach(std::vector<Family> families, const Thinning& thinning,
                                    Search& search);
 

@@ -3,16 +3,15 @@
 #include <algorithm>
 
 namespace place_recognition {
-void Search::note(const std::string& stage, const std::vector<CueOptions>& cues, double c,
-                  const TuningSamples& samples, const Score& score) {
-  trials.push_back(
-      {stage, cues, c, samples.recorded, score.log_loss, score.rate, score.changed_rate});
-}
-
 TuningSamples Search::collect(const std::vector<CueOptions>& cues, std::size_t step,
                               const Progress& collect_progress) const {
   return collectTuningSamples(recordings, withCues(base, cues), space.other_light, step, threads,
                               collect_progress);
+}
+
+TuningTrial trialOf(const std::string& stage, const std::vector<CueOptions>& cues, double c,
+                    const TuningSamples& samples, const Score& score) {
+  return {stage, cues, c, samples.recorded, score.log_loss, score.rate, score.changed_rate};
 }
 
 TrainingOptions withCues(TrainingOptions options, const std::vector<CueOptions>& cues) {

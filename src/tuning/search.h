@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/cell_store.h"
 #include "place_recognition/tuning.h"
+#include "tuning/recorded_images.h"
 #include "tuning/score.h"
 #include "tuning/tuning_samples.h"
 
@@ -12,22 +15,25 @@ namespace place_recognition {
 /// What all stages of a search share: what is given, and what came of it so far.
 struct Search {
   TuningRecordings recordings;
-  const TrainingOptions& base;
-  const SearchSpace& space;
+  RecordedImages images;
+  TrainingOptions base;
+  SearchSpace space;
   unsigned threads;
   const Progress& progress;
+  std::optional<CellStore> cells;  ///< results of judgeFamily(); none: they are not kept
 
   std::vector<TuningTrial> trials = {};
-  TuningTrial best = {};  ///< if the search ended now
-
-  /// Notes a trial.
-  void note(const std::string& stage, const std::vector<CueOptions>& cues, double c,
-            const TuningSamples& samples, const Score& score);
+  TuningTrial best = {};           ///< if the search ended now
+  std::size_t used_cells = 0;      ///< of `cells`, whether found or computed
+  std::size_t computed_cells = 0;  ///< those that were not found
 
   /// Features of `cues` of about one of `step` images.
   TuningSamples collect(const std::vector<CueOptions>& cues, std::size_t step,
                         const Progress& collect_progress) const;
 };
+
+TuningTrial trialOf(const std::string& stage, const std::vector<CueOptions>& cues, double c,
+                    const TuningSamples& samples, const Score& score);
 
 /// `options` with other cues.
 TrainingOptions withCues(TrainingOptions options, const std::vector<CueOptions>& cues);

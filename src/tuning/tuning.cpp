@@ -12,6 +12,27 @@
 namespace place_recognition {
 namespace {
 
+Search prepare(const std::vector<RecordingOpener>& recordings,
+               const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
+               const SearchSpace& space, unsigned threads, const Progress& progress,
+               const std::string& cells) {
+  base.check();
+  space.check();
+  const TuningRecordings given{recordings, hold_out, commonSize(recordings, progress)};
+  Search search{given,
+                lookThrough(given, progress),
+                withMirror(withNetworks(base), recordings),
+                space,
+                threads,
+                progress,
+                {}};
+  search.space.cues = withNetworks(withCues(base, space.cues)).cues;
+  if (!cells.empty()) search.cells.emplace(cells);
+  search.best.cues = base.cues;
+  search.best.c = base.svm.c;
+  return search;
+}
+
 /// The cues to choose from: those of the base, those of the space, and the best of each family.
 std::vector<CueOptions> cuesInQuestion(const Thinning& thinning, Search& search) {
   std::vector<CueOptions> cues = search.base.cues;
@@ -23,7 +44,8 @@ std::vector<CueOptions> cuesInQuestion(const Thinning& thinning, Search& search)
 }
 
 /// The whole search; search.best is the answer at its end, or when it is stopped.
-void look(Search& search, const Thinning& thinning) {
+void look(Search& search) {
+  const Thinning thinning = planThinning(search.images.labelled, search.space);
   const std::vector<CueOptions> cues = cuesInQuestion(thinning, search);
   TuningSamples samples = search.collect(cues, thinning.last, search.progress);
   std::vector<CueComparison> comparisons;
@@ -36,28 +58,29 @@ void look(Search& search, const Thinning& thinning) {
   chooseC(comparisons, chosen, samples, search);
 }
 
+/// Every so many-th family, so that neighbours, which cost about the same, are dealt out evenly.
+std::vector<Family> familiesOf(const Part& part, const SearchSpace& space) {
+  const std::vector<Family> all = candidateFamilies(space);
+  std::vector<Family> families;
+  for (std::size_t f = static_cast<std::size_t>(part.number) - 1; f < all.size();
+       f += static_cast<std::size_t>(part.count)) {
+    families.push_back(all[f]);
+  }
+  return families;
+}
+
 }  // namespace
 
 Tuning tune(const std::vector<RecordingOpener>& recordings,
             const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
-            const SearchSpace& space, unsigned threads, const Progress& progress) {
+            const SearchSpace& space, unsigned threads, const Progress& progress,
+            const std::string& cells) {
   const auto start = std::chrono::steady_clock::now();
-  base.check();
-  space.check();
-  const TrainingOptions ready = withMirror(withNetworks(base), recordings);
-  SearchSpace ready_space = space;
-  ready_space.cues = withNetworks(withCues(base, space.cues)).cues;
-  Search search{{recordings, hold_out, commonSize(recordings, progress)},
-                ready,
-                ready_space,
-                threads,
-                progress};
-  search.best.cues = base.cues;
-  search.best.c = base.svm.c;
+  Search search = prepare(recordings, hold_out, base, space, threads, progress, cells);
   Tuning tuning;
-  const Thinning thinning = planThinning(search.recordings, space, progress, tuning.images);
+  tuning.images = search.images.labelled;
   try {
-    look(search, thinning);
+    look(search);
   } catch (const Cancelled&) {
     tuning.complete = false;
   }
@@ -68,6 +91,15 @@ Tuning tune(const std::vector<RecordingOpener>& recordings,
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   tuning.seconds = elapsed.count();
   return tuning;
+}
+
+TuningPart tunePart(const std::vector<RecordingOpener>& recordings,
+                    const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
+                    const SearchSpace& space, const std::string& cells, const Part& part,
+                    unsigned threads, const Progress& progress) {
+  Search search = prepare(recordings, hold_out, base, space, threads, progress, cells);
+  bestOfEach(familiesOf(part, space), planThinning(search.images.labelled, space), search);
+  return {search.used_cells, search.computed_cells};
 }
 
 }  // namespace place_recognition

@@ -82,6 +82,31 @@ class WorkflowTest(ToolCase):
         self.assertTrue((self.folder / "fleet/south/report/report.html").is_file())
         self.assertIn("Nothing to be done", self.run_workflow(options="--config crfh").stderr)
 
+    def test_parts_of_a_search_find_what_tune_finds(self):
+        self.write_run("site/north wing/train/monday")
+        (self.folder / "space.yaml").write_text(
+            "{descriptors: [[R, G, B], [Lxx, Lyy], [L]], scales: [[1], [4]], bins: [6, 12]}")
+        settings = {"tune": 1, "parts": 2, "search": "--space space.yaml"}
+        result = self.run_workflow(**settings)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.run_tool("tune", "site/north wing/train", "--space", "space.yaml", "--out",
+                      "by_hand.yaml")
+        tuned = self.folder / "fleet/north wing/tuned.yaml"
+        self.assertEqual(tuned.read_bytes(), (self.folder / "by_hand.yaml").read_bytes())
+
+        cells = sorted((self.folder / "fleet/north wing/search/cells").iterdir())
+        self.assertEqual(len(cells), 3)
+        cells[0].unlink()
+        for lost in ("north wing/search/1", "north wing/tuned.yaml", "north wing/training.json",
+                     "report.html"):
+            (self.folder / "fleet" / lost).unlink()
+        times = [cell.stat().st_mtime_ns for cell in cells[1:]]
+        result = self.run_workflow(**settings)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(tuned.read_bytes(), (self.folder / "by_hand.yaml").read_bytes())
+        self.assertEqual([cell.stat().st_mtime_ns for cell in cells[1:]], times)
+        self.assertTrue(cells[0].exists())
+
     def test_a_folder_without_buildings_is_refused(self):
         (self.folder / "site").mkdir()
         result = self.run_workflow()

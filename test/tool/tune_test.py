@@ -3,6 +3,7 @@
 import json
 import signal
 import subprocess
+import time
 import unittest
 
 from tool_case import PLACE_TOOL, ToolCase
@@ -67,6 +68,41 @@ class TuneTest(ToolCase):
         self.assertEqual(process.returncode, 130)
         self.assertIn("stopped before its end", (self.folder / "office.yaml").read_text())
         self.succeed("train", "long", "--model", "./office.places", "--config", "office.yaml")
+
+    def test_parts_and_a_killed_search_give_the_same_configuration(self):
+        self.write_run("long", views=40)
+        search = ("tune", "long", "--space", "space.yaml", "--out")
+        self.succeed(*search, "whole.yaml")
+        for part, cells in ((3, 2), (1, 2), (2, 1)):  # a round leaves one cue of Lxx Lyy's four
+            figures = self.figures(*search, "parts.yaml", "--cells", "a", "--part", f"{part}/3")
+            self.assertEqual(figures, {"cells": cells, "computed": cells})
+            self.assertFalse((self.folder / "parts.yaml").exists())
+        self.succeed(*search, "parts.yaml", "--cells", "a")
+        self.assertEqual(len(list((self.folder / "a").iterdir())), 5)
+
+        process = subprocess.Popen([PLACE_TOOL, *search, "killed.yaml", "--cells", "b"],
+                                   cwd=self.folder, env=self.environment(),
+                                   stderr=subprocess.DEVNULL)
+        while not list(self.folder.glob("b/*.json")):
+            self.assertIsNone(process.poll())
+            time.sleep(0.001)
+        process.kill()
+        process.wait()
+        kept = {path: path.stat().st_mtime_ns for path in self.folder.glob("b/*.json")}
+        self.assertLess(len(kept), 5)
+        self.assertFalse((self.folder / "killed.yaml").exists())
+        self.succeed(*search, "killed.yaml", "--cells", "b")
+        for path, time_of_change in kept.items():
+            self.assertEqual(path.stat().st_mtime_ns, time_of_change)
+        for name in ("parts", "killed"):
+            self.assertEqual((self.folder / f"{name}.yaml").read_bytes(),
+                             (self.folder / "whole.yaml").read_bytes())
+
+    def test_a_part_needs_a_place_for_its_cells(self):
+        self.assertIn("--cells", self.refuse("tune", "monday", "--out", "o.yaml", "--part", "1/2",
+                                             status=2))
+        self.assertIn("3/2", self.refuse("tune", "monday", "--out", "o.yaml", "--cells", "cells",
+                                         "--part", "3/2", status=2))
 
     def test_bad_spaces_are_refused(self):
         for text, word in (("bins: []", "bins"), ("colour: [1]", "colour"),

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <functional>
+
 #include "base/options.h"
 #include "recognition/drawn_recording.h"
+#include "scratch_folder.h"
 
 namespace place_recognition {
 namespace {
@@ -30,6 +34,25 @@ SearchSpace smallSpace() {
   space.first_pictures = 10;
   space.max_pictures = 40;
   return space;
+}
+
+void expectSame(const Tuning& a, const Tuning& b) {
+  EXPECT_EQ(writeOptions(a.options), writeOptions(b.options));
+  ASSERT_EQ(a.trials.size(), b.trials.size());
+  for (std::size_t i = 0; i < a.trials.size(); ++i) {
+    EXPECT_EQ(a.trials[i].stage, b.trials[i].stage);
+    EXPECT_EQ(a.trials[i].cues.front().name, b.trials[i].cues.front().name);
+    EXPECT_EQ(a.trials[i].c, b.trials[i].c);
+    EXPECT_EQ(a.trials[i].images, b.trials[i].images);
+    EXPECT_EQ(a.trials[i].log_loss, b.trials[i].log_loss);
+    EXPECT_EQ(a.trials[i].rate, b.trials[i].rate);
+    EXPECT_EQ(a.trials[i].changed_rate, b.trials[i].changed_rate);
+  }
+}
+
+std::size_t filesIn(const std::string& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder),
+                                                std::filesystem::directory_iterator()));
 }
 
 TEST(Tune, FindsWhatTrainTakes) {
@@ -79,11 +102,71 @@ TEST(Tune, DoesNotDependOnThreads) {
   const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 9))};
   const Tuning one = tune(recordings, kNone, greyCue(), smallSpace(), 1);
   const Tuning three = tune(recordings, kNone, greyCue(), smallSpace(), 3);
-  EXPECT_EQ(writeOptions(one.options), writeOptions(three.options));
-  ASSERT_EQ(one.trials.size(), three.trials.size());
-  for (std::size_t i = 0; i < one.trials.size(); ++i) {
-    EXPECT_EQ(one.trials[i].log_loss, three.trials[i].log_loss);
+  expectSame(one, three);
+}
+
+TEST(Tune, PartsComputeAllCellsOfTheWhole) {
+  const ScratchFolder scratch;
+  const std::string cells = scratch / "cells";
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(2, 40))};
+  for (const int number : {2, 3, 1}) {
+    const TuningPart part =
+        tunePart(recordings, kNone, greyCue(), smallSpace(), cells, {number, 3});
+    EXPECT_EQ(part.cells, number == 2 ? 1u : 2u) << "a round leaves one cue of Lxx's four";
+    EXPECT_EQ(part.computed, part.cells);
   }
+  EXPECT_EQ(filesIn(cells), 5u);
+  EXPECT_EQ(tunePart(recordings, kNone, greyCue(), smallSpace(), cells, {4, 4}).cells, 0u);
+  const Tuning whole = tune(recordings, kNone, greyCue(), smallSpace());
+  expectSame(tune(recordings, kNone, greyCue(), smallSpace(), 0, {}, cells), whole);
+  EXPECT_EQ(filesIn(cells), 5u);
+}
+
+TEST(Tune, ContinuesWhereItStopped) {
+  const ScratchFolder scratch;
+  const std::string cells = scratch / "cells";
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(2, 40))};
+  const Progress stop = [](const std::string& stage, double fraction) {
+    return stage != "Looking for cues, round 2 of 2" || fraction < 0.5;
+  };
+  EXPECT_FALSE(tune(recordings, kNone, greyCue(), smallSpace(), 0, stop, cells).complete);
+  EXPECT_EQ(filesIn(cells), 4u);
+  EXPECT_EQ(tunePart(recordings, kNone, greyCue(), smallSpace(), cells, {}).computed, 1u);
+  expectSame(tune(recordings, kNone, greyCue(), smallSpace(), 0, {}, cells),
+             tune(recordings, kNone, greyCue(), smallSpace()));
+}
+
+TEST(Tune, UsesOnlyCellsOfTheSameImagesAndOptions) {
+  const ScratchFolder scratch;
+  const std::vector<Frame> frames = drawFrames(2, 8);
+  const auto computed = [&](const std::vector<Frame>& shown, const TrainingOptions& base,
+                            const SearchSpace& space, const std::string& name = "drawn") {
+    const TuningPart part =
+        tunePart({opener(shown, name)}, kNone, base, space, scratch / "cells", {});
+    return part.computed;
+  };
+  EXPECT_EQ(computed(frames, greyCue(), smallSpace()), 3u);
+
+  const std::vector<std::function<void(std::vector<Frame>&)>> changes{
+      [](std::vector<Frame>& shown) { shown[3].image.at<cv::Vec3b>(5, 7)[1] ^= 1; },
+      [](std::vector<Frame>& shown) { shown[3].place = "room1"; },
+      [](std::vector<Frame>& shown) { shown[3].stamp += 0.25; },
+      [](std::vector<Frame>& shown) { shown.pop_back(); }};
+  for (const auto& change : changes) {
+    std::vector<Frame> changed = drawFrames(2, 8);
+    change(changed);
+    EXPECT_EQ(computed(changed, greyCue(), smallSpace()), 3u);
+  }
+  TrainingOptions other_c = greyCue();
+  other_c.svm.c *= 2;
+  EXPECT_EQ(computed(frames, other_c, smallSpace()), 3u);
+  SearchSpace same_light = smallSpace();
+  same_light.other_light = false;
+  EXPECT_EQ(computed(frames, greyCue(), same_light), 3u);
+
+  EXPECT_EQ(computed(frames, quickOptions(), smallSpace()), 0u)
+      << "the cues of the base take no part in the rounds";
+  EXPECT_EQ(computed(frames, greyCue(), smallSpace(), "elsewhere"), 0u);
 }
 
 TEST(Tune, StoppedEarlyItGivesTheBestSoFar) {

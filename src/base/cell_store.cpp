@@ -1,4 +1,4 @@
-#include "experiments/cell_store.h"
+#include "base/cell_store.h"
 
 #include <filesystem>
 

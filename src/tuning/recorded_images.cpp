@@ -1,0 +1,53 @@
+#include "tuning/recorded_images.h"
+
+#include <string_view>
+
+#include "base/sha256.h"
+
+namespace place_recognition {
+namespace {
+
+std::string digestOf(const cv::Mat& image) {
+  const cv::Mat whole = image.isContinuous() ? image : image.clone();
+  return sha256({reinterpret_cast<const char*>(whole.data), whole.total() * whole.elemSize()});
+}
+
+/// All of a frame that a search depends on.
+std::string describe(const Frame& frame) {
+  std::string text = frame.place;
+  for (const int number : {frame.camera, frame.image.rows, frame.image.cols, frame.image.type()}) {
+    text += "\n" + std::to_string(number);
+  }
+  const double stamp = frame.stamp;
+  text.append("\n").append(reinterpret_cast<const char*>(&stamp), sizeof(stamp));
+  return text + "\n" + digestOf(frame.image);
+}
+
+void lookThrough(const std::vector<RecordingOpener>& recordings, RecordedImages& found,
+                 const Progress& progress) {
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const std::unique_ptr<Recording> recording = recordings[r]();
+    for (Frame frame; recording->next(frame);) {
+      found.labelled += frame.place.empty() ? 0 : 1;
+      found.digest = sha256(found.digest + describe(frame));
+      report(progress, "Counting images",
+             (static_cast<double>(r) + recording->fraction()) /
+                 static_cast<double>(recordings.size()));
+    }
+    const DepthExtent depth = recording->depthExtent();
+    found.digest = sha256(found.digest + " end " + std::to_string(depth.low) + " " +
+                          std::to_string(depth.high));
+  }
+}
+
+}  // namespace
+
+RecordedImages lookThrough(const TuningRecordings& recordings, const Progress& progress) {
+  RecordedImages found;
+  lookThrough(recordings.recordings, found, progress);
+  found.digest += " held out ";
+  lookThrough(recordings.hold_out, found, progress);
+  return found;
+}
+
+}  // namespace place_recognition
