@@ -103,7 +103,8 @@ TEST(Validation, ThresholdLetsTheWantedShareFall) {
   }
   const std::vector<Fold> folds = timeBlockFolds(samples, 4, {TimeBlocks{5, 0}});
   const HeldOutValues held_out = heldOut(decision_values, std::vector<bool>(40, true));
-  const Calibrated calibrated = calibrate(held_out, samples, folds, 0.25);
+  const CalibrationSet set{samples, folds, {}, std::vector<bool>(40, true)};
+  const Calibrated calibrated = calibrate(held_out, set, 0.25);
   EXPECT_EQ(calibrated.validation.average_rate, 1);
   int below = 0;
   for (int i = 0; i < 40; ++i) {
@@ -114,10 +115,37 @@ TEST(Validation, ThresholdLetsTheWantedShareFall) {
   EXPECT_NEAR(below, 10, 2);  // each fold was judged by the slope of the others
 }
 
+TEST(Validation, SamplesThatDoNotJudgeUnknownOnlyTellHowSureAnAnswerIs) {
+  std::vector<SampleOrigin> samples;
+  Eigen::MatrixXd decision_values(40, 2);
+  std::vector<bool> judges(40, true);
+  for (int i = 0; i < 40; ++i) {
+    samples.push_back({i % 2, 0, static_cast<double>(i)});
+    const double f = (i < 20 ? 0.1 : 0.001) * (1 + i % 20);  // the later ones are far less evident
+    decision_values.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
+    judges[static_cast<std::size_t>(i)] = i < 20;
+  }
+  const HeldOutValues held_out = heldOut(decision_values, std::vector<bool>(40, true));
+  const auto evidenceBelow = [&](const std::vector<bool>& judging) {
+    const Calibrated calibrated = calibrate(held_out, {samples, {}, {}, judging}, 0.25);
+    int below = 0;
+    for (int i = 0; i < 20; ++i) {
+      below += calibrated.calibration.evidence(decision_values.row(i)) < 0.5 - 1e-9 ? 1 : 0;
+    }
+    return below;
+  };
+  EXPECT_EQ(evidenceBelow(judges), 5) << "a quarter of those that judge";
+  EXPECT_EQ(evidenceBelow(std::vector<bool>(40, true)), 0);
+  const double all = calibrate(held_out, {samples, {}, {}, judges}, 0.25).calibration.slope;
+  EXPECT_EQ(
+      calibrate(held_out, {samples, {}, {}, std::vector<bool>(40, true)}, 0.25).calibration.slope,
+      all);
+}
+
 TEST(Validation, WorksWithoutAnyHeldOutSample) {
-  const std::vector<SampleOrigin> samples{{0, 0, 0}, {1, 0, 1}};
+  const CalibrationSet set{{{0, 0, 0}, {1, 0, 1}}, {}, {}, {true, true}};
   const Calibrated calibrated =
-      calibrate(heldOut(Eigen::MatrixXd::Zero(2, 2), {false, false}), samples, {}, 0.05);
+      calibrate(heldOut(Eigen::MatrixXd::Zero(2, 2), {false, false}), set, 0.05);
   EXPECT_GT(calibrated.calibration.slope, 0);
   EXPECT_EQ(calibrated.unknown_threshold, 0);
   EXPECT_EQ(calibrated.validation.average_rate, 0);

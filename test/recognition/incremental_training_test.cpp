@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
 #include "features/small_network.h"
 #include "learning/classifier_parts.h"
@@ -137,6 +139,64 @@ TEST(TrainIncrementally, OneImageLeavesTheOtherRoomsAsTheyWere) {
 
 TEST(TrainIncrementally, ARoomOfManyImagesLeavesTheOtherRoomsAsTheyWere) {
   expectOthersAsTheyWere(framesOf("room2", 900), twoCueOptions());
+}
+
+std::vector<Frame> darker(std::vector<Frame> frames, double factor) {
+  for (Frame& frame : frames) frame.image = frame.image * factor;
+  return frames;
+}
+
+TEST(TrainIncrementally, ARoomInAnotherLightLeavesTheOtherRoomsAsTheyWere) {
+  const auto before =
+      std::make_shared<const Model>(train({opener(drawFrames(4, 30))}, TrainingOptions()).model);
+  const auto after = std::make_shared<const Model>(
+      trainIncrementally(*before, {opener(darker(framesOf("room3", 900), 0.8))}, {0}).model);
+  const std::vector<Frame> others = drawFrames(3, 25, 5000);
+  EXPECT_NEAR(fractionsOf(after, others).right, fractionsOf(before, others).right, 0.02);
+  EXPECT_NEAR(fractionsOf(after, others).unknown, fractionsOf(before, others).unknown, 0.02);
+}
+
+std::vector<Frame> realFrames(const std::string& run, double light) {
+  std::vector<Frame> frames;
+  const std::unique_ptr<Recording> recording = openFolderRecording(run);
+  for (Frame frame; recording->next(frame);) frames.push_back(frame);
+  return darker(std::move(frames), light);
+}
+
+// The light, which is new, must not become the mark of the place that is learned in it.
+TEST(TrainIncrementally, APlaceInTheDarkTakesNothingFromTheOtherPlacesOfARealCorridor) {
+  constexpr double kDark = 0.35;
+  const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
+  const std::string root = std::string(data == nullptr ? "" : data) + "/corridor_two_runs/";
+  if (data == nullptr || !std::filesystem::exists(root)) {
+    GTEST_SKIP() << "No images of a real corridor: set PLACE_RECOGNITION_TEST_DATA.";
+  }
+  const auto before = std::make_shared<const Model>(
+      train({opener(realFrames(root + "run1_ref", 1))}, TrainingOptions()).model);
+  const std::vector<Frame> dark = realFrames(root + "run2_query", kDark);
+  double change = 0;  // of the rates of the other places, sum over the places
+  for (const std::string& place : before->places) {
+    std::vector<Frame> own, others;
+    for (const Frame& frame : dark) (frame.place == place ? own : others).push_back(frame);
+    const auto after =
+        std::make_shared<const Model>(trainIncrementally(*before, {opener(own)}, {0}).model);
+    change += fractionsOf(after, others).right - fractionsOf(before, others).right;
+  }
+  EXPECT_GE(change / static_cast<double>(before->places.size()), -0.02);
+}
+
+TEST(TrainIncrementally, LeavesWhatIsUnknownToTheFramesOfBefore) {
+  const Model before = train({opener(drawFrames(3, 30))}, quickOptions()).model;
+  std::vector<Frame> frames = darker(framesOf("room1", 900), 0.5);
+  const Model after = trainIncrementally(before, {opener(frames)}, {0}).model;
+  EXPECT_EQ(after.cue_weights, before.cue_weights);
+  EXPECT_EQ(after.held_out.places, before.held_out.places);
+  for (const Frame& frame : framesOf("room3", 900)) frames.push_back(frame);
+  const Model with_new_room = trainIncrementally(before, {opener(frames)}, {0}).model;
+  const std::vector<int>& places = with_new_room.held_out.places;
+  EXPECT_EQ(std::count(places.begin(), places.end(), 1),
+            std::count(before.held_out.places.begin(), before.held_out.places.end(), 1));
+  EXPECT_EQ(std::count(places.begin(), places.end(), 3), 15) << "nothing else tells of this place";
 }
 
 TEST(TrainIncrementally, WithoutALimitKeepsAsManyVectorsAsItNeeds) {

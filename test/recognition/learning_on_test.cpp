@@ -48,31 +48,78 @@ std::vector<int> all() {
   return rows;
 }
 
-TEST(LearningOn, LeavesTheVectorsAsTheyAreAndLetsAddedSamplesLead) {
-  const Eigen::MatrixXd kernel = kernelOfPoints();
-  const BinarySvms before = machinesOver(kernel);
-  const std::vector<int> labels(kOld + kAdded, 1);
-  const BinarySvms after = learnOn(before, PackedGram(kernel), all(), labels, kTiny);
-  const Eigen::MatrixXd values_before = before.decisionValues(kernel.leftCols(kOld));
-  const Eigen::MatrixXd values = after.decisionValues(kernel);
-  EXPECT_NEAR((values - values_before).topRows(kOld).cwiseAbs().maxCoeff(), 0, 1e-5);
-  for (Eigen::Index i = kOld; i < kOld + kAdded; ++i) {
-    const double others = std::max(values(i, 0), values(i, 2));
-    EXPECT_NEAR(values(i, 1), std::max(values_before(i, 1), std::min(1.0, others + 1)), 1e-5);
-    EXPECT_GE(values(i, 1) - others, 1 - 1e-5);
-    EXPECT_LE(others, std::max(values_before(i, 0), values_before(i, 2)) + 1e-5);
-  }
+/// Changes of the added points that are drawn at random; none for one of them.
+Eigen::MatrixXd drawnChanges() {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> change(-1, 1);
+  Eigen::MatrixXd changes(kAdded, kPlaces);
+  for (Eigen::Index i = 0; i < changes.size(); ++i) changes(i) = change(random);
+  changes.row(2).setZero();
+  return changes;
 }
 
-TEST(LearningOn, WhatLeadsAlreadyChangesNothing) {
+TEST(LearningOn, LeavesTheVectorsAsTheyAreAndChangesAddedSamplesAsAsked) {
   const Eigen::MatrixXd kernel = kernelOfPoints();
-  BinarySvms before = machinesOver(kernel);
-  before.biases[2] = 5;
-  const std::vector<int> labels(kOld + kAdded, 2);
-  const BinarySvms after = learnOn(before, PackedGram(kernel), all(), labels, kTiny);
+  const BinarySvms before = machinesOver(kernel);
+  const Eigen::MatrixXd changes = drawnChanges();
+  const BinarySvms after = learnOn(before, PackedGram(kernel), all(), changes, kTiny);
+  const Eigen::MatrixXd changed =
+      after.decisionValues(kernel) - before.decisionValues(kernel.leftCols(kOld));
+  EXPECT_NEAR(changed.topRows(kOld).cwiseAbs().maxCoeff(), 0, 1e-5);
+  for (const Eigen::Index i : {0, 1, 3, 4}) {
+    EXPECT_NEAR((changed.row(kOld + i) - changes.row(i)).cwiseAbs().maxCoeff(), 0, 1e-5) << i;
+  }
+  EXPECT_TRUE(after.weights.row(kOld + 2).isZero(0)) << "asks for no change and is not needed";
+}
+
+TEST(LearningOn, NoChangeChangesNothing) {
+  const Eigen::MatrixXd kernel = kernelOfPoints();
+  const BinarySvms before = machinesOver(kernel);
+  const BinarySvms after =
+      learnOn(before, PackedGram(kernel), all(), Eigen::MatrixXd::Zero(kAdded, kPlaces), kTiny);
   EXPECT_EQ(after.weights.topRows(kOld), before.weights);
   EXPECT_TRUE(after.weights.bottomRows(kAdded).isZero(0));
   EXPECT_EQ(after.biases, before.biases);
+}
+
+TEST(ChangesToLead, AreTheSmallestOnes) {
+  // The own place lacks 1 to lead the second by 0.4 and 0.2 to lead the third.
+  const Eigen::RowVector4d values(-0.2, 0.4, -0.4, -0.9);
+  const Eigen::MatrixXd changes = changesToLead(values, {0}, 0.4);
+  EXPECT_LT((changes - Eigen::RowVector4d(0.5, -0.5, 0, 0)).norm(), 1e-12);
+}
+
+// Of all changes x under the constraints x_own - x_k >= needed_k, the smallest is a sum of the
+// constraints' normals with weights that are not negative, and zero unless they hold exactly.
+TEST(ChangesToLead, ObeyTheConditionsOfKarushKuhnAndTucker) {
+  constexpr double kLead = 0.5;
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> value(-1, 1);
+  Eigen::MatrixXd values(200, 6);
+  for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = value(random);
+  std::vector<int> labels;
+  for (int i = 0; i < 200; ++i) labels.push_back(i % 6);
+  const Eigen::MatrixXd changes = changesToLead(values, labels, kLead);
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    const int own = labels[static_cast<std::size_t>(i)];
+    const Eigen::RowVectorXd after = values.row(i) + changes.row(i);
+    EXPECT_NEAR(changes.row(i).sum(), 0, 1e-12);
+    for (Eigen::Index k = 0; k < values.cols(); ++k) {
+      if (k == own) continue;
+      const double lead = after[own] - after[k];
+      EXPECT_GE(lead, kLead - 1e-12);
+      EXPECT_LE(changes(i, k), 0);
+      if (changes(i, k) < 0) {
+        EXPECT_NEAR(lead, kLead, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(ChangesToLead, AreZeroForWhatLeadsAlready) {
+  const Eigen::RowVector3d values(0.2, 0.9, 0.4);
+  EXPECT_TRUE(changesToLead(values, {1}, 0.5).isZero(0));
+  EXPECT_FALSE(changesToLead(values, {1}, 0.51).isZero(0));
 }
 
 }  // namespace

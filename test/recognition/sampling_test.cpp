@@ -90,6 +90,7 @@ TEST(HeldOutFrames, AreNoMoreThanAModelKeeps) {
   calibration_set.reductions = {{HeldOutValues{
       Eigen::MatrixXd::Zero(count, 5), std::vector<bool>(calibration_set.samples.size(), true),
       Eigen::VectorXd::Zero(count)}}};
+  calibration_set.judges_unknown.assign(calibration_set.samples.size(), true);
   const HeldOutFrames kept = keptFrames(calibration_set, 0, 1);
   EXPECT_LE(kept.places.size(), kMaxHeldOutFrames);
   EXPECT_GT(kept.places.size(), kMaxHeldOutFrames - 10);

@@ -51,14 +51,17 @@ void append(const HeldOutFrames& frames, std::size_t cue, const std::vector<int>
   }
 }
 
-/// The valid samples of some cues.
-std::vector<int> validSamples(const std::vector<HeldOutValues>& cues) {
-  std::vector<int> valid;
-  for (std::size_t i = 0; i < cues[0].valid.size(); ++i) {
+/// The samples that "unknown" is fitted to and that are valid in some cue.
+std::vector<int> judgesOfUnknown(const std::vector<HeldOutValues>& cues,
+                                 const std::vector<bool>& judges_unknown) {
+  std::vector<int> judges;
+  for (std::size_t i = 0; i < judges_unknown.size(); ++i) {
     const auto has = [i](const HeldOutValues& cue) { return cue.valid[i]; };
-    if (std::any_of(cues.begin(), cues.end(), has)) valid.push_back(static_cast<int>(i));
+    if (judges_unknown[i] && std::any_of(cues.begin(), cues.end(), has)) {
+      judges.push_back(static_cast<int>(i));
+    }
   }
-  return valid;
+  return judges;
 }
 
 /// Some samples of one cue, in the form that a model keeps.
@@ -105,13 +108,14 @@ void CalibrationSet::add(const HeldOutFrames& frames, const std::vector<int>& pl
     const std::size_t fold = static_cast<std::size_t>(frames.folds[i]) % folds.size();
     folds[fold].test.push_back(static_cast<int>(samples.size()));
     samples.push_back({place_of[frames.places[i]], -1, 0});
+    judges_unknown.push_back(true);
   }
 }
 
 HeldOutFrames keptFrames(const CalibrationSet& calibration_set, std::size_t reduction,
                          std::uint64_t seed) {
   const std::vector<HeldOutValues>& cues = calibration_set.reductions[reduction];
-  std::vector<int> valid = validSamples(cues);
+  const std::vector<int> valid = judgesOfUnknown(cues, calibration_set.judges_unknown);
   std::vector<int> places;
   for (const int sample : valid) places.push_back(calibration_set.samples[sample].place);
   const std::vector<bool> kept = keptOf(places, seed);

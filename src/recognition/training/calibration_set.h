@@ -15,6 +15,7 @@ struct CalibrationSet {
   std::vector<SampleOrigin> samples;
   std::vector<Fold> folds;                             ///< only the test sets
   std::vector<std::vector<HeldOutValues>> reductions;  ///< [reduction][cue]
+  std::vector<bool> judges_unknown;                    ///< samples that "unknown" is fitted to
 
   /// Adds frames that an earlier training held out; `place_of` maps their places to the current
   /// ones. They have no decision value for a new place. It is set to the mean decision value for
@@ -23,9 +24,9 @@ struct CalibrationSet {
   void add(const HeldOutFrames& frames, const std::vector<int>& place_of, std::size_t remembered);
 };
 
-/// The frames of the calibration set that are valid in any cue, after one of the reductions. If
-/// there are more than a model keeps (kMaxHeldOutFrames), the same fraction of each place is drawn
-/// with `seed`.
+/// The frames of the calibration set that "unknown" is fitted to and that are valid in any cue,
+/// after one of the reductions. If there are more than a model keeps (kMaxHeldOutFrames), the same
+/// fraction of each place is drawn with `seed`.
 HeldOutFrames keptFrames(const CalibrationSet& calibration_set, std::size_t reduction,
                          std::uint64_t seed);
 

@@ -80,16 +80,27 @@ Eigen::VectorXd importanceOf(const std::vector<int>& samples, const TrainingTask
   return importance;
 }
 
+/// Machines trained on the rows `train_rows`, of `samples`, of a Gram matrix, or extended by them.
+BinarySvms trainMachinesOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
+                           const PackedGram& gram, const TrainingTask& task) {
+  if (task.learned) {
+    const auto before = static_cast<std::size_t>(task.learned->machines.weights.rows());
+    const std::vector<int> added(samples.begin() + static_cast<std::ptrdiff_t>(before),
+                                 samples.end());
+    return learnOn(task.learned->machines, gram, train_rows, rows(task.learned->changes, added),
+                   1 / task.svm.c);
+  }
+  std::vector<int> labels;
+  for (const int sample : samples) labels.push_back(task.samples[sample].place);
+  return trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
+}
+
 /// trainReduced() on the rows `train_rows`, of `samples`, of a Gram matrix; the vectors are
 /// numbered among these.
 ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
                                const PackedGram& gram, const TrainingTask& task,
                                const std::vector<ReductionOptions>& reductions) {
-  std::vector<int> labels;
-  for (const int sample : samples) labels.push_back(task.samples[sample].place);
-  const BinarySvms machines =
-      task.learned ? learnOn(*task.learned, gram, train_rows, labels, 1 / task.svm.c)
-                   : trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
+  const BinarySvms machines = trainMachinesOn(train_rows, samples, gram, task);
   const std::vector<int> vectors = supportVectors(machines);
   BinarySvms supported = machines;
   supported.weights = rows(machines.weights, vectors);

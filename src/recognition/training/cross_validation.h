@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "learning/binary_svms.h"
@@ -13,6 +14,12 @@
 
 namespace place_recognition {
 
+/// What one cue has learned before, see LearnedBefore.
+struct LearnedCue {
+  const BinarySvms& machines;      ///< over the first samples that have the cue
+  const Eigen::MatrixXd& changes;  ///< samples x places
+};
+
 /// The arguments that the trainings of all cues share.
 struct TrainingTask {
   const std::vector<SampleOrigin>& samples;
@@ -21,11 +28,9 @@ struct TrainingTask {
   const SvmOptions& svm;
   unsigned threads;
   const Progress& progress;
-  std::uint64_t seed = 1;  ///< of all random choices
-  double forgetting = 0;   ///< see IncrementalOptions
-  /// One-against-all machines to extend in incremental training, over the first samples that have
-  /// the cue; every fold trains on these. Null if there are none.
-  const BinarySvms* learned = nullptr;
+  std::uint64_t seed = 1;                  ///< of all random choices
+  double forgetting = 0;                   ///< see IncrementalOptions
+  std::optional<LearnedCue> learned = {};  ///< to extend; every fold trains on its vectors
 };
 
 /// Decision values of samples by machines that were trained without these samples and their

@@ -3,26 +3,22 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cassert>
+#include <functional>
 
 namespace place_recognition {
 namespace {
 
-/// What the decision values of the added samples (rows) lack so that their own place leads by 1, at
-/// +1 at most; other places give way only where that does not suffice.
-Eigen::MatrixXd lackOf(const Eigen::MatrixXd& values, const std::vector<int>& labels) {
-  constexpr double kLead = 1;
-  Eigen::MatrixXd lack = Eigen::MatrixXd::Zero(values.rows(), values.cols());
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    const Eigen::Index own = labels[static_cast<std::size_t>(i)];
-    Eigen::RowVectorXd others = values.row(i);
-    others[own] = -1;
-    const double wanted = std::min(1.0, others.maxCoeff() + kLead);
-    const double led = std::max(wanted, values(i, own));
-    for (Eigen::Index k = 0; k < values.cols(); ++k) {
-      lack(i, k) = k == own ? led - values(i, k) : std::min(0.0, led - kLead - values(i, k));
-    }
+/// What the own place of a frame has to rise to: the others, which are to follow by `lead`, fall by
+/// as much as it rises.
+double raised(double own, std::vector<double> others, double lead) {
+  std::sort(others.begin(), others.end(), std::greater<double>());
+  double sum = own;
+  double result = own;
+  for (std::size_t n = 0; n < others.size() && others[n] + lead > result; ++n) {
+    sum += others[n] + lead;
+    result = sum / static_cast<double>(n + 2);
   }
-  return lack;
+  return result;
 }
 
 /// Solves A X = B for a symmetric A, which is positive definite for kernels that obey Mercer's
@@ -35,37 +31,51 @@ Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 }  // namespace
 
+Eigen::MatrixXd changesToLead(const Eigen::MatrixXd& decision_values,
+                              const std::vector<int>& labels, double lead) {
+  assert(decision_values.rows() == static_cast<Eigen::Index>(labels.size()));
+  Eigen::MatrixXd changes(decision_values.rows(), decision_values.cols());
+  for (Eigen::Index i = 0; i < changes.rows(); ++i) {
+    const Eigen::Index own = labels[static_cast<std::size_t>(i)];
+    std::vector<double> others;
+    for (Eigen::Index k = 0; k < changes.cols(); ++k) {
+      if (k != own) others.push_back(decision_values(i, k));
+    }
+    const double led = raised(decision_values(i, own), std::move(others), lead);
+    changes.row(i) = (led - lead - decision_values.row(i).array()).min(0);
+    changes(i, own) = led - decision_values(i, own);
+  }
+  return changes;
+}
+
 BinarySvms learnOn(const BinarySvms& machines, const PackedGram& gram, const std::vector<int>& rows,
-                   const std::vector<int>& labels, double ridge) {
+                   const Eigen::MatrixXd& changes, double ridge) {
   assert(!machines.one_against_one);
   const Eigen::Index before = machines.weights.rows();
-  const std::vector<int> old(rows.begin(), rows.begin() + before);
-  const std::vector<int> added(rows.begin() + before, rows.end());
-  const std::vector<int> places(labels.begin() + before, labels.end());
-  const Eigen::MatrixXd lack = lackOf(machines.decisionValues(gram.values(added, old)), places);
+  assert(before + changes.rows() == static_cast<Eigen::Index>(rows.size()));
 
-  std::vector<int> used = old;                       // rows of the Gram matrix
-  std::vector<Eigen::Index> weights_of(old.size());  // rows of the weights
-  for (Eigen::Index i = 0; i < before; ++i) weights_of[static_cast<std::size_t>(i)] = i;
-  for (Eigen::Index i = 0; i < lack.rows(); ++i) {
-    if (lack.row(i).isZero(0)) continue;
-    used.push_back(added[static_cast<std::size_t>(i)]);
+  std::vector<int> used(rows.begin(), rows.begin() + before);  // rows of the Gram matrix
+  std::vector<Eigen::Index> weights_of;                        // rows of the weights
+  for (Eigen::Index i = 0; i < before; ++i) weights_of.push_back(i);
+  for (Eigen::Index i = 0; i < changes.rows(); ++i) {
+    if (changes.row(i).isZero(0)) continue;
+    used.push_back(rows[static_cast<std::size_t>(before + i)]);
     weights_of.push_back(before + i);
   }
   const auto count = static_cast<Eigen::Index>(used.size());
-  Eigen::MatrixXd targets = Eigen::MatrixXd::Zero(count, lack.cols());
+  Eigen::MatrixXd targets = Eigen::MatrixXd::Zero(count, changes.cols());
   for (Eigen::Index i = before; i < count; ++i) {
-    targets.row(i) = lack.row(weights_of[static_cast<std::size_t>(i)] - before);
+    targets.row(i) = changes.row(weights_of[static_cast<std::size_t>(i)] - before);
   }
   Eigen::MatrixXd kernel = gram.values(used, used);
   kernel.diagonal().array() += ridge;
-  const Eigen::MatrixXd change = solve(kernel, targets);
+  const Eigen::MatrixXd added = solve(kernel, targets);
 
   BinarySvms learned = machines;
   learned.weights.conservativeResize(static_cast<Eigen::Index>(rows.size()), Eigen::NoChange);
-  learned.weights.bottomRows(lack.rows()).setZero();
+  learned.weights.bottomRows(changes.rows()).setZero();
   for (Eigen::Index i = 0; i < count; ++i) {
-    learned.weights.row(weights_of[static_cast<std::size_t>(i)]) += change.row(i);
+    learned.weights.row(weights_of[static_cast<std::size_t>(i)]) += added.row(i);
   }
   return learned;
 }

@@ -7,7 +7,7 @@
 namespace place_recognition {
 namespace {
 
-Calibration fit(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
+Calibration fit(const HeldOutValues& held_out, const CalibrationSet& set,
                 const std::vector<int>& chosen, double false_alarm_rate) {
   const auto count = static_cast<Eigen::Index>(chosen.size());
   Eigen::MatrixXd decision_values(count, held_out.decision_values.cols());
@@ -15,17 +15,22 @@ Calibration fit(const HeldOutValues& held_out, const std::vector<SampleOrigin>& 
   for (Eigen::Index i = 0; i < count; ++i) {
     const int sample = chosen[static_cast<std::size_t>(i)];
     decision_values.row(i) = held_out.decision_values.row(sample);
-    labels.push_back(samples[sample].place);
+    labels.push_back(set.samples[sample].place);
   }
   Calibration calibration = fitCalibration(decision_values, labels);
 
   Eigen::VectorXd log_sums(count);
   Eigen::VectorXd familiarity(count);
+  Eigen::Index judges = 0;
   for (Eigen::Index i = 0; i < count; ++i) {
-    log_sums[i] = calibration.logSum(decision_values.row(i));
-    familiarity[i] = held_out.familiarity[chosen[static_cast<std::size_t>(i)]];
+    const int sample = chosen[static_cast<std::size_t>(i)];
+    if (!set.judges_unknown[sample]) continue;
+    log_sums[judges] = calibration.logSum(decision_values.row(i));
+    familiarity[judges] = held_out.familiarity[sample];
+    ++judges;
   }
-  calibration.weights = fitEvidence(log_sums, familiarity, false_alarm_rate);
+  calibration.weights =
+      fitEvidence(log_sums.head(judges), familiarity.head(judges), false_alarm_rate);
   return calibration;
 }
 
@@ -36,12 +41,12 @@ struct Answers {
   std::vector<bool> correct;
 
   void add(int place, const Calibration& calibration, const Eigen::RowVectorXd& decision_values,
-           double familiarity) {
+           double familiarity, bool judges_unknown) {
     const Eigen::RowVectorXd probabilities = calibration.probabilities(decision_values);
     truth.push_back(place);
     places.push_back(largest(probabilities));
     confidences.push_back(probabilities[places.back()]);
-    evidence.push_back(calibration.evidence(decision_values, familiarity));
+    if (judges_unknown) evidence.push_back(calibration.evidence(decision_values, familiarity));
     correct.push_back(places.back() == place);
   }
 };
@@ -65,27 +70,27 @@ double quantile(std::vector<double> values, double fraction) {
   return values[std::min(below, values.size() - 1)];
 }
 
-Calibrated calibrate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
-                     const std::vector<Fold>& folds, double false_alarm_rate) {
-  const int fold_count = static_cast<int>(folds.size());
-  std::vector<int> fold_of(samples.size(), -1);
+Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
+                     double false_alarm_rate) {
+  const int fold_count = static_cast<int>(set.folds.size());
+  std::vector<int> fold_of(set.samples.size(), -1);
   for (int f = 0; f < fold_count; ++f) {
-    for (const int sample : folds[f].test) fold_of[sample] = f;
+    for (const int sample : set.folds[f].test) fold_of[sample] = f;
   }
 
   Answers answers;
   for (int f = 0; f < fold_count; ++f) {
     const Calibration others =
-        fit(held_out, samples, validSamples(held_out, fold_of, f, false), false_alarm_rate);
+        fit(held_out, set, validSamples(held_out, fold_of, f, false), false_alarm_rate);
     for (const int i : validSamples(held_out, fold_of, f, true)) {
-      answers.add(samples[i].place, others, held_out.decision_values.row(i),
-                  held_out.familiarity[i]);
+      answers.add(set.samples[i].place, others, held_out.decision_values.row(i),
+                  held_out.familiarity[i], set.judges_unknown[i]);
     }
   }
   const std::size_t places = static_cast<std::size_t>(held_out.decision_values.cols());
   Calibrated calibrated;
   calibrated.calibration =
-      fit(held_out, samples, validSamples(held_out, fold_of, fold_count, false), false_alarm_rate);
+      fit(held_out, set, validSamples(held_out, fold_of, fold_count, false), false_alarm_rate);
   calibrated.unknown_threshold = quantile(answers.evidence, false_alarm_rate);
   constexpr double kLimit = 0.5;  // of evidence, where it was fitted
   if (!answers.evidence.empty()) {

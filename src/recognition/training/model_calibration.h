@@ -1,22 +1,24 @@
 #pragma once
 
-#include "learning/folds.h"
+#include <vector>
+
 #include "place_recognition/model.h"
-#include "recognition/training/cross_validation.h"
+#include "recognition/training/calibration_set.h"
 
 namespace place_recognition {
 
 /// The calibration of a model from held-out decision values.
 struct Calibrated {
-  Calibration calibration;       ///< fitted on all frames
-  double unknown_threshold = 0;  ///< evidence below which the requested fraction of them lies
+  Calibration calibration;       ///< fitted on all frames, evidence on those that judge "unknown"
+  double unknown_threshold = 0;  ///< evidence below which the requested fraction of these lies
   double unknown = 0;            ///< fraction of each fold below the threshold of the others
   Validation validation;         ///< each fold judged by a calibration fitted on the others
 };
 
-/// Fits the calibration and estimates its quality. `false_alarm_rate`: see UnknownOptions.
-Calibrated calibrate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
-                     const std::vector<Fold>& folds, double false_alarm_rate);
+/// Fits the calibration and estimates its quality. `held_out`: decision values of all cues together
+/// for the samples of `set`. `false_alarm_rate`: see UnknownOptions.
+Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
+                     double false_alarm_rate);
 
 /// The largest limit below which at most `fraction` of the values lie; 0 if there are none.
 double quantile(std::vector<double> values, double fraction);

@@ -11,6 +11,7 @@
 #include "recognition/recognizer/evidence_shift.h"
 #include "recognition/training/calibration_set.h"
 #include "recognition/training/combination.h"
+#include "recognition/training/model_answers.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/samples.h"
 
@@ -46,25 +47,6 @@ KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::st
     }
   }
   return known;
-}
-
-/// The decision values of one cue of the model.
-HeldOutValues decisionValues(const Classifier& classifier, const std::vector<Feature>& features) {
-  const auto count = static_cast<Eigen::Index>(features.size());
-  HeldOutValues answers{
-      Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(classifier.places())),
-      std::vector<bool>(features.size(), false), Eigen::VectorXd::Zero(count)};
-  Eigen::VectorXd kernel_values;
-  Eigen::RowVectorXd decision_values;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Feature& feature = features[static_cast<std::size_t>(i)];
-    if (isMissing(feature)) continue;
-    classifier.decisionValues(feature, kernel_values, decision_values);
-    answers.decision_values.row(i) = decision_values;
-    if (kernel_values.size() > 0) answers.familiarity[i] = kernel_values.maxCoeff();
-    answers.valid[static_cast<std::size_t>(i)] = true;
-  }
-  return answers;
 }
 
 /// The evidence of the valid frames as a recognizer finds it, which follows each run.
@@ -137,11 +119,11 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   }
   report(progress, "Calibrating", 0);
   result.images = frames.origins.size();
-  CalibrationSet calibration_set{frames.origins, {}, std::vector<std::vector<HeldOutValues>>(1)};
-  std::vector<HeldOutValues>& cues = calibration_set.reductions.front();
-  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
-    cues.push_back(decisionValues(model.classifiers[c], frames.features[c]));
-  }
+  CalibrationSet calibration_set{frames.origins,
+                                 {},
+                                 {modelAnswers(model, frames.features)},
+                                 std::vector<bool>(frames.origins.size(), true)};
+  const std::vector<HeldOutValues>& cues = calibration_set.reductions.front();
   result.before = figuresOf(model, combine(cues, model.cue_weights), frames.origins);
 
   int last_recording = 0;
@@ -155,8 +137,7 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
       chooseCueWeights(cues, priorWeights(options.cues), frames.origins, model.places.size());
   const HeldOutValues combined = combine(cues, model.cue_weights);
   const double false_alarm_rate = options.unknown.false_alarm_rate;
-  const Calibrated calibrated =
-      calibrate(combined, frames.origins, calibration_set.folds, false_alarm_rate);
+  const Calibrated calibrated = calibrate(combined, calibration_set, false_alarm_rate);
   model.calibration = calibrated.calibration;
   model.validation = calibrated.validation;
   model.held_out = keptFrames(calibration_set, 0, model.options.seed);

@@ -140,24 +140,6 @@ Samples rememberedSamples(const Model& model) {
   return samples;
 }
 
-std::vector<BinarySvms> learnedMachines(const Model& model, const std::vector<int>& place_before,
-                                        std::size_t places) {
-  std::vector<BinarySvms> learned;
-  for (const Classifier& classifier : model.classifiers) {
-    const BinarySvms& before = ClassifierParts::of(classifier).machines;
-    if (before.one_against_one) return {};
-    const auto count = static_cast<Eigen::Index>(places);
-    BinarySvms machines{places, false, Eigen::MatrixXd::Zero(before.weights.rows(), count),
-                        Eigen::RowVectorXd::Constant(count, -1)};
-    for (std::size_t k = 0; k < place_before.size(); ++k) {
-      machines.weights.col(place_before[k]) = before.weights.col(static_cast<Eigen::Index>(k));
-      machines.biases[place_before[k]] = before.biases[static_cast<Eigen::Index>(k)];
-    }
-    learned.push_back(std::move(machines));
-  }
-  return learned;
-}
-
 Samples joinSamples(Samples remembered, Samples others) {
   assert(remembered.remembered == remembered.origins.size());
   Samples all;

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <vector>
-
-#include "learning/binary_svms.h"
 #include "place_recognition/model.h"
 #include "recognition/training/samples.h"
 
@@ -19,11 +16,5 @@ Samples joinSamples(Samples remembered, Samples others);
 /// Throws Error, a sentence that names both, if `other` cannot join `model` because `model` would
 /// have extracted different features from the same images.
 void requireJoinable(const Model& model, const Model& other);
-
-/// The machines of each cue of `model`, over its remembered samples, extended to `places` places:
-/// the model's places are at `place_before`, and the others have no samples. Empty for
-/// one-against-one machines.
-std::vector<BinarySvms> learnedMachines(const Model& model, const std::vector<int>& place_before,
-                                        std::size_t places);
 
 }  // namespace place_recognition

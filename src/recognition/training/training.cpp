@@ -4,6 +4,8 @@
 #include <chrono>
 #include <iterator>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <string>
 
 #include "base/place_name.h"
@@ -17,6 +19,7 @@
 #include "recognition/training/camera_correlation_training.h"
 #include "recognition/training/combination.h"
 #include "recognition/training/cue_training.h"
+#include "recognition/training/learned_before.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/reduction_choice.h"
 #include "recognition/training/remembered_samples.h"
@@ -39,7 +42,8 @@ bool followsLight(const TrainingOptions& options) {
 /// Held-out decision values of the samples, and of the frames that judged the model that they join.
 CalibrationSet calibrationSetOf(const Samples& samples, const std::vector<Fold>& folds,
                                 std::vector<TrainedCue>& cues, std::size_t reductions) {
-  CalibrationSet calibration_set{samples.origins, {}, {}};
+  CalibrationSet calibration_set{
+      samples.origins, {}, {}, std::vector<bool>(samples.origins.size(), true)};
   for (const Fold& fold : folds) calibration_set.folds.push_back({{}, fold.test});
   for (std::size_t r = 0; r < reductions; ++r) {
     std::vector<HeldOutValues>& held_out = calibration_set.reductions.emplace_back();
@@ -53,6 +57,18 @@ CalibrationSet calibrationSetOf(const Samples& samples, const std::vector<Fold>&
     for (HeldOutValues& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
   }
   return calibration_set;
+}
+
+/// Leaves what is 'unknown' to the frames that judged the model before, and to samples of places
+/// that these do not show: else 5 % of samples in another light would be 'unknown', and hardly any
+/// frame in the light of before. `count`: of the samples in front of those frames.
+void keepWhatIsUnknown(std::size_t count, CalibrationSet& calibration_set) {
+  const std::vector<SampleOrigin>& samples = calibration_set.samples;
+  std::set<int> judged;
+  for (std::size_t i = count; i < samples.size(); ++i) judged.insert(samples[i].place);
+  for (std::size_t i = 0; i < count; ++i) {
+    calibration_set.judges_unknown[i] = judged.count(samples[i].place) == 0;
+  }
 }
 
 /// Warnings about places that cross-validation cannot judge.
@@ -120,13 +136,13 @@ std::vector<Fold> withRemembered(std::vector<Fold> folds, std::size_t remembered
 }
 
 /// The road from samples to a model, whose options are those asked for and what was found.
-/// `learned`: machines of each cue to learn on from, if any.
+/// `learned`: what to learn on from, if anything.
 Training learn(Samples samples, TrainingOptions options, double forgetting, unsigned threads,
-               const Progress& progress, const std::vector<BinarySvms>& learned = {}) {
+               const Progress& progress, const std::optional<LearnedBefore>& learned = {}) {
   const std::size_t places = samples.places.size();
   report(progress, "Choosing blocks of time", 0);
   std::vector<Fold> folds = chooseFolds(samples, threads, options);
-  if (!learned.empty()) folds = withRemembered(std::move(folds), samples.remembered);
+  if (learned) folds = withRemembered(std::move(folds), samples.remembered);
   const TrainingTask task{samples.origins, places,   folds,        options.svm,
                           threads,         progress, options.seed, forgetting};
 
@@ -135,18 +151,21 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
   std::vector<TrainedCue> cues;
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
     TrainingTask task_of_cue = task;
-    if (!learned.empty()) task_of_cue.learned = &learned[c];
+    if (learned) task_of_cue.learned.emplace(LearnedCue{learned->machines[c], learned->changes});
     cues.push_back(
         trainCue(std::move(samples.features[c]), options.cues[c], reductions, task_of_cue));
   }
 
-  const CalibrationSet calibration_set = calibrationSetOf(samples, folds, cues, reductions.size());
+  CalibrationSet calibration_set = calibrationSetOf(samples, folds, cues, reductions.size());
+  if (learned) keepWhatIsUnknown(samples.origins.size(), calibration_set);
 
   Training training;
   Model& model = training.model;
   model.options = options;
-  model.cue_weights = chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
-                                       calibration_set.samples, places);
+  model.cue_weights =
+      learned ? learned->cue_weights
+              : chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
+                                 calibration_set.samples, places);
   std::vector<HeldOutValues> held_out;
   for (const std::vector<HeldOutValues>& reduced : calibration_set.reductions) {
     held_out.push_back(combine(reduced, model.cue_weights));
@@ -162,8 +181,8 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
   }
 
   report(progress, "Calibrating", 0);
-  const Calibrated calibrated = calibrate(held_out[chosen], calibration_set.samples,
-                                          calibration_set.folds, options.unknown.false_alarm_rate);
+  const Calibrated calibrated =
+      calibrate(held_out[chosen], calibration_set, options.unknown.false_alarm_rate);
   model.held_out = keptFrames(calibration_set, chosen, options.seed);
   model.calibration = calibrated.calibration;
   model.unknown_threshold = calibrated.unknown_threshold;
@@ -199,13 +218,15 @@ Training timed(const Work& work) {
   return training;
 }
 
-/// Whether the machines of `model` learn on: not with those of another model, nor within a limit,
-/// which takes vectors from them again. The time that learnOn() takes grows with the third power of
-/// the number of vectors and samples. Else support vectors and samples are trained on together.
+/// Whether the machines of `model` learn on: not if they are one-against-one, nor with those of
+/// another model, nor within a limit, which takes vectors from them again. The time that learnOn()
+/// takes grows with the third power of the number of vectors and samples. Else support vectors and
+/// samples are trained on together.
 bool canLearnOn(const Model& model, const Samples& samples, const IncrementalOptions& options) {
   constexpr std::size_t kMaxRows = 3000;
   const std::size_t fresh = samples.origins.size() - samples.remembered;
   if (options.other || options.vector_limit > 0 || fresh == 0) return false;
+  if (model.options.svm.multiclass == "one-against-one") return false;
   return std::all_of(model.classifiers.begin(), model.classifiers.end(),
                      [fresh](const Classifier& classifier) {
                        return classifier.supportVectorCount() + fresh <= kMaxRows;
@@ -260,11 +281,8 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
       samples = joinSamples(std::move(samples),
                             collectSamplesFor(model, recordings, options, threads, progress, 1));
     }
-    std::vector<BinarySvms> learned;
-    if (canLearnOn(model, samples, incremental)) {
-      learned =
-          learnedMachines(model, samples.judged_before.front().place_of, samples.places.size());
-    }
+    std::optional<LearnedBefore> learned;
+    if (canLearnOn(model, samples, incremental)) learned = learnedBefore(model, samples);
     Training training =
         learn(std::move(samples), options, incremental.forgetting, threads, progress, learned);
     training.model.asked = model.asked;

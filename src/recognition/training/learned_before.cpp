@@ -1,0 +1,80 @@
+#include "recognition/training/learned_before.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "learning/classifier_parts.h"
+#include "recognition/training/combination.h"
+#include "recognition/training/learning_on.h"
+#include "recognition/training/model_answers.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr double kUnseen = -1;  // decision value of a place without vectors
+
+/// Columns of `values`, one per place of a model, where `place_of` puts them among `places`.
+Eigen::MatrixXd extended(const Eigen::MatrixXd& values, const std::vector<int>& place_of,
+                         std::size_t places, double others) {
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Constant(values.rows(), static_cast<Eigen::Index>(places), others);
+  for (std::size_t k = 0; k < place_of.size(); ++k) {
+    result.col(place_of[k]) = values.col(static_cast<Eigen::Index>(k));
+  }
+  return result;
+}
+
+/// The lead of one place over another that makes it nine times as probable, but no more than the
+/// distance of a margin from the decision line.
+double leadFor(const Calibration& calibration) {
+  constexpr double kOdds = 9;
+  return std::min(1.0, std::log(kOdds) / calibration.slope);
+}
+
+/// The features of the samples that are not remembered.
+std::vector<std::vector<Feature>> newFeatures(const Samples& samples) {
+  std::vector<std::vector<Feature>> features;
+  for (const std::vector<Feature>& cue : samples.features) {
+    features.emplace_back(cue.begin() + static_cast<std::ptrdiff_t>(samples.remembered), cue.end());
+  }
+  return features;
+}
+
+Eigen::MatrixXd changesFor(const Model& model, const Samples& samples,
+                           const std::vector<int>& place_of) {
+  const HeldOutValues answers =
+      combine(modelAnswers(model, newFeatures(samples)), model.cue_weights);
+  std::vector<int> labels;
+  for (std::size_t i = samples.remembered; i < samples.origins.size(); ++i) {
+    labels.push_back(samples.origins[i].place);
+  }
+  Eigen::MatrixXd changes =
+      changesToLead(extended(answers.decision_values, place_of, samples.places.size(), kUnseen),
+                    labels, leadFor(model.calibration));
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (!answers.valid[i]) changes.row(static_cast<Eigen::Index>(i)).setZero();
+  }
+  return changes;
+}
+
+}  // namespace
+
+LearnedBefore learnedBefore(const Model& model, const Samples& samples) {
+  const std::vector<int>& place_of = samples.judged_before.front().place_of;
+  const std::size_t places = samples.places.size();
+  LearnedBefore learned;
+  learned.cue_weights = model.cue_weights;
+  for (const Classifier& classifier : model.classifiers) {
+    const BinarySvms& before = ClassifierParts::of(classifier).machines;
+    assert(!before.one_against_one);
+    learned.machines.push_back({places, false, extended(before.weights, place_of, places, 0),
+                                extended(before.biases, place_of, places, kUnseen)});
+  }
+  const Eigen::MatrixXd changes = changesFor(model, samples, place_of);
+  learned.changes.setZero(static_cast<Eigen::Index>(samples.origins.size()), changes.cols());
+  learned.changes.bottomRows(changes.rows()) = changes;
+  return learned;
+}
+
+}  // namespace place_recognition
