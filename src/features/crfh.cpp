@@ -1,32 +1,20 @@
 #include "features/crfh.h"
 
 #include <algorithm>
-#include <cmath>
-#include <opencv2/core.hpp>
 
 #include "features/crfh_descriptor.h"
+#include "features/logarithmic_levels.h"
 
 namespace place_recognition {
 namespace {
 
 constexpr std::uint64_t kWordSize = std::uint64_t{1} << 32;
 
-/// log(1 + v / 16) of the levels v, scaled to 0..255. The 16 keeps the noise of dark pixels small.
-cv::Mat logarithmicLevels() {
-  constexpr double kOffset = 16;
-  const double unit = 255 / std::log1p(255 / kOffset);
-  cv::Mat table(1, 256, CV_8UC1);
-  for (int v = 0; v < 256; ++v) {
-    table.at<uchar>(v) = cv::saturate_cast<uchar>(unit * std::log1p(v / kOffset));
-  }
-  return table;
-}
-
 }  // namespace
 
-CrfhExtractor::CrfhExtractor(const CrfhOptions& options) : responses_(options) {
+CrfhExtractor::CrfhExtractor(const CrfhOptions& options)
+    : logarithmic_(options.levels == "logarithmic"), responses_(options) {
   options.check();
-  if (options.levels == "logarithmic") level_table_ = logarithmicLevels();
   std::uint64_t bins_in_word = 1;
   std::uint64_t bins_so_far = 1;
   for (double t : options.variances()) {
@@ -73,8 +61,8 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
 }
 
 const cv::Mat& CrfhExtractor::inLevels(const cv::Mat& image) {
-  if (level_table_.empty()) return image;
-  cv::LUT(image, level_table_, levels_);
+  if (!logarithmic_) return image;
+  takeLogarithms(image, levels_);
   return levels_;
 }
 

@@ -39,7 +39,7 @@ class CrfhExtractor : public FeatureExtractor {
   const cv::Mat& inLevels(const cv::Mat& image);
   void countRow(int r, int columns);
 
-  cv::Mat level_table_;  ///< Lookup table of the levels; empty if they are linear.
+  bool logarithmic_;
   cv::Mat levels_;
   CrfhResponses responses_;
   int border_ = 0;  ///< Pixels at each side of the image that are not counted.

@@ -161,6 +161,20 @@ TEST(ColourNormalization, BringsMeansToTheSameLevel) {
   EXPECT_EQ(normalized.in(ColourNormalization::kRun).data, image.data);
 }
 
+TEST(ColourNormalization, TakesLogarithmsOnce) {
+  const cv::Mat image(20, 30, CV_8UC3, cv::Scalar(40, 80, 120));
+  NormalizedImage normalized;
+  const auto pixel = [&]() -> cv::Vec3b& {
+    return cv::Mat(normalized.logarithms(ColourNormalization::kRun)).at<cv::Vec3b>(7, 9);
+  };
+  normalized.set(image, logColour(image), {2, 1, 0.5});
+  EXPECT_EQ(pixel(), cv::Vec3b(73, 161, 250)) << "255 log(1 + v / 16) / log(1 + 255 / 16)";
+  pixel() = cv::Vec3b();
+  EXPECT_EQ(pixel(), cv::Vec3b());
+  normalized.set(image, logColour(image), {});
+  EXPECT_EQ(pixel(), cv::Vec3b(113, 161, 193));
+}
+
 /// Of three drawn rooms, with a cue that follows the light of the recording.
 std::shared_ptr<const Model> modelThatFollowsLight() {
   CrfhOptions levels;

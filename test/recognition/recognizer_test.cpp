@@ -112,6 +112,21 @@ TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
   EXPECT_NE(both, Eigen::RowVectorXd::Zero(3));
 }
 
+TEST(CueExtraction, GivesWhatTheExtractorOfEachCueGives) {
+  TrainingOptions options;
+  for (CueOptions& cue : options.cues) cue.normalize = "none";
+  const cv::Mat image = drawRoom(1, 300);
+  std::vector<Feature> features;
+  CueExtraction(options, ImageProfile()).extract(image, features);
+  for (std::size_t c = 0; c < options.cues.size(); ++c) {
+    Feature expected;
+    makeFeatureExtractor(options.cues[c].feature)->extract(image, expected);
+    const auto& histogram = std::get<SparseVector>(features[c]);
+    EXPECT_EQ(histogram.indices, std::get<SparseVector>(expected).indices);
+    EXPECT_EQ(histogram.values, std::get<SparseVector>(expected).values);
+  }
+}
+
 std::shared_ptr<const Model> modelWithNetwork() {
   Model model = train({opener(drawFrames(3, 12))}, networkOptions()).model;
   model.cue_weights = {0.25, 0.75};

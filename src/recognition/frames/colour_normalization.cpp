@@ -5,6 +5,7 @@
 #include <map>
 #include <opencv2/core.hpp>
 
+#include "features/logarithmic_levels.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -47,19 +48,25 @@ void NormalizedImage::set(const cv::Mat& image, const Eigen::RowVector3d& colour
   image_ = &image;
   colour_ = colour;
   correction_ = correction;
-  is_made_.fill(false);
+  for (Derived& derived : normalized_) derived.computed = false;
+  for (Derived& derived : logarithms_) derived.computed = false;
 }
 
 const cv::Mat& NormalizedImage::in(ColourNormalization normalization) {
   if (normalization == ColourNormalization::kNone) return *image_;
-  const auto index = static_cast<std::size_t>(normalization);
   const Light light = gains(normalization);
   if (light.red == 1 && light.green == 1 && light.blue == 1) return *image_;
-  if (!is_made_[index]) {
-    changeLight(*image_, light, made_[index]);
-    is_made_[index] = true;
-  }
-  return made_[index];
+  Derived& normalized = normalized_[static_cast<std::size_t>(normalization)];
+  if (!normalized.computed) changeLight(*image_, light, normalized.image);
+  normalized.computed = true;
+  return normalized.image;
+}
+
+const cv::Mat& NormalizedImage::logarithms(ColourNormalization normalization) {
+  Derived& logarithms = logarithms_[static_cast<std::size_t>(normalization)];
+  if (!logarithms.computed) takeLogarithms(in(normalization), logarithms.image);
+  logarithms.computed = true;
+  return logarithms.image;
 }
 
 Light NormalizedImage::gains(ColourNormalization normalization) const {

@@ -34,15 +34,22 @@ class NormalizedImage {
   /// kBrightness scales the mean level of all channels to 110; kGreyWorld scales each channel's
   /// mean level to 110 (Buchsbaum 1980).
   const cv::Mat& in(ColourNormalization normalization);
+  /// The logarithms of its levels, see takeLogarithms().
+  const cv::Mat& logarithms(ColourNormalization normalization);
 
  private:
+  /// An image that is computed on request.
+  struct Derived {
+    cv::Mat image;
+    bool computed = false;
+  };
+
   Light gains(ColourNormalization normalization) const;
 
   const cv::Mat* image_ = nullptr;
   Eigen::RowVector3d colour_;
   Light correction_;
-  std::array<cv::Mat, 4> made_;  // by normalization
-  std::array<bool, 4> is_made_{};
+  std::array<Derived, 4> normalized_, logarithms_;  // by normalization
 };
 
 }  // namespace place_recognition

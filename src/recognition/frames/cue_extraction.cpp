@@ -5,6 +5,18 @@
 #include <cstdio>
 
 namespace place_recognition {
+namespace {
+
+/// Whether the feature is one of logarithmic levels. If so, it becomes that of linear levels, to be
+/// extracted from the logarithms, which several cues share.
+bool takeLogarithmicLevels(FeatureOptions& feature) {
+  auto* const crfh = std::get_if<CrfhOptions>(&feature);
+  if (!crfh || crfh->levels != "logarithmic") return false;
+  crfh->levels = "linear";
+  return true;
+}
+
+}  // namespace
 
 CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile& images)
     : CueExtraction(options, images, options.information.left_out_below) {}
@@ -22,7 +34,9 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
       scaler_(images, options.image.max_width),
       panorama_(options.image.panorama) {
   for (const CueOptions& cue : options.cues) {
-    extractors_.push_back(makeFeatureExtractor(cue.feature));
+    FeatureOptions feature = cue.feature;
+    logarithmic_.push_back(takeLogarithmicLevels(feature));
+    extractors_.push_back(makeFeatureExtractor(feature));
     normalizations_.push_back(colourNormalization(cue.normalize));
     normalizes_ = normalizes_ || normalizations_.back() != ColourNormalization::kNone;
   }
@@ -51,7 +65,10 @@ bool CueExtraction::extractCue(std::size_t cue, Feature& feature) {
     feature = {};
     return false;
   }
-  extractors_[cue]->extract(normalized_.in(normalizations_[cue]), feature);
+  const ColourNormalization normalization = normalizations_[cue];
+  extractors_[cue]->extract(
+      logarithmic_[cue] ? normalized_.logarithms(normalization) : normalized_.in(normalization),
+      feature);
   if (!isMissing(feature)) return true;
   if (reason_.empty()) reason_ = extractors_[cue]->missingReason();
   return false;

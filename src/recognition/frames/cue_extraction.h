@@ -57,6 +57,7 @@ class CueExtraction {
   Panorama panorama_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // null: the cue is not used
   std::vector<ColourNormalization> normalizations_;            // by cue
+  std::vector<bool> logarithmic_;                              // by cue: of the levels it sees
   bool normalizes_ = false;
   Eigen::RowVector3d colour_ = Eigen::RowVector3d::Zero();
   NormalizedImage normalized_;
