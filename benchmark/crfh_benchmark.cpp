@@ -1,12 +1,11 @@
 // CRFH beside the straightforward way with OpenCV, and beside the least that any implementation
-// must do: copy each response and pass over it once with a multiply-add for every tap. One core.
+// must do (crfh_limit.h). One core.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
@@ -167,31 +166,21 @@ class OpenCvCrfh {
   std::vector<std::pair<std::uint64_t, int>> histogram_;
 };
 
-/// The least work: for each of so many images of floats at each scale a copy and one pass with a
-/// fused multiply-add for every tap of the two filters, along the rows and along the columns.
+/// So many at each scale.
+std::vector<double> atEachScale(std::size_t count) {
+  std::vector<double> variances;
+  for (double t : kScales) variances.insert(variances.end(), count, t);
+  return variances;
+}
+
 class Limit {
  public:
-  explicit Limit(std::size_t images) : images_(images) {}
+  explicit Limit(std::size_t images) : limit_(atEachScale(images)) {}
 
-  void extract(const cv::Mat& image) {
-    images_of_floats_.create(2 * image.rows, image.cols);
-    const std::size_t pixels = image.total();
-    float* source = images_of_floats_[0];
-    float* target = source + pixels;
-    for (double t : kScales) {
-      const int taps = 2 * (2 * gaussianHalfWidth(t, 3) + 1);
-      for (std::size_t i = 0; i < images_; ++i) {
-        std::memcpy(source, target, pixels * sizeof(float));
-        multiplyAdd(source, 1.f / taps, taps, pixels - taps, target);
-      }
-    }
-  }
+  void extract(const cv::Mat& image) { limit_.compute(image.size()); }
 
  private:
-  std::size_t images_;
-  /// One above the other: of two pieces of memory that stand 64 or 128 bytes apart, modulo 4096,
-  /// the processor takes what is written to one for what it reads of the other, half as long again.
-  cv::Mat_<float> images_of_floats_;
+  CrfhLimit limit_;
 };
 
 /// One image of floats for each response.

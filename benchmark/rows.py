@@ -49,6 +49,17 @@ class Times(Row):
         return figure, f'{ours:.3g} ms beside {theirs:.3g} ms'
 
 
+class Milliseconds(Row):
+    """The time itself."""
+
+    def __init__(self, what, program, name, most):
+        super().__init__(what, '-', most=most, unit=' ms')
+        self.program, self.name = program, name
+
+    def run(self, context):
+        return context.programs.milliseconds(self.program, self.name), self.name
+
+
 class Rates(Row):
     """The ratio of products in a second."""
 
@@ -120,12 +131,25 @@ def crfh(dimensions, peer, theirs, **goal):
                  name + theirs, **goal)
 
 
+def features(configuration):
+    return Times(f'features of `{configuration}`, 640x480', 'its distinct responses, each once',
+                 'cues_benchmark', f'{configuration}/features', f'{configuration}/limit', most=1.25)
+
+
+def answer(configuration, most):
+    return Milliseconds(f'answer of `{configuration}`, 1000 vectors in all', 'cues_benchmark',
+                        f'{configuration}/answer', most)
+
+
 ROWS = {
     'crfh': [crfh(6, 'OpenCV, sepFilter2D and sort', 'opencv', least=5),
              crfh(8, 'OpenCV, sepFilter2D and sort', 'opencv', least=5),
              crfh(12, 'OpenCV, sepFilter2D and sort', 'opencv', least=5),
              crfh(6, 'a copy and a multiply-add pass a response', 'limit', most=1.5),
              CrfhGrowth(8), CrfhGrowth(12)],
+    'cues': [features('any_light'), features('colour_cues'), features('default'),
+             answer('any_light', 2.5), answer('colour_cues', 2), answer('default', 8),
+             Milliseconds('features of `mr8`, 640x480', 'cues_benchmark', 'mr8/features', 1000 / 30)],
     'kernel': [Times('chi-squared kernel, a frame with 1000 vectors', 'merging sorted lists',
                      'kernel_benchmark', 'columnOfKernel', 'columnByMerging', least=15),
                Times('decision, 5 rooms, 1000 vectors', 'svm_predict_values, precomputed',

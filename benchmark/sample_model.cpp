@@ -35,13 +35,20 @@ RecordingOpener viewRun(std::size_t count) {
   return [count] { return std::make_unique<ViewRun>(count); };
 }
 
+Model sampleModel(TrainingOptions options, std::size_t count) {
+  for (CueOptions& cue : options.cues) {
+    if (cue.kernel.gamma == 0) cue.kernel.gamma = 1;  // found by a search otherwise
+  }
+  options.svm.c = 0.01;
+  options.reduction.method = "none";
+  return train({viewRun(count)}, options, 1).model;
+}
+
 Model sampleModel(std::size_t count) {
   TrainingOptions options;
   options.cues = {CueOptions()};
   options.cues.front().kernel.gamma = 1;
-  options.svm.c = 0.01;
-  options.reduction.method = "none";
-  return train({viewRun(count)}, options, 1).model;
+  return sampleModel(options, count);
 }
 
 }  // namespace place_recognition

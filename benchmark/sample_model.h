@@ -9,8 +9,11 @@ namespace place_recognition {
 /// The first views as a recording.
 RecordingOpener viewRun(std::size_t count);
 
-/// A model of the preset `crfh`, but trained at a price of errors so low that every one of `count`
-/// views is a support vector.
+/// A model of the cues of `options`, trained on `count` views; each view is a support vector of
+/// each cue, because the price of errors is so low.
+Model sampleModel(TrainingOptions options, std::size_t count);
+
+/// The same with the cue of the preset `crfh`.
 Model sampleModel(std::size_t count);
 
 }  // namespace place_recognition
