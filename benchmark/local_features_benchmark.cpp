@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kImage = 44;  ///< one with many points
 
 /// A real image of 640 x 480; without one, smoothed noise.
-cv::Mat image() {
+cv::Mat sampleImage() {
   if (const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA")) {
     std::vector<cv::String> files;
     cv::glob(data + std::string("/nao_canteen/*.jpg"), files, true);
@@ -74,7 +74,7 @@ int commonCount(const cv::Mat& image) {
 }
 
 void harrisLaplaceSift(benchmark::State& state) {
-  const cv::Mat image = image();
+  const cv::Mat image = sampleImage();
   LocalFeatureOptions options;
   options.max_points = commonCount(image);
   const auto extractor = makeFeatureExtractor(options);
@@ -84,7 +84,7 @@ void harrisLaplaceSift(benchmark::State& state) {
 }
 
 void vlfeatAndOpenCv(benchmark::State& state) {
-  const cv::Mat image = image();
+  const cv::Mat image = sampleImage();
   const int count = commonCount(image);
   cv::Mat descriptors;
   for (auto _ : state) descriptors = describeWithPeers(image, count);
