@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "place_recognition/training_options.h"
-#include "tool/command_line.h"
+#include "tool/verb.h"
 
 namespace place_recognition::tool {
 

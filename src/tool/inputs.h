@@ -8,7 +8,7 @@
 #include "place_recognition/recording.h"
 #include "place_recognition/training.h"
 #include "ros/bags/bag_recording.h"
-#include "tool/command_line.h"
+#include "tool/verb.h"
 
 namespace place_recognition::tool {
 

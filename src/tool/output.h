@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tool/command_line.h"
 #include "tool/progress_display.h"
+#include "tool/verb.h"
 
 namespace place_recognition::tool {
 

@@ -13,6 +13,7 @@
 
 #include "base/place_name.h"
 #include "base/text.h"
+#include "base/user_path.h"
 #include "place_recognition/error.h"
 #include "ros/nodes/node_names.h"
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr const char* kStart = "doubtful_";
 constexpr double kLongestBag = 3600;  // s
 constexpr int kBagsOfLimit = 8;
-constexpr double kTick = 1e-6;  // s, between frames where the clock stands still
+constexpr double kTick = 1e-6;  // s, between frames if the clock stands still
 
 std::uint64_t bytesOf(const KeepOptions& options) {
   constexpr std::uint64_t kMegabyte = 1000000;
@@ -44,7 +45,8 @@ struct KeptBag {
   std::uint64_t bytes;
 };
 
-/// The bags of the folder that no person has labelled, and what killed nodes left, oldest first.
+/// The bags in the folder that no person has labelled, including those left by killed nodes, oldest
+/// first.
 std::vector<KeptBag> keptBags(const std::string& folder) {
   std::vector<KeptBag> bags;
   std::error_code ignored;
@@ -62,16 +64,25 @@ std::vector<KeptBag> keptBags(const std::string& folder) {
 
 }  // namespace
 
+KeepOptions readKeepOptions(Parameters& parameters, const std::string& label_topic) {
+  KeepOptions options;
+  options.folder = userPath(parameters.text("keep_doubtful"));
+  options.per_hour = parameters.integer("keep_per_hour", options.per_hour, 1, 1000000);
+  options.megabytes = parameters.integer("keep_megabytes", options.megabytes, 1, 1000000);
+  options.label_topic = label_topic;
+  return options;
+}
+
 DoubtfulFrames::DoubtfulFrames(KeepOptions options) : options_(prepared(std::move(options))) {
   if (!isKeeping()) return;
   lock_ = std::make_unique<FolderLock>(options_.folder, FolderLock::IfTaken::kGiveUp);
   if (lock_->isTaken()) {
     throw Error("Another recognizer keeps its doubtful frames in " + options_.folder +
-                "; let ~keep_doubtful name a folder for this one.");
+                "; set ~keep_doubtful to another folder.");
   }
 }
 
-/// With the folder made, and by a path that holds wherever the process goes.
+/// Creates the folder and makes its path absolute.
 KeepOptions DoubtfulFrames::prepared(KeepOptions options) {
   if (options.folder.empty()) return options;
   std::error_code failure;
@@ -79,11 +90,11 @@ KeepOptions DoubtfulFrames::prepared(KeepOptions options) {
   if (!failure) options.folder = fs::canonical(options.folder, failure);
   if (failure) {
     throw Error("Cannot keep doubtful frames in " + options.folder + ": " + failure.message() +
-                "; let ~keep_doubtful name a folder that can be written.");
+                "; set ~keep_doubtful to a writable folder.");
   }
-  if (access(options.folder.c_str(), W_OK) != 0) {  // told now, not at the first doubt
+  if (access(options.folder.c_str(), W_OK) != 0) {  // reported now, not at the first doubtful frame
     throw Error("The folder " + options.folder + " cannot be written to: " + std::strerror(errno) +
-                "; let ~keep_doubtful name one that can.");
+                "; set ~keep_doubtful to a writable one.");
   }
   return options;
 }
@@ -102,7 +113,7 @@ void DoubtfulFrames::take(const std::string& topic, const ImageMessage& image,
   try {
     keep(topic, image, place);
   } catch (const Error& e) {
-    ROS_ERROR("No more doubtful frames are kept: %s", e.what());
+    ROS_ERROR("Doubtful frames are no longer kept: %s", e.what());
     failed_ = true;
     if (bag_) bag_->discard();
     bag_.reset();
@@ -110,7 +121,7 @@ void DoubtfulFrames::take(const std::string& topic, const ImageMessage& image,
 }
 
 bool DoubtfulFrames::isDoubtful(const std::string& topic, const Recognition& recognition) {
-  if (recognition.place < 0) return false;  // nothing to be seen
+  if (recognition.place < 0) return false;  // the image shows nothing
   const auto [last, is_first] = last_places_.emplace(topic, recognition.place);
   const bool flips = !is_first && last->second != recognition.place;
   last->second = recognition.place;
@@ -120,7 +131,7 @@ bool DoubtfulFrames::isDoubtful(const std::string& topic, const Recognition& rec
 void DoubtfulFrames::keep(const std::string& topic, const ImageMessage& image,
                           const std::string& place) {
   const ros::Time now = ros::Time::now();
-  if (now < ros::TIME_MIN) return;       // a simulated clock that has not come yet
+  if (now < ros::TIME_MIN) return;       // a simulated clock that has not started
   if (now + ros::Duration(1) < last_) {  // the clock has jumped back
     finishBag();
     due_ = {};
@@ -145,7 +156,7 @@ void DoubtfulFrames::keep(const std::string& topic, const ImageMessage& image,
 }
 
 void DoubtfulFrames::begin(const ros::Time& time) {
-  named_ = std::max(named_ + 1, std::time(nullptr));  // later than all before
+  named_ = std::max(named_ + 1, std::time(nullptr));  // later than all earlier ones
   while (fs::exists(options_.folder + "/" + nameAt(named_))) ++named_;
   bag_ = std::make_unique<StagedBag>(options_.folder + "/" + nameAt(named_), StagedBag::kActive);
   begin_ = last_ = time;
@@ -175,7 +186,7 @@ void DoubtfulFrames::removeOldest() const {
     std::error_code ignored;
     fs::remove(bag.path, ignored);
     total -= bag.bytes;
-    ROS_INFO("%s is removed: more than ~keep_megabytes (%d) are kept.", bag.path.c_str(),
+    ROS_INFO("Removing %s: more than ~keep_megabytes (%d) are kept.", bag.path.c_str(),
              options_.megabytes);
   }
 }

@@ -12,6 +12,7 @@
 #include "place_recognition/recognizer.h"
 #include "ros/bags/staged_bag.h"
 #include "ros/nodes/image_input.h"
+#include "ros/nodes/parameters.h"
 
 namespace place_recognition {
 
@@ -22,6 +23,9 @@ struct KeepOptions {
   int megabytes = 500;      ///< of all bags in the folder; the oldest are removed
   std::string label_topic;  ///< resolved
 };
+
+/// Reads the parameters `~keep_...`.
+KeepOptions readKeepOptions(Parameters& parameters, const std::string& label_topic);
 
 /// Keeps the frames that the model should learn next: those answered 'unknown', and those whose
 /// answer differs from that of the previous frame. They are written to bags `doubtful_<UTC

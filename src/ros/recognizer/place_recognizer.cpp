@@ -1,15 +1,12 @@
 #include "ros/recognizer/place_recognizer.h"
 
-#include <place_recognition/ModelInfo.h>
 #include <place_recognition/PlaceRecognition.h>
 
 #include <algorithm>
-#include <boost/make_shared.hpp>
 #include <exception>
 #include <opencv2/core/utility.hpp>
 
 #include "base/place_name.h"
-#include "base/user_path.h"
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
@@ -17,24 +14,10 @@
 namespace place_recognition {
 namespace {
 
-/// Between two looks at whether images have stopped, s.
+/// Interval at which the arrival of images is checked, s.
 constexpr double kCameraPeriod = 0.2;
-/// Between two warnings of one kind, s.
+/// Interval between two warnings of the same kind, s.
 constexpr double kWarningPeriod = 10;
-
-std::string modelText(const Model& model) {
-  return model.name + " (version " + model.version + "): " + std::to_string(model.places.size()) +
-         " places, " + std::to_string(model.supportVectorCount()) + " support vectors";
-}
-
-/// Those of the models in use, with commas between them.
-std::string modelTexts(const std::deque<ModelSlot>& slots) {
-  std::string text;
-  for (const ModelSlot& slot : slots) {
-    if (const auto model = slot.model()) text += (text.empty() ? "" : ", ") + modelText(*model);
-  }
-  return text;
-}
 
 std::vector<std::string> topicsOf(const ros::NodeHandle& node,
                                   const std::vector<CameraName>& cameras) {
@@ -43,27 +26,8 @@ std::vector<std::string> topicsOf(const ros::NodeHandle& node,
   return topics;
 }
 
-KeepOptions readKeepOptions(Parameters& parameters, const ros::NodeHandle& node) {
-  KeepOptions options;
-  options.folder = userPath(parameters.text("keep_doubtful"));
-  options.per_hour = parameters.integer("keep_per_hour", options.per_hour, 1, 1000000);
-  options.megabytes = parameters.integer("keep_megabytes", options.megabytes, 1, 1000000);
-  options.label_topic = node.resolveName(names::kPlaceLabel);
-  return options;
-}
-
-ImageMessage imageOf(const Recognize::Request& request) {
-  if (request.image.data.empty() == request.compressed.data.empty()) {
-    throw Error("Give one image, either as image or as compressed.");
-  }
-  if (request.image.data.empty()) {
-    return ImageMessage(boost::make_shared<const sensor_msgs::CompressedImage>(request.compressed));
-  }
-  return ImageMessage(boost::make_shared<const sensor_msgs::Image>(request.image));
-}
-
-/// dynamic_reconfigure reads these itself, but takes a value that it does not understand for the
-/// default one and moves others into their limits, without a word.
+/// dynamic_reconfigure reads these parameters itself, but silently replaces values that it does not
+/// understand by the default and clamps others to their limits.
 void checkLiveParameters(Parameters& parameters, const ros::NodeHandle& private_node) {
   const auto check = [&](const char* name, double PlaceRecognizerConfig::*field) {
     const double least = PlaceRecognizerConfig::__getMin__().*field;
@@ -89,13 +53,13 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
     : node_(node),
       private_node_(private_node),
       names_(readCameras(parameters)),
+      models_(private_node, names_, parameters.text("model")),
       image_timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
       newest_(names_.size()),
       diagnostics_(node, private_node, name),
       lazy_(parameters.flag("lazy", true)),
       place_tracker_(node, parameters, topicsOf(node, names_)),
-      doubtful_frames_(readKeepOptions(parameters, node)) {
-  const std::string model = parameters.text("model");
+      doubtful_frames_(readKeepOptions(parameters, node.resolveName(names::kPlaceLabel))) {
   const int threads = parameters.integer("threads", 0, 0);
   if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
     ROS_WARN(
@@ -104,7 +68,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
   }
   checkLiveParameters(parameters, private_node);
   {
-    // Those who listen at once must wait until all is there.
+    // Subscribers that connect at once must wait until everything exists.
     const std::lock_guard<std::mutex> lock(control_mutex_);
     startCameras(parameters);
     advertise();
@@ -116,7 +80,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
   reconfigure_server_->setCallback(
       [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
   answers_.forget(place_tracker_);
-  loadFirstModels(model);
+  models_.loadFirst();
   worker_ = std::thread([this] { work(); });
   updateSubscription();
   diagnostics_.start();
@@ -141,12 +105,12 @@ void PlaceRecognizer::startCameras(Parameters& parameters) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const CameraName& name = names_[i];
     const std::string of_camera = name.name.empty() ? "" : " of " + name.name;
+    const ModelSlot& slot = models_.slotOf(i);
     if (i == 0 || !name.model.empty()) {
-      model_slots_.emplace_back();
-      diagnostics_.add(name.model.empty() ? "Model" : "Model" + of_camera, model_slots_.back());
+      diagnostics_.add(name.model.empty() ? "Model" : "Model" + of_camera, slot);
     }
     cameras_.push_back(std::make_unique<CameraRecognizer>(
-        node_, private_node_, parameters, name, model_slots_.back(),
+        node_, private_node_, parameters, name, slot,
         [this, i](const ImageMessage& message) { onImage(i, message); },
         [this] { updateSubscription(); }));
     diagnostics_.add("Images" + of_camera, cameras_.back()->status());
@@ -154,31 +118,10 @@ void PlaceRecognizer::startCameras(Parameters& parameters) {
 }
 
 void PlaceRecognizer::advertise() {
-  // Who listens to an answer wants images; ~model_info and diagnostics need none.
+  // Listeners to answers need images; those to ~model_info and diagnostics do not.
   answers_.advertise(private_node_, [this] { updateSubscription(); });
-  model_info_publisher_ = private_node_.advertise<ModelInfo>(names::kModelInfo, 1, true);
-  services_ = {
-      private_node_.advertiseService(names::kLoadModel, &PlaceRecognizer::onLoadModel, this),
-      private_node_.advertiseService(names::kReloadModel, &PlaceRecognizer::onReloadModel, this),
-      private_node_.advertiseService(names::kSetEnabled, &PlaceRecognizer::onSetEnabled, this),
-      private_node_.advertiseService(names::kReset, &PlaceRecognizer::onReset, this),
-      private_node_.advertiseService(names::kRecognize, &PlaceRecognizer::onRecognize, this)};
-}
-
-void PlaceRecognizer::loadFirstModels(const std::string& name) {
-  for (std::size_t i = 0; i < model_slots_.size(); ++i) {
-    const std::string& wanted = names_[i].model.empty() ? name : names_[i].model;
-    try {
-      if (wanted.empty()) throw Error("The parameter ~model is not set.");
-      model_slots_[i].load(wanted);
-    } catch (const Error& e) {
-      ROS_ERROR(
-          "There is no model to recognize with: %s Learn one with `rosrun place_recognition "
-          "place_tool train RUN.bag --model NAME` or with the node trainer, then call %s.",
-          e.what(), private_node_.resolveName(names::kLoadModel).c_str());
-    }
-  }
-  publishModelInfo();
+  models_.advertise();
+  advertiseServices();
 }
 
 bool PlaceRecognizer::isWanted() const {
@@ -197,7 +140,7 @@ void PlaceRecognizer::updateSubscription() {
     if (wanted) return;
     newest_.clear();
   }
-  // The latched room must not wait for whoever listens next.
+  // The latched room must not remain until somebody listens again.
   const std::lock_guard<std::mutex> lock(state_mutex_);
   answers_.forget(place_tracker_);
 }
@@ -211,69 +154,6 @@ void PlaceRecognizer::onImage(std::size_t camera, const ImageMessage& message) {
 void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   config_ = config;
-}
-
-template <typename Load, typename Response>
-void PlaceRecognizer::changeModel(const Load& load, Response& response) {
-  try {
-    load();
-    publishModelInfo();
-    response.success = true;
-    response.message = "Recognizing with " + modelTexts(model_slots_) + ".";
-  } catch (const Error& e) {
-    response.success = false;
-    response.message = e.what();
-    ROS_WARN("The model stays as it is: %s", e.what());
-  }
-}
-
-bool PlaceRecognizer::onLoadModel(LoadModel::Request& request, LoadModel::Response& response) {
-  changeModel(
-      [&] {
-        for (ModelSlot& slot : model_slots_) slot.load(request.name);
-      },
-      response);
-  return true;
-}
-
-bool PlaceRecognizer::onReloadModel(std_srvs::Trigger::Request&,
-                                    std_srvs::Trigger::Response& response) {
-  changeModel(
-      [&] {
-        for (ModelSlot& slot : model_slots_) slot.reload();
-      },
-      response);
-  return true;
-}
-
-bool PlaceRecognizer::onSetEnabled(std_srvs::SetBool::Request& request,
-                                   std_srvs::SetBool::Response& response) {
-  {
-    const std::lock_guard<std::mutex> lock(control_mutex_);
-    enabled_ = request.data;
-  }
-  updateSubscription();
-  reset();  // after the answer that is being worked on
-  response.success = true;
-  response.message = request.data ? "Recognizing." : "Not recognizing until enabled again.";
-  return true;
-}
-
-bool PlaceRecognizer::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  reset();
-  response.success = true;
-  response.message = "What was seen before is forgotten.";
-  return true;
-}
-
-bool PlaceRecognizer::onRecognize(Recognize::Request& request, Recognize::Response& response) {
-  try {
-    response.recognition = newest_.ask(imageOf(request)).get();
-    response.success = true;
-  } catch (const std::exception& e) {
-    response.message = e.what();
-  }
-  return true;
 }
 
 void PlaceRecognizer::work() {
@@ -365,7 +245,7 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   PlaceRecognition message = toPlaceRecognition(recognition, *camera.model(), header, seconds);
   message.camera = camera.name();
   answers_.publishFrame(message);
-  // One of several cameras that shows nothing must not outvote the others.
+  // A camera that shows nothing must not outvote the others.
   const bool fails = cameras_.size() > 1 && camera.blind();
   if (!fails && place_tracker_.counts(arrived.camera)) {
     last_image_ = arrived.arrival;
@@ -375,13 +255,6 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   }
   camera.publishDebugImage(image, recognition, header);
   camera.status().answered(header.stamp, arrived.arrival);
-}
-
-void PlaceRecognizer::publishModelInfo() {
-  const std::shared_ptr<const Model> model = model_slots_.front().model();
-  if (model) model_info_publisher_.publish(toModelInfo(*model));
-  const std::string text = modelTexts(model_slots_);
-  if (!text.empty()) ROS_INFO("Recognizing with %s.", text.c_str());
 }
 
 void PlaceRecognizer::reset() {

@@ -9,18 +9,17 @@
 #include <std_srvs/Trigger.h>
 
 #include <boost/thread/recursive_mutex.hpp>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "recognition/recognizer/model_slot.h"
 #include "ros/nodes/newest_image.h"
 #include "ros/nodes/parameters.h"
 #include "ros/recognizer/answer_publishers.h"
 #include "ros/recognizer/camera_list.h"
+#include "ros/recognizer/camera_models.h"
 #include "ros/recognizer/camera_recognizer.h"
 #include "ros/recognizer/diagnostics.h"
 #include "ros/recognizer/doubtful_frames.h"
@@ -47,7 +46,7 @@ class PlaceRecognizer {
                   const std::string& name, Parameters parameters);
   void startCameras(Parameters& parameters);  // requires control_mutex_, as does advertise()
   void advertise();
-  void loadFirstModels(const std::string& name);
+  void advertiseServices();
   void updateSubscription();
   bool isWanted() const;
 
@@ -59,9 +58,9 @@ class PlaceRecognizer {
   bool onRecognize(Recognize::Request& request, Recognize::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  /// Calls `load` and reports the result in `response`.
-  template <typename Load, typename Response>
-  void changeModel(const Load& load, Response& response);
+  /// Calls `change` and reports the result in `response`.
+  template <typename Change, typename Response>
+  void changeModels(const Change& change, Response& response);
 
   void work();
   void answer(const ArrivedImage& arrived);
@@ -71,15 +70,14 @@ class PlaceRecognizer {
   void followModels();
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
                double seconds);
-  void publishModelInfo();
   void reset();
   void watchCamera();
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   const std::vector<CameraName> names_;
-  std::deque<ModelSlot> model_slots_;  // one for all cameras, or one per camera
-  const double image_timeout_;         // s; 0: none
+  CameraModels models_;
+  const double image_timeout_;  // s; 0: none
   NewestImage newest_;
   std::vector<std::unique_ptr<CameraRecognizer>> cameras_;
   Diagnostics diagnostics_;
@@ -96,7 +94,6 @@ class PlaceRecognizer {
   ImageStatus::Clock::time_point last_image_;  // arrival of the last usable image
   AnswerPublishers answers_;
 
-  ros::Publisher model_info_publisher_;
   std::vector<ros::ServiceServer> services_;
   boost::recursive_mutex reconfigure_mutex_;
   std::unique_ptr<dynamic_reconfigure::Server<PlaceRecognizerConfig>> reconfigure_server_;
