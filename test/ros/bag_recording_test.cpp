@@ -1,4 +1,4 @@
-// Bags written here and read back: raw, JPEG, bz2, lz4; labelled in three ways.
+// Bags written here and read back: raw, JPEG, bz2, lz4; topics, times and cameras.
 
 #include "ros/bags/bag_recording.h"
 
@@ -167,29 +167,6 @@ TEST_F(Bags, ACameraThatStartsLateOrPausesDoesNotCutTheRecording) {
   EXPECT_DOUBLE_EQ(info.duration, 100 * 60);
 }
 
-TEST_F(Bags, ALabelThatNoImageShowsIsNamed) {
-  {
-    rosbag::Bag bag(path_, rosbag::bagmode::Write);
-    const auto say = [&bag](double time, const char* text) {
-      std_msgs::String label;
-      label.data = text;
-      bag.write("/place_label", ros::Time(time), label);
-    };
-    say(100, "kitchen");
-    for (int i = 0; i < 3; ++i) {
-      bag.write("/image", ros::Time(100.0 + i), toImageMessage(image(i), std_msgs::Header()));
-    }
-    say(101.1, "attic");
-    say(101.2, "kitchen");
-    say(103, "cellar");
-  }
-  const std::unique_ptr<place_recognition::Recording> recording = openBagRecording(path_);
-  for (Frame frame; recording->next(frame);) EXPECT_EQ(frame.place, "kitchen");
-  ASSERT_EQ(recording->warnings().size(), 2u);
-  EXPECT_NE(recording->warnings()[0].find("'attic'"), std::string::npos);
-  EXPECT_NE(recording->warnings()[1].find("'cellar'"), std::string::npos);
-}
-
 TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
   {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);
@@ -230,55 +207,6 @@ TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
     EXPECT_LE(largest, 1023 / 16);
   }
   EXPECT_NE(again->warnings()[0].find("0 .. 4095 of 16 bits, as in training"), std::string::npos);
-}
-
-TEST_F(Bags, ALabelMayHaveBeenSaidBefore) {
-  writeRun(path_);
-  BagRecordingOptions options;
-  options.initial_label = "attic";
-  EXPECT_EQ(places(readAll(path_, options)), kRooms);  // its first label is of its start
-  {
-    rosbag::Bag bag(path_, rosbag::bagmode::Write);
-    bag.write("/image", ros::Time(1), toImageMessage(image(0), std_msgs::Header()));
-  }
-  EXPECT_EQ(places(readAll(path_, options)), std::vector<std::string>{"attic"});
-  EXPECT_EQ(bagInfo(path_, options).last_label, "attic");
-  EXPECT_EQ(bagInfo(path_).last_label, "");
-}
-
-TEST_F(Bags, LabelsHoldFromTheirTimeOn) {
-  {
-    rosbag::Bag bag(path_, rosbag::bagmode::Write);
-    const auto label = [&bag](double time, const std::string& text) {
-      std_msgs::String message;
-      message.data = text;
-      bag.write("/place_label", ros::Time(time), message);
-    };
-    for (int i = 0; i < 6; ++i) {
-      std_msgs::Header header;
-      header.stamp = ros::Time(90.0 + i);  // stamps are of the camera; labels go by bag time
-      bag.write("/image", ros::Time(100.0 + i), toImageMessage(image(i), header));
-    }
-    label(102, "b");  // written after the images: the order of time counts, not that of the file
-    label(101, "a");
-    label(104.5, "");
-  }
-  const std::vector<Frame> frames = readAll(path_);
-  EXPECT_EQ(places(frames), (std::vector<std::string>{"", "a", "b", "b", "b", ""}));
-  EXPECT_EQ(frames[0].stamp, 90);
-}
-
-TEST_F(Bags, ALabelsFileBesideTheBagComesBeforeTheTopic) {
-  writeRun(path_);
-  scratch_.write("labels.dat", "1000000001 hall\n1000000003 lab\n");
-  EXPECT_EQ(places(readAll(path_)), (std::vector<std::string>{"", "hall", "hall", "lab", "lab"}));
-  scratch_.write("run.labels.yaml", "labels: [{from: 0, to: 1.5, place: office}]");
-  EXPECT_EQ(places(readAll(path_)), (std::vector<std::string>{"office", "office", "", "", ""}));
-  BagRecordingOptions options;
-  options.labels_file = scratch_ / "labels.dat";
-  EXPECT_EQ(readAll(path_, options)[4].place, "lab");
-  options.label = "everywhere";
-  EXPECT_EQ(places(readAll(path_, options)), std::vector<std::string>(5, "everywhere"));
 }
 
 TEST_F(Bags, WithTwoCamerasAskForOne) {
@@ -327,20 +255,6 @@ TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
   EXPECT_NE(errorOf(path_, options).find("no images on /right"), std::string::npos);
   options.image_topics.assign(9, "rear/image_raw");
   EXPECT_NE(errorOf(path_, options).find("at most 8 cameras"), std::string::npos);
-}
-
-TEST_F(Bags, ALabelTopicThatWasAskedForMustBeThere) {
-  writeRun(path_);
-  BagRecordingOptions options;
-  options.label_topic = "/rooms";
-  EXPECT_NE(errorOf(path_, options).find("no topic /rooms for labels"), std::string::npos);
-}
-
-TEST_F(Bags, ALabelTopicOfAnotherTypeIsRefused) {
-  writeRun(path_);
-  BagRecordingOptions options;
-  options.label_topic = "/camera/image_raw/compressed";
-  EXPECT_NE(errorOf(path_, options).find("not of std_msgs/String"), std::string::npos);
 }
 
 TEST_F(Bags, InfoTellsTopicsSizesAndLabels) {

@@ -3,139 +3,17 @@
 import math
 import os
 import sys
-import threading
 import time
 import unittest
 
 import rospy
-from geometry_msgs.msg import PoseWithCovarianceStamped
-from place_recognition.msg import PlaceRecognition, PlaceScore
-from place_recognition.srv import RoomPose
 from rosgraph_msgs.msg import Clock
-from std_msgs.msg import Header
 from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
-from node_case import Camera, NodeCase  # noqa: E402
+from node_case import Camera  # noqa: E402
 from field_test import FieldCase  # noqa: E402
-
-ROOMS = """places:
-  - name: kitchen
-    position: [[0, 0], [6, 0], [6, 3], [0, 3]]
-  - name: lab
-    position: [[10, 0], [14, 0], [14, 4], [10, 4]]
-  - name: lab
-    position: [[20, 0], [24, 0], [24, 4], [20, 4]]
-  - name: cupboard
-    position: [[6, 0], [7, 0], [7, 1], [6, 1]]
-"""
-
-
-def pose(x, y, covariance, frame="map"):
-    """Of the variances in x and y, and of the heading."""
-    message = PoseWithCovarianceStamped(header=Header(frame_id=frame, stamp=rospy.Time.now()))
-    message.pose.pose.position.x, message.pose.pose.position.y = x, y
-    message.pose.pose.orientation.w = 1
-    values = [0.0] * 36
-    values[0], values[7], values[35] = covariance
-    message.pose.covariance = values
-    return message
-
-
-class Amcl:
-    """Speaks the topics of amcl: takes a pose on `initialpose`, and tells what it makes of it on
-    `amcl_pose`, latched; with each scan it is surer. It ignores poses in other frames, as amcl does."""
-
-    def __init__(self, frame="map", deaf=False):
-        self.frame, self.deaf = frame, deaf
-        self.heard = []
-        self.estimate = None
-        self.lock = threading.Lock()
-        self.publisher = rospy.Publisher("/amcl_pose", PoseWithCovarianceStamped, queue_size=2, latch=True)
-        self.subscriber = rospy.Subscriber("/initialpose", PoseWithCovarianceStamped, self.take)
-
-    def take(self, message):
-        with self.lock:
-            self.heard.append(message)
-        if not self.deaf and message.header.frame_id == self.frame:
-            self.say(message)
-
-    def say(self, message):
-        self.estimate = message
-        self.publisher.publish(message)
-
-    def scan(self):
-        """Another scan, which halves all variances."""
-        self.estimate.pose.covariance = [value / 2 for value in self.estimate.pose.covariance]
-        self.say(self.estimate)
-
-    def close(self):
-        self.subscriber.unregister()
-        self.publisher.unregister()
-
-
-class Believer:
-    """Publishes answers over time as place_recognizer does, 20 each second."""
-
-    def __init__(self, topic="/place_recognizer/belief"):
-        self.publisher = rospy.Publisher(topic, PlaceRecognition, queue_size=10)
-        self.rooms = ["kitchen", "lab", "cupboard"]
-        self.room, self.probability, self.known = None, 0.97, True
-        self.going = True
-        self.thread = threading.Thread(target=self.publish)
-        self.thread.start()
-
-    def publish(self):
-        while self.going:
-            if self.room:
-                rest = (1 - self.probability) / (len(self.rooms) - 1)
-                self.publisher.publish(PlaceRecognition(
-                    model_name="home", model_version="1", place=self.room, known=self.known,
-                    confidence=self.probability, evidence=1, places=[
-                        PlaceScore(name=room, probability=self.probability if room == self.room else rest)
-                        for room in self.rooms]))
-            time.sleep(0.05)
-
-    def close(self):
-        self.going = False
-        self.thread.join()
-        self.publisher.unregister()
-
-
-class RelocalizationCase(NodeCase):
-    def setUp(self):
-        super().setUp()
-        (self.folder / "rooms.yaml").write_text(ROOMS)
-
-    def amcl(self, *arguments, **options):
-        amcl = Amcl(*arguments, **options)
-        self.addCleanup(amcl.close)
-        return amcl
-
-    def believer(self):
-        believer = Believer()
-        self.addCleanup(believer.close)
-        return believer
-
-    def place_to_pose(self, *arguments, hold=0.5):
-        node = self.start_node("place_to_pose", "_rooms:=rooms.yaml", f"_hold:={hold}",
-                               "_min_probability:=0.9", *arguments)
-        self.expect(node, "the rooms 'kitchen', 'lab', 'cupboard'.")
-        return node
-
-    def room_pose(self, room=""):
-        rospy.wait_for_service("/place_to_pose/room_pose", 60)
-        return rospy.ServiceProxy("/place_to_pose/room_pose", RoomPose)(room)
-
-    def assert_in_kitchen(self, message):
-        position, covariance = message.pose.pose.position, message.pose.covariance
-        self.assertEqual(message.header.frame_id, "map")
-        self.assertAlmostEqual(position.x, 3)
-        self.assertAlmostEqual(position.y, 1.5)
-        expected = [0.0] * 36
-        expected[0], expected[7], expected[35] = 36 / 12, 9 / 12, (2 * math.pi) ** 2 / 12
-        for value, wanted in zip(covariance, expected):
-            self.assertAlmostEqual(value, wanted)
+from relocalization_case import ROOMS, Amcl, RelocalizationCase, pose  # noqa: E402
 
 
 class AmclTest(RelocalizationCase):
@@ -180,7 +58,7 @@ class AmclTest(RelocalizationCase):
         self.wait_for(lambda: len(amcl.heard) == 3, "amcl hears no more")
         for earlier, later in zip(amcl.heard, amcl.heard[1:]):
             self.assertGreaterEqual((later.header.stamp - earlier.header.stamp).to_sec(), 2)
-        self.assertIn("amcl is lost (its position deviates by 7.07 m); it starts anew in 'lab'", node.output)
+        self.assertIn("amcl is lost (its position deviates by 7.07 m); restarting it in 'lab'", node.output)
 
     def test_a_room_that_is_not_sure_tells_amcl_nothing(self):
         amcl, believer = self.amcl(), self.believer()
@@ -226,9 +104,9 @@ class AmclTest(RelocalizationCase):
         believer = self.believer()
         node = self.place_to_pose("_publish:=true")
         believer.room = "kitchen"
-        self.expect(node, "No pose has come on /amcl_pose, but nobody listens to /initialpose")
+        self.expect(node, "No pose has arrived on /amcl_pose, but nobody subscribes to /initialpose")
         rospy.sleep(0.5)
-        self.assertEqual(node.output.count("nobody listens"), 1)
+        self.assertEqual(node.output.count("nobody subscribes"), 1)
         amcl = self.amcl()
         self.wait_for(lambda: amcl.heard, "amcl hears nothing")
 
@@ -236,10 +114,10 @@ class AmclTest(RelocalizationCase):
         amcl, believer = self.amcl(deaf=True), self.believer()
         node = self.place_to_pose("_publish:=true")
         believer.room = "kitchen"
-        self.expect(node, "No pose has come on /amcl_pose for 5 s after one was published on /initialpose")
+        self.expect(node, "No pose has arrived on /amcl_pose for 5 s after one was published on /initialpose")
         self.assertEqual(len(amcl.heard), 1)
         rospy.sleep(1)
-        self.assertEqual(node.output.count("No pose has come"), 2, node.output)  # first: it starts anew
+        self.assertEqual(node.output.count("No pose has arrived"), 2, node.output)  # first: restarting it
 
 
 class ServiceTest(RelocalizationCase):
@@ -258,17 +136,17 @@ class ServiceTest(RelocalizationCase):
         believer = self.believer()
         self.place_to_pose("_belief_timeout:=0.5")
         self.assertEqual(self.room_pose().message,
-                         "The room is not sure: no answer of place_recognizer has come.")
+                         "The room is not certain: no answer of place_recognizer has arrived.")
         believer.room = "kitchen"
         self.wait_for(lambda: self.room_pose().success, "the room is never sure")
         believer.probability = 0.5
         self.wait_for(lambda: "a probability of 0.50, less than ~min_probability" in
                       self.room_pose().message, lambda: self.room_pose().message)
         believer.known = False
-        self.wait_for(lambda: self.room_pose().message == "The room is not sure: the answer is 'unknown'.",
+        self.wait_for(lambda: self.room_pose().message == "The room is not certain: the answer is 'unknown'.",
                       lambda: self.room_pose().message)
         believer.room = None  # as when the camera fails
-        self.wait_for(lambda: "the last answer of place_recognizer came" in self.room_pose().message,
+        self.wait_for(lambda: "the last answer of place_recognizer arrived" in self.room_pose().message,
                       lambda: self.room_pose().message)
 
     def test_rooms_that_the_file_lacks_are_named_once(self):
@@ -298,7 +176,7 @@ class ServiceTest(RelocalizationCase):
 
     def test_parameters_are_read_as_those_of_all_nodes(self):
         node = self.place_to_pose("_pubilsh:=true", "_lost_deviation:=2")
-        self.expect(node, "~pubilsh of /place_to_pose is not known", "is ~publish meant?")
+        self.expect(node, "~pubilsh of /place_to_pose is not known", "did you mean ~publish?")
         for argument, message in (("_publish:=maybe", "~publish is 'maybe'; give true or false"),
                                   ("_min_probability:=90", "~min_probability is 90; give a number from 0 to 1"),
                                   ("_hold:=-1", "~hold is -1")):
@@ -317,7 +195,7 @@ class ClockTest(RelocalizationCase):
         believer.room = "kitchen"
         time.sleep(0.5)
         self.assertEqual(self.room_pose().message,
-                         "The room is not sure: no answer of place_recognizer has come.")
+                         "The room is not certain: no answer of place_recognizer has arrived.")
 
         def run(seconds):
             """A clock that starts at 100 s."""
@@ -388,7 +266,7 @@ class RobotTest(FieldCase):
         self.wait_for(lambda: camera.send() or rospy.sleep(0.05) or amcl.heard, lambda: node.output)
         self.assertAlmostEqual(amcl.heard[0].pose.pose.position.x, 3)
         self.assertAlmostEqual(amcl.heard[0].pose.covariance[0], 3)
-        self.expect(node, "amcl is lost (its position deviates by 20.00 m); it starts anew in 'kitchen'")
+        self.expect(node, "amcl is lost (its position deviates by 20.00 m); restarting it in 'kitchen'")
 
 
 if __name__ == "__main__":

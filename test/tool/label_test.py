@@ -3,17 +3,14 @@
 import http.client
 import json
 import pathlib
-import socket
 import tempfile
 import time
 import unicodedata
 import unittest
 
-import cv2
-import numpy as np
 import rosbag
 import rospy
-from label_case import START, TOPIC, LabelCase, Page, jpeg, raw, span
+from label_case import START, TOPIC, LabelCase, Page, span
 from sensor_msgs.msg import CompressedImage
 from std_msgs.msg import String
 
@@ -206,134 +203,6 @@ class SavingTest(LabelCase):
                   span(2, 3, "K\u200b\u00fc\u00adche"), span(3, 3.5, "the \u00a0\u2003 hall"))
         self.assertEqual([stretch[0] for stretch in self.stretches("run.bag")],
                          ["K\u00fcche", "the hall"])
-
-
-class RecordingTest(LabelCase):
-    def test_split_bags_are_one_recording(self):
-        self.record("run_0.bag", frames=20)
-        self.record("run_1.bag", frames=20, start=START + 2)
-        page = self.page("run_1.bag", "run_0.bag")  # in order of time, not of names
-        recording = page.get("recording")
-        self.assertEqual([bag["name"] for bag in recording["bags"]], ["run_0.bag", "run_1.bag"])
-        times = page.get("times?topic=" + TOPIC)
-        self.assertEqual(len(times), 40)
-        self.assertEqual(times, sorted(times))
-        page.post("save", {"spans": [span(0, times[10] - .05, "a"),
-                                     span(times[10] - .05, times[30] - .05, "b")]})
-        self.assertEqual(self.stretches("run_0.bag"), [("a", 0, .95), ("b", .95, 1.9)])
-        self.assertEqual(self.stretches("run_1.bag"), [("b", 0, .95)])
-        spans = self.page("run_0.bag", "run_1.bag").get("recording")["spans"]
-        self.assertEqual([label["place"] for label in spans], ["a", "b"])
-
-    def test_labels_count_for_all_topics(self):
-        self.record("run.bag", topics=("/front/compressed", "/rear/compressed"))
-        page = self.page("run.bag", "--image-topic", "/rear")
-        recording = page.get("recording")
-        self.assertEqual(recording["topic"], "/rear/compressed")
-        self.assertEqual([topic["frames"] for topic in recording["topics"]], [40, 40])
-        for topic in ("/front/compressed", "/rear/compressed"):
-            self.assertEqual(page.picture(topic, 3).shape, (48, 64, 3))
-
-    def test_pictures_are_those_of_the_frames(self):
-        self.record("run.bag", frames=100)
-        page = self.page("run.bag")
-        for number in (0, 1, 57, 99, 57):
-            self.assertAlmostEqual(page.picture(TOPIC, number).mean(), number + 28, delta=2)
-
-    def test_compressed_chunks(self):
-        for compression in ("bz2", "lz4"):
-            with rosbag.Bag(str(self.folder / "run.bag"), "w", compression=compression) as bag:
-                for i in range(20):
-                    bag.write(TOPIC, jpeg(i), rospy.Time.from_sec(START + i))
-            page = self.page("run.bag")
-            self.assertAlmostEqual(page.picture(TOPIC, 17).mean(), 45, delta=2)
-
-    def test_large_pictures_come_small(self):
-        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
-            bag.write(TOPIC, jpeg(0, (1536, 2048)), rospy.Time.from_sec(START))
-        page = self.page("run.bag")
-        self.assertEqual(page.picture(TOPIC, 0).shape, (96, 128, 3))
-        self.assertEqual(page.picture(TOPIC, 0, "view").shape, (600, 800, 3))
-
-    def test_encodings(self):
-        colour = np.zeros((32, 48, 3), np.uint8)
-        colour[:] = (200, 100, 50)  # BGR
-        grey = np.full((32, 48), 90, np.uint8)
-
-        def full_range(image, highest=65535):
-            image[:4] = highest
-            return image
-
-        bayer = np.zeros((32, 48), np.uint8)
-        bayer[0::2, 0::2], bayer[1::2, 1::2] = 50, 200  # rggb
-        bayer[0::2, 1::2] = bayer[1::2, 0::2] = 100
-        uyvy = np.full((32, 48, 2), 128, np.uint8)
-        messages = {"/bgr8": (raw(colour, "bgr8"), (200, 100, 50)),
-                    "/padded": (raw(colour, "bgr8", 7), (200, 100, 50)),
-                    "/rgb8": (raw(colour[..., ::-1].copy(), "rgb8"), (200, 100, 50)),
-                    "/bgra8": (raw(np.dstack([colour, grey]), "bgra8"), (200, 100, 50)),
-                    "/mono8": (raw(grey, "mono8", 3), (90, 90, 90)),
-                    "/mono16": (raw(full_range(grey.astype("<u2") * 257), "mono16", 2), (90, 90, 90)),
-                    "/infrared": (raw(full_range(grey.astype("<u2") * 4, 1023), "16UC1"),
-                                  (90, 90, 90)),
-                    "/bayer": (raw(bayer, "bayer_rggb8"), (200, 100, 50)),
-                    "/yuv": (raw(uyvy, "yuv422"), (128, 128, 128))}
-        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
-            for topic, (message, _) in messages.items():
-                bag.write(topic, message, rospy.Time.from_sec(START))
-        page = self.page("run.bag")
-        for topic, (_, pixel) in messages.items():
-            picture = page.picture(topic, 0)
-            self.assertEqual(picture.shape, (32, 48, 3), topic)
-            np.testing.assert_allclose(picture[16, 24], pixel, atol=4, err_msg=topic)
-
-    def test_frames_that_cannot_be_decoded_are_named(self):
-        good = np.zeros((32, 48, 3), np.uint8)
-        short = raw(good, "bgr8")
-        short.data = short.data[:100]
-        huge = raw(good, "mono8")
-        huge.width = huge.height = huge.step = 65536
-        bad = {"/empty": CompressedImage(), "/gif": CompressedImage(data=b"GIF89a"),
-               "/cut": CompressedImage(data=jpeg(0).data[:40]), "/short": short, "/huge": huge,
-               "/strange": raw(good, "hologram")}
-        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
-            for topic, message in bad.items():
-                bag.write(topic, message, rospy.Time.from_sec(START))
-        page = self.page("run.bag", "--image-topic", "/gif")
-        for topic in bad:
-            self.assertIn("cannot be decoded", page.picture(topic, 0)["problem"], topic)
-
-    def test_red_and_blue(self):
-        image = np.zeros((32, 48, 3), np.uint8)
-        image[:] = (200, 100, 50)
-        data = cv2.imencode(".png", image)[1].tobytes()
-        with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
-            for topic, name in (("/bgr", "rgb8; png compressed bgr8"),
-                                ("/rgb", "rgb8; png compressed rgb8")):
-                bag.write(topic, CompressedImage(format=name, data=data),
-                          rospy.Time.from_sec(START))
-        page = self.page("run.bag", "--image-topic", "/bgr")
-        np.testing.assert_allclose(page.picture("/bgr", 0)[16, 24], (200, 100, 50), atol=4)
-        np.testing.assert_allclose(page.picture("/rgb", 0)[16, 24], (50, 100, 200), atol=4)
-
-    def test_what_is_no_recording_is_one_line(self):
-        self.write_run("rooms", views=1)
-        (self.folder / "broken.bag").write_bytes(b"#ROSBAG V2.0\n" + bytes(100))
-        with rosbag.Bag(str(self.folder / "empty.bag"), "w"):
-            pass
-        self.record("run.bag")
-        for arguments in (("rooms",), ("no.bag",), ("broken.bag",), ("empty.bag",),
-                          ("run.bag", "--image-topic", "/no"), ("run.bag", "--model", "nothing")):
-            with self.subTest(arguments=arguments):
-                self.refuse("label", "--no-browser", *arguments)
-
-    def test_a_port_in_use_is_one_line(self):
-        self.record("run.bag")
-        with socket.socket() as taken:
-            taken.bind(("127.0.0.1", 0))
-            taken.listen()
-            port = taken.getsockname()[1]
-            self.assertIn(str(port), self.refuse("label", "run.bag", "--port", port))
 
 
 class OpinionTest(LabelCase):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The verbs of place_tool on painted rooms, as a person and as a program would use them."""
+"""The other verbs of place_tool on painted rooms, as a person and as a program would use them."""
 import json
 import os
 import pathlib
@@ -10,151 +10,6 @@ import numpy as np
 from tool_case import ROOMS, ToolCase, paint
 
 COLOUR = ("--config", "crfh_colour")
-
-
-class TrainTest(ToolCase):
-    def test_figures_say_what_was_learned(self):
-        self.write_run("monday")
-        figures = self.figures("train", "monday", "--model", "home", *COLOUR)
-        self.assertEqual(figures["images"], 24)
-        self.assertEqual(figures["rooms"], {room: {"count": 8} for room in sorted(ROOMS)})
-        self.assertGreater(figures["support_vectors"], 0)
-        self.assertLessEqual(figures["support_vectors"], figures["support_vectors_before"])
-        self.assertEqual(figures["validation"]["average_rate"], 1)
-        model = self.folder / "ros_home/place_recognition/models/home.places"
-        self.assertEqual(model.stat().st_size, figures["model_bytes"])
-
-    def test_fewer_vectors_are_kept_on_request(self):
-        self.write_run("monday")
-        figures = self.figures("train", "monday", "--model", "home", *COLOUR, "--set",
-                               "reduction.method=shared-greedy", "--set", "reduction.share=0.5")
-        self.assertLess(figures["support_vectors"], figures["support_vectors_before"])
-
-    def test_text_names_rooms_counts_and_file(self):
-        self.write_run("monday")
-        text = self.succeed("train", "monday", "--model", "./home.places")
-        for words in (*ROOMS, "24 images", "./home.places", "support vectors", "gamma"):
-            self.assertIn(words, text)
-
-    def test_same_inputs_give_the_same_bytes(self):
-        self.write_run("monday")
-        for name, threads in (("a", 1), ("b", 2)):
-            self.succeed("train", "monday", "--model", f"./{name}.places", "--threads", threads)
-        self.assertEqual((self.folder / "a.places").read_bytes(),
-                         (self.folder / "b.places").read_bytes())
-
-    def test_inputs_may_be_bags_folders_and_folders_of_these(self):
-        self.write_run("monday")
-        self.write_run("week/tuesday", seed=1)
-        self.write_bag("week/wednesday.bag", [(room, room) for room in ROOMS for _ in range(4)])
-        figures = self.figures("train", "monday", "week", "--model", "./home.places")
-        self.assertEqual(figures["images"], 24 + 24 + 12)
-
-    def test_bags_are_labelled_by_topic_file_or_option(self):
-        rooms = [room for room in ROOMS for _ in range(4)]
-        self.write_bag("topic.bag", [(room, room) for room in rooms])
-        self.write_bag("file.bag", [(room, None) for room in rooms])
-        (self.folder / "places.txt").write_text(
-            "".join(f"{1000 + i} {room}\n" for i, room in enumerate(rooms)))
-        by_topic = self.figures("train", "topic.bag", "--model", "./a.places")
-        by_file = self.figures("train", "file.bag", "--labels", "places.txt", "--model",
-                               "./b.places")
-        self.assertEqual(by_topic["rooms"], by_file["rooms"])
-        figures = self.figures("evaluate", "file.bag", "--label", "kitchen", "--model",
-                               "./a.places")
-        self.assertEqual(list(figures["rooms"]), ["kitchen"])
-
-
-    def test_evaluate_takes_a_map_of_adjoining_rooms(self):
-        self.succeed("simulate", "--out", "drive", "--protocol", "drive", "--size", "64x48",
-                     "--rate", 2, "--conditions", "cloudy")
-        self.succeed("train", "drive/cloudy.bag", "--model", "./home.places", *COLOUR)
-        wrong_map = self.folder / "wrong.yaml"
-        wrong_map.write_text("rooms: {kitchen: [office_b], office_a: [printer_area]}")
-        evaluate = ("evaluate", "drive/cloudy.bag", "--model", "./home.places")
-        learned, wrong = (self.figures(*evaluate, *adjacency) for adjacency in (
-            (), ("--adjacency", "wrong.yaml")))
-        self.assertEqual(learned["average_rate"], wrong["average_rate"])
-        self.assertNotEqual(learned["over_time"], wrong["over_time"])
-        wrong_map.write_text("rooms: {attic: [kitchen]}")
-        self.assertIn("attic", self.refuse(*evaluate, "--adjacency", "wrong.yaml"))
-
-    def test_it_learns_on_from_a_model_within_a_limit(self):
-        self.write_run("monday", rooms=("kitchen", "corridor"))
-        self.write_run("tuesday", seed=1, rooms=("office",))
-        self.succeed("train", "monday", "--model", "./home.places", *COLOUR)
-        figures = self.figures("train", "tuesday", "--add-to", "./home.places", "--limit", 10,
-                               "--model", "./home.places")
-        self.assertEqual(figures["rooms"], {room: {"count": 8} for room in sorted(ROOMS)})
-        self.assertLessEqual(figures["support_vectors"], 10)
-        self.assertIn("--add-to", self.refuse("train", "tuesday", "--add-to", "./home.places",
-                                              "--config", "crfh", "--model", "./home.places",
-                                              status=2))
-
-
-    def test_it_learns_from_the_model_of_another_robot(self):
-        self.write_run("first", rooms=("kitchen", "corridor"))
-        self.write_run("second", seed=1, rooms=("corridor", "office"))
-        self.succeed("train", "first", "--model", "./a.places", *COLOUR)
-        self.succeed("train", "second", "--model", "./b.places", *COLOUR)
-        joined = ("train", "--add-to", "./a.places", "--from-model", "./b.places", "--model",
-                  "./both.places")
-        self.assertIn("Learned 3 places from 0 images and the model ./b.places",
-                      self.succeed(*joined))
-        self.assertEqual(self.figures(*joined, "--limit", 12, "--forgetting", "0.5")["rooms"],
-                         {"corridor": {"count": 16}, "kitchen": {"count": 8}, "office": {"count": 8}})
-        self.write_run("later", seed=2)
-        self.assertEqual(self.figures("evaluate", "later", "--model", "./both.places")["average_rate"],
-                         1)
-        self.succeed("train", "second", "--model", "./b.places", "--config", "lbp")
-        self.assertIn("cannot join", self.refuse(*joined))
-        self.assertIn("INPUT is required", self.refuse("train", "--add-to", "./a.places", "--model",
-                                                       "./a.places", status=2))
-        self.assertIn("--limit", self.refuse("train", "first", "--add-to", "./a.places", "--model",
-                                             "./a.places", "--forgetting", "0.5", status=2))
-
-    def test_a_worse_model_replaces_none(self):
-        self.write_run("monday")
-        self.write_run("tuesday", seed=1)
-        self.write_run("wrong/kitchen", rooms=("office",))
-        (self.folder / "wrong/kitchen/office").rename(self.folder / "wrong/corridor")
-        self.write_run("wrong", rooms=("office",))
-        (self.folder / "wrong/kitchen").rmdir()
-        figures = self.figures("train", "monday", "--model", "./home.places", "--validate", "tuesday",
-                               *COLOUR)
-        self.assertEqual(figures["validate_rate"], 1)
-        before = (self.folder / "home.places").read_bytes()
-        complaint = self.refuse("train", "wrong", "--model", "./home.places", "--validate", "tuesday",
-                                *COLOUR)
-        self.assertIn("The old model stays: ./home.places names 100.0 %", complaint)
-        self.assertEqual((self.folder / "home.places").read_bytes(), before)
-        # Runs to judge by keep their own labels.
-        self.write_bag("judge.bag", [(room, room) for room in ROOMS for _ in range(4)])
-        self.write_bag("more.bag", [("kitchen", None)] * 4)
-        figures = self.figures("train", "more.bag", "--label", "kitchen", "--add-to", "./home.places",
-                               "--model", "./more.places", "--validate", "judge.bag")
-        self.assertGreater(figures["validate_rate"], 0.9)
-        text = self.succeed("train", "monday", "tuesday", "--add-to", "./home.places", "--model",
-                            "./next.places", "--validate", "tuesday")
-        self.assertIn("On the runs of --validate 100.0 % right", text)
-
-    def test_a_kernel_that_overflows_leaves_the_good_model_alone(self):
-        self.write_run("monday")
-        self.succeed("train", "monday", "--model", "./home.places", *COLOUR)
-        before = (self.folder / "home.places").read_bytes()
-        complaint = self.refuse("train", "monday", "--model", "./home.places", "--config",
-                                "crfh_polynomial", "--set", "cues.crfh.kernel.p=1e31", "--set",
-                                "cues.crfh.kernel.d=10", status=1)
-        self.assertIn("cues.crfh.kernel.p", complaint)
-        self.assertEqual((self.folder / "home.places").read_bytes(), before)
-
-    def test_it_says_which_rooms_were_validated(self):
-        self.write_run("monday")
-        figures = self.figures("train", "monday", "--model", "./home.places", *COLOUR)
-        self.assertEqual(figures["validation"]["rooms"], sorted(ROOMS))
-        self.write_run("single", views=1)
-        text = self.succeed("train", "single", "--model", "./single.places", *COLOUR)
-        self.assertIn("Not validated", text)
 
 
 class TrainedCase(ToolCase):
@@ -222,7 +77,7 @@ class OtherImagesTest(TrainedCase):
         for size in ((64, 48), (256, 192)):
             self.write_changed("other", lambda image: cv2.resize(
                 image, size, interpolation=cv2.INTER_AREA if size[0] < 128 else cv2.INTER_CUBIC))
-            self.expect_said_once("other", "to 128 x 96, the size that the model works at")
+            self.expect_said_once("other", "to 128 x 96, the working size of the model")
             figures = self.figures("evaluate", "other", "--model", "./home.places")
             self.assertEqual(figures["average_rate"], 1)
 
@@ -244,7 +99,7 @@ class OtherImagesTest(TrainedCase):
         self.write_picture("other/kitchen/4.png", paint("kitchen", 4, 1))
         result = self.run_tool("evaluate", "other", "--model", "./home.places")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("left out are 12 images of nothing but one colour", result.stderr)
+        self.assertIn("12 images of a single colour", result.stderr)
 
     def test_frozen_frames_are_said(self):
         frozen = paint("kitchen", 0)
@@ -313,6 +168,20 @@ class EvaluateTest(TrainedCase):
         pages = list((self.folder / "report").glob("*.html"))
         self.assertEqual(len(pages), 1)
         self.assertIn("kitchen", pages[0].read_text())
+
+    def test_evaluate_takes_a_map_of_adjoining_rooms(self):
+        self.succeed("simulate", "--out", "drive", "--protocol", "drive", "--size", "64x48",
+                     "--rate", 2, "--conditions", "cloudy")
+        self.succeed("train", "drive/cloudy.bag", "--model", "./home.places", *COLOUR)
+        wrong_map = self.folder / "wrong.yaml"
+        wrong_map.write_text("rooms: {kitchen: [office_b], office_a: [printer_area]}")
+        evaluate = ("evaluate", "drive/cloudy.bag", "--model", "./home.places")
+        learned, wrong = (self.figures(*evaluate, *adjacency) for adjacency in (
+            (), ("--adjacency", "wrong.yaml")))
+        self.assertEqual(learned["average_rate"], wrong["average_rate"])
+        self.assertNotEqual(learned["over_time"], wrong["over_time"])
+        wrong_map.write_text("rooms: {attic: [kitchen]}")
+        self.assertIn("attic", self.refuse(*evaluate, "--adjacency", "wrong.yaml"))
 
 
 class ReduceTest(TrainedCase):
