@@ -40,8 +40,8 @@ def check_name(name):
     if any(unicodedata.category(character) == "Cc" for character in name):
         raise Problem("The name of a room has no line breaks, tabs or control characters.")
     if name.casefold() == UNKNOWN:
-        raise Problem(f"'{name}' is the answer for places that are not known; rename the place, or "
-                      "leave it without a label.")
+        raise Problem(f"'{name}' is reserved for unknown places; rename the place, or "
+                      "leave it unlabelled.")
 
 
 def checked(spans):

@@ -90,7 +90,7 @@ def main():
     options = parser.parse_args(rospy.myargv(sys.argv)[1:])
     rospy.init_node("place_monitor", anonymous=True)
     for name in rospy.get_param("~", {}):
-        rospy.logwarn("The parameter ~%s changes nothing here; give an option, see --help.", name)
+        rospy.logwarn("The parameter ~%s has no effect here; give an option, see --help.", name)
     monitor = Monitor(options.recognizer, options.label_topic)
     while not rospy.is_shutdown():
         time.sleep(0.1)

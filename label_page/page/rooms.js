@@ -40,7 +40,7 @@ export function faultOfName(name) {
   if (bytes > kMaxBytes) return `A name has at most ${kMaxBytes} bytes; this one has ${bytes}.`;
   if (/[\p{Cc}\p{Cs}]/u.test(name)) return "A name has no control characters.";
   if (name.toLowerCase() === "unknown") {
-    return "“unknown” is the answer for places that are not known; leave it without a label.";
+    return "“unknown” is reserved for unknown places; leave them unlabelled.";
   }
   return "";
 }

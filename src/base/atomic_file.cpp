@@ -16,7 +16,7 @@
 namespace place_recognition {
 namespace {
 
-/// Between the name of a file and what mkstemp() makes up.
+/// Separates the name of a file from the part that mkstemp() makes up.
 constexpr const char* kTemporary = ".tmp-";
 
 /// Closes the descriptor, and removes the temporary file unless it was renamed.
@@ -41,7 +41,7 @@ struct TemporaryFile {
 
 [[noreturn]] void throwCannotWrite(const std::string& path) {
   throw Error("Cannot write " + path + ": " + std::strerror(errno) +
-              "; make room, or choose a folder that can be written.");
+              "; make room, or choose a writable folder.");
 }
 
 bool writeAll(int fd, std::string_view bytes) {
@@ -60,7 +60,7 @@ void syncFolder(const std::filesystem::path& folder) {
   close(fd);
 }
 
-/// Writes to what is no file and must not become one: a terminal, a pipe, /dev/null.
+/// Writes directly to what must not be replaced by a file: a terminal, a pipe, /dev/null.
 void writeInto(const std::string& path, std::string_view bytes) {
   const int fd = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   const bool written = fd >= 0 && writeAll(fd, bytes);
@@ -70,7 +70,7 @@ void writeInto(const std::string& path, std::string_view bytes) {
   if (!written) throwCannotWrite(path);
 }
 
-/// Whether `path` names an open file, as /dev/stdout does.
+/// Whether `path` names an open file, such as /dev/stdout.
 bool isOpenFile(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   return folder == "/dev" || folder == "/dev/fd" || folder.compare(0, 6, "/proc/") == 0;
@@ -86,7 +86,7 @@ bool isSpecial(const std::string& path) {
 
 std::string behindLinks(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int kMaxLinks = 40;  // as the kernel has it
+  constexpr int kMaxLinks = 40;  // the kernel's limit
   fs::path file = path;
   std::error_code failure;
   for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(file, failure)); ++i) {
@@ -127,7 +127,7 @@ void removeLeftovers(const std::string& path) {
 }
 
 std::string readFile(const std::string& path, std::size_t limit) {
-  // Else the opening of a named pipe would wait for somebody who writes.
+  // Otherwise opening a named pipe would wait for a writer.
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status;
   if (fd < 0 || fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -146,8 +146,9 @@ std::string readFile(const std::string& path, std::size_t limit) {
   }
   close(fd);
   if (static_cast<std::size_t>(status.st_size) > limit) {
-    throw Error(path + " has " + std::to_string(status.st_size) + " bytes, more than the " +
-                std::to_string(limit) + " allowed; it is not what was expected here.");
+    throw Error(path + " has " + std::to_string(status.st_size) +
+                " bytes, more than the maximum of " + std::to_string(limit) +
+                "; it is probably the wrong file.");
   }
   return bytes;
 }

@@ -20,7 +20,7 @@
 namespace place_recognition {
 namespace {
 
-/// Both ends of a pipe, closed when it goes unless taken.
+/// Both ends of a pipe, closed by the destructor unless taken.
 struct Pipe {
   int read_end = -1;
   int write_end = -1;
@@ -43,7 +43,7 @@ struct Pipe {
   int takeReadEnd() { return std::exchange(read_end, -1); }
 };
 
-/// Between fork and exec: only what is safe after a fork of a program with threads.
+/// Runs between fork and exec, so it must be safe after the fork of a program with threads.
 void closeOtherDescriptors() {
 #ifdef SYS_close_range
   if (syscall(SYS_close_range, STDERR_FILENO + 1, ~0U, 0) == 0) return;
@@ -57,7 +57,7 @@ void closeOtherDescriptors() {
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
   closeOtherDescriptors();
-  // A handler or mask of this program must not keep the other from being stopped.
+  // A handler or mask of this program must not prevent the child from being stopped.
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -68,8 +68,8 @@ void closeOtherDescriptors() {
 
 constexpr std::size_t kMaxLine = 1 << 20;
 
-/// Reads once and hands over the lines that are complete; a line too long is cut into several.
-/// False at the end, after the rest.
+/// Reads once and passes on complete lines; a line that is too long is split. False at the end,
+/// after passing on the rest.
 bool readSome(int fd, std::string& line, const ChildProcess::LineCallback& on_line) {
   std::array<char, 4096> buffer;
   const ssize_t count = read(fd, buffer.data(), buffer.size());
@@ -98,7 +98,7 @@ void closeOnce(int& fd) {
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, Stderr stderr_use) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) {
-    pointers.push_back(const_cast<char*>(argument.c_str()));  // exec does not write to them
+    pointers.push_back(const_cast<char*>(argument.c_str()));  // exec does not modify them
   }
   pointers.push_back(nullptr);
   Pipe output;
@@ -126,7 +126,7 @@ ChildProcess::~ChildProcess() {
 
 bool ChildProcess::readLines(std::chrono::milliseconds timeout, const LineCallback& on_output,
                              const LineCallback& on_error) {
-  // poll() passes over descriptors that are -1.
+  // poll() ignores descriptors that are -1.
   std::array<pollfd, 2> pipes{{{output_, POLLIN, 0}, {errors_, POLLIN, 0}}};
   if (output_ < 0 && errors_ < 0) return false;
   if (poll(pipes.data(), pipes.size(), static_cast<int>(timeout.count())) <= 0) return true;
@@ -166,8 +166,8 @@ std::string findExecutable(const std::string& name) {
     if (access((folder / name).c_str(), X_OK) == 0) return (folder / name).string();
   }
   throw Error("The program " + name + " of place_recognition is not in " + own_folder.string() +
-              "; build or install the whole package, or name its folder in "
-              "PLACE_RECOGNITION_LIBEXEC.");
+              "; build or install the whole package, or set "
+              "PLACE_RECOGNITION_LIBEXEC to its folder.");
 }
 
 }  // namespace place_recognition

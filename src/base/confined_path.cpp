@@ -22,7 +22,7 @@ std::string home() {
   return folder == nullptr ? "" : folder;
 }
 
-/// `path`, of which "~/" at its start is the home folder, as a shell has it.
+/// `path` with "~/" at its start replaced by the home folder, as in a shell.
 std::string withHome(const std::string& path) {
   for (const std::string start : {"~/", "$HOME/", "${HOME}/"}) {
     if (startsWith(path, start)) return home() + path.substr(start.size() - 1);
@@ -42,11 +42,11 @@ bool liesBelowAny(const fs::path& path, const std::vector<std::string>& roots) {
   });
 }
 
-/// `path`, which starts at `root` if it is relative, without links, if it is a bag below any root.
+/// `path` without links if it is a bag below any root; a relative path starts at `root`.
 std::optional<std::string> bagBelow(const fs::path& path, const std::string& root,
                                     const std::vector<std::string>& roots) {
   std::error_code failure;
-  const fs::path file = fs::canonical(root / path, failure);  // `path` itself if it is absolute
+  const fs::path file = fs::canonical(root / path, failure);  // an absolute `path` ignores `root`
   if (failure || !liesBelowAny(file, roots) || file.extension() != ".bag" ||
       !fs::is_regular_file(file, failure)) {
     return std::nullopt;
@@ -54,13 +54,13 @@ std::optional<std::string> bagBelow(const fs::path& path, const std::string& roo
   return file.string();
 }
 
-/// Why what is at `path`, below a root, is no bag; empty if nothing is there.
+/// Why what exists at `path`, below a root, is not a bag; empty if nothing exists.
 std::string whyNoBag(const fs::path& path, const std::string& root,
                      const std::vector<std::string>& roots) {
   std::error_code failure;
   const fs::path file = fs::canonical(root / path, failure);
   if (failure || !liesBelowAny(file, roots)) return "";
-  if (fs::is_directory(file, failure)) return "is a folder; name the bags in it, as in run.bag";
+  if (fs::is_directory(file, failure)) return "is a folder; name the bags in it, such as run.bag";
   if (!fs::is_regular_file(file, failure)) return "is a pipe or a device, not a bag; name a file";
   return "does not end in .bag; give the bag a name that does";
 }
@@ -69,17 +69,17 @@ std::string whyNoBag(const fs::path& path, const std::string& root,
 struct WayOut {
   fs::path link;
   fs::path target;
-  fs::path folder;  // what would have to be a root
+  fs::path folder;  // the folder that would have to be a root
 };
 
-/// Where a link leads in the end, whether there is something or not.
+/// Final target of a link, whether it exists or not.
 fs::path targetOf(const fs::path& link) {
   std::error_code failure;
   return fs::weakly_canonical(behindLinks(link.string()), failure);
 }
 
-/// The first link on the way from `root` along `path` that leads out. What lies behind it is not
-/// looked at.
+/// The first link on the path from `root` along `path` that leads out. What lies behind it is not
+/// examined.
 std::optional<WayOut> wayOut(const fs::path& path, const std::string& root,
                              const std::vector<std::string>& roots) {
   const fs::path below = path.is_absolute() ? path.lexically_relative(root) : path;
@@ -122,16 +122,16 @@ std::string confinedBagPath(const std::string& path, const std::vector<std::stri
     }
     for (const std::string& root : roots) {
       if (const auto way_out = wayOut(expanded, root, roots)) {
-        throw Error("'" + shortened(path) + "' is reached by the link " + way_out->link.string() +
-                    ", which leads to " + way_out->target.string() +
-                    ", where bags may not lie; add " + way_out->folder.string() +
+        throw Error("'" + shortened(path) + "' is reached through the link " +
+                    way_out->link.string() + ", which leads to " + way_out->target.string() +
+                    ", outside of the permitted folders; add " + way_out->folder.string() +
                     " to ~bag_roots.");
       }
     }
   }
   std::string folders;
   for (const std::string& root : roots) folders += (folders.empty() ? "" : ", ") + root;
-  throw Error("'" + shortened(path) + "' is no bag (*.bag) below " + folders +
+  throw Error("'" + shortened(path) + "' is not a bag (*.bag) below " + folders +
               "; move it there, or set ~bag_roots.");
 }
 

@@ -15,7 +15,7 @@ constexpr std::string_view kConvertImage = "convert it to PNG or JPEG";
 
 struct Signature {
   std::size_t offset;
-  std::string_view bytes;  // letters in any case
+  std::string_view bytes;  // letters in upper or lower case
   FileKind kind;
 };
 
@@ -33,30 +33,30 @@ constexpr std::array<Signature, 32> kSignatures{{
     {0, "\x28\xb5\x2f\xfd"sv, {"compressed with zstd", "unpack it with unzstd"}},
     {0, "\x04\x22\x4d\x18"sv, {"compressed with lz4", "unpack it with unlz4"}},
     {0, "PK\x03\x04"sv, {"a zip archive", "unpack it with unzip"}},
-    {0, "PK\x05\x06"sv, {"an empty zip archive", "pack it anew"}},
+    {0, "PK\x05\x06"sv, {"an empty zip archive", "create it again"}},
     {0, "7z\xbc\xaf\x27\x1c"sv, {"a 7-Zip archive", "unpack it with 7z x"}},
     {0, "Rar!"sv, {"a RAR archive", "unpack it with unrar x"}},
     {257, "ustar"sv, {"a tar archive", "unpack it with tar xf"}},
     {0, "\x89MCAP"sv, {"a recording in MCAP, the format of ROS 2", kConvertBag}},
-    {0, "SQLite format 3"sv, {"an SQLite database, as ROS 2 records", kConvertBag}},
+    {0, "SQLite format 3"sv, {"an SQLite database, such as ROS 2 records", kConvertBag}},
     {0, "rosbag2_bagfile_information"sv, {"the metadata of a ROS 2 bag", kConvertBag}},
     {0, "#ROSBAG V1"sv, {"a bag of version 1", "convert it with: rosbag fix"}},
     {0, "#ROSRECORD V1"sv, {"a bag of version 1", "convert it with: rosbag fix"}},
     {0,
      "\0\x05\x16\x07"sv,
-     {"what macOS keeps beside a file", "give the file whose name does not start with ._"}},
+     {"a macOS metadata file", "give the file whose name does not start with ._"}},
     {0, "\x89HDF"sv, {"an HDF5 file", "export its images as PNG or JPEG"}},
-    {8, "AVI "sv, {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
+    {8, "AVI "sv, {"a video", "extract its frames, for example with: ffmpeg -i IN frame_%05d.jpg"}},
     {0, "GIF8"sv, {"a GIF image", kConvertImage}},
     {0, "\xff\x0a"sv, {"a JPEG XL image", kConvertImage}},
     {4, "JXL "sv, {"a JPEG XL image", kConvertImage}},
     {4, "ftypavi"sv, {"an AVIF image", kConvertImage}},
     {4, "ftyphe"sv, {"a HEIC image", kConvertImage}},
     {4, "ftypm"sv, {"a HEIC image or a video", kConvertImage}},
-    {4, "ftyp"sv, {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
+    {4, "ftyp"sv, {"a video", "extract its frames, for example with: ffmpeg -i IN frame_%05d.jpg"}},
     {0,
      "\x1a\x45\xdf\xa3"sv,
-     {"a video", "extract its frames, as with: ffmpeg -i IN frame_%05d.jpg"}},
+     {"a video", "extract its frames, for example with: ffmpeg -i IN frame_%05d.jpg"}},
     {0, "%PDF"sv, {"a PDF document", kConvertImage}},
 }};
 

@@ -6,7 +6,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kPollPeriod = 100;  // ms, within which the thread notices its end
+constexpr int kPollPeriod = 100;  // ms; the thread notices its end within this time
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void Keyboard::read() {
     pollfd input{terminal_, POLLIN, 0};
     if (poll(&input, 1, kPollPeriod) <= 0) continue;
     char key = 0;
-    if (::read(terminal_, &key, 1) != 1) return;  // the terminal is gone
+    if (::read(terminal_, &key, 1) != 1) return;  // the terminal has been closed
     callback_(key);
   }
 }

@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-/// The optimal string alignment distance; three rows of its table are kept.
+/// The optimal string alignment distance, computed with three rows of its table.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> two_before(b.size() + 1), before(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

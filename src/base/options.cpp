@@ -29,7 +29,7 @@ std::string inside(const std::string& where) {
 template <typename T>
 bool decode(const YAML::Node& node, T& value) {
   if (!node.IsScalar()) return false;
-  // yaml-cpp before 0.7 takes -1 for the largest unsigned number.
+  // Versions of yaml-cpp before 0.7 read -1 as the largest unsigned number.
   if (std::is_unsigned_v<T> && node.Scalar().find('-') != std::string::npos) return false;
   return YAML::convert<T>::decode(node, value);
 }
@@ -69,7 +69,7 @@ void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& kn
       throwUnknownKey(key, where, known);
     }
     if (!seen.insert(key).second) {
-      throw Error("Option '" + key + "' stands twice in " + inside(where) + "; keep one.");
+      throw Error("Option '" + key + "' occurs twice in " + inside(where) + "; keep one.");
     }
   }
 }
@@ -88,7 +88,8 @@ void readScalar(const YAML::Node& node, const std::string& where, std::uint64_t&
 
 void readScalar(const YAML::Node& node, const std::string& where, double& value) {
   readAs(node, where, "a number", value);
-  if (!std::isfinite(value)) throw Error("Option '" + where + "' is not finite; give a number.");
+  if (!std::isfinite(value))
+    throw Error("Option '" + where + "' is not finite; give a finite number.");
 }
 
 void readScalar(const YAML::Node& node, const std::string& where, std::string& value) {
@@ -108,7 +109,7 @@ std::string formatDouble(double value) {
 
 namespace {
 
-/// The value of `key` in a mapping, or the element of a list that `key` names or numbers.
+/// The value of `key` in a mapping, or the element of a list with the name or index `key`.
 YAML::Node childOf(YAML::Node parent, const std::string& key, const std::string& assignment) {
   if (parent.IsMap()) return parent[key];
   for (std::size_t i = 0; parent.IsSequence() && i < parent.size(); ++i) {
@@ -116,7 +117,7 @@ YAML::Node childOf(YAML::Node parent, const std::string& key, const std::string&
     const bool named = element.IsMap() && element["name"] && element["name"].Scalar() == key;
     if (named || key == std::to_string(i)) return element;
   }
-  throw Error("'" + assignment + "' sets no option: there is no '" + key + "' at that place.");
+  throw Error("'" + assignment + "' sets no option: '" + key + "' does not exist there.");
 }
 
 }  // namespace
@@ -138,7 +139,7 @@ YAML::Node readYamlFile(const std::string& path) {
 void assignOption(const YAML::Node& root, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
-    throw Error("'" + assignment + "' sets no option; write key=value, as in svm.c=10.");
+    throw Error("'" + assignment + "' sets no option; write key=value, such as svm.c=10.");
   }
   YAML::Node node = root;
   std::istringstream path(assignment.substr(0, equals));

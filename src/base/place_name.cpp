@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kMaxPlaceNameBytes = 128;
 
-/// Decodes the character at `i` and moves `i` behind it; false if it is not well-formed UTF-8
-/// (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF).
+/// Decodes the character at `i` and advances `i` past it; false if it is not well-formed UTF-8 (RFC
+/// 3629: no overlong forms, no surrogates, at most U+10FFFF).
 bool decode(const std::string& text, std::size_t& i, std::uint32_t& character) {
   const auto byte = [&text](std::size_t at) { return static_cast<unsigned char>(text[at]); };
   const unsigned char first = byte(i);
@@ -52,15 +52,14 @@ bool isPlaceName(const std::string& name) {
 std::string placeName(const std::string& text) { return isUtf8(text) ? tidied(text) : text; }
 
 std::string whyNoPlaceName(const std::string& text) {
-  if (!isUtf8(text)) return "is no place name, for it is not UTF-8; save it in UTF-8.";
+  if (!isUtf8(text)) return "is not a place name because it is not UTF-8; save it as UTF-8.";
   const std::string name = placeName(text);
   if (!isPlaceName(name)) {
-    return "is no place name (1 to 128 bytes of UTF-8 without line breaks and the like); rename "
-           "the place.";
+    return "is not a place name (1 to 128 bytes of UTF-8 without control characters); rename the "
+           "place.";
   }
   if (caseFolded(name) == kUnknownPlace) {
-    return "is the answer for places that are not known; rename the place, or leave it without a "
-           "label.";
+    return "is reserved for unknown places; rename the place, or leave it unlabelled.";
   }
   return "";
 }
@@ -73,9 +72,8 @@ std::vector<std::string> warnOfLikeNames(const std::vector<std::string>& names) 
     if (is_new || first->second == name) continue;
     const bool in_case = caseFolded(first->second) == caseFolded(name);
     warnings.push_back("'" + first->second + "' and '" + name + "' " +
-                       (in_case ? "differ in upper and lower case only" : "look alike") +
-                       ", and are two places; rename one of "
-                       "them if they are the same room.");
+                       (in_case ? "differ only in upper and lower case" : "look alike") +
+                       " but are two places; rename one of them if they are the same room.");
   }
   return warnings;
 }

@@ -10,13 +10,13 @@
 namespace place_recognition {
 namespace {
 
-/// The encoding that a byte order mark tells, or many zeros; nullptr if there are neither.
+/// The encoding indicated by a byte order mark or by many zeros; nullptr if there are neither.
 const char* encodingOf(const std::string& bytes) {
   UErrorCode status = U_ZERO_ERROR;
   const auto size = static_cast<std::int32_t>(std::min<std::size_t>(bytes.size(), 1000));
   const char* marked = ucnv_detectUnicodeSignature(bytes.data(), size, nullptr, &status);
   if (marked) return marked;
-  std::int32_t zeros[2] = {0, 0};  // at even and at odd places
+  std::int32_t zeros[2] = {0, 0};  // at even and at odd positions
   for (std::int32_t i = 0; i < size; ++i) {
     if (bytes[static_cast<std::size_t>(i)] == 0) ++zeros[i % 2];
   }
@@ -30,9 +30,9 @@ std::string utf8(const icu::UnicodeString& text) {
   return text.toUTF8String(bytes);
 }
 
-/// Whether `c` shows nothing and changes no letter beside it: soft hyphens, zero width spaces,
-/// marks of direction and of byte order, as pasted text has them. Joiners and variation selectors
-/// are not among them, for emoji and some scripts need these.
+/// Whether `c` is invisible and does not change a neighbouring letter: soft hyphens, zero width
+/// spaces, direction and byte order marks, which occur in pasted text. Joiners and variation
+/// selectors are kept, because emoji and some scripts need them.
 bool isInvisible(UChar32 c) {
   return c == 0xad || c == 0x200b || c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) ||
          (c >= 0x2060 && c <= 0x2064) || (c >= 0x2066 && c <= 0x2069) || c == 0xfeff;

@@ -17,19 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `user`: empty is the one who calls.
+/// An empty `user` means the caller.
 fs::path homeOf(const std::string& user) {
   const char* home = std::getenv("HOME");
   if (user.empty() && home != nullptr && *home != '\0') return home;
   const passwd* entry = user.empty() ? getpwuid(getuid()) : getpwnam(user.c_str());
   if (entry == nullptr) {
-    throw Error("There is no user '" + user + "' whose home folder ~" + user +
-                " could be; give the whole path.");
+    throw Error("There is no user '" + user + "', so ~" + user +
+                " is not a home folder; give the full path.");
   }
   return entry->pw_dir;
 }
 
-/// `path`, which starts with '$', with the value of the variable instead.
+/// `path`, which starts with '$', with the variable replaced by its value.
 std::string withVariable(const std::string& path) {
   static const std::regex start(R"(\$(\w+|\{\w+\})(?=/|$))");
   std::smatch found;
@@ -39,8 +39,8 @@ std::string withVariable(const std::string& path) {
   if (name[0] == '{') name = name.substr(1, name.size() - 2);
   const char* value = std::getenv(name.c_str());
   if (value == nullptr || *value == '\0') {
-    throw Error("The environment variable " + name + " of the path " + path +
-                " is not set; give the whole path.");
+    throw Error("The environment variable " + name + " in the path " + path +
+                " is not set; set it or give the full path.");
   }
   return value + path.substr(static_cast<std::size_t>(found.length()));
 }

@@ -10,7 +10,7 @@
 namespace place_recognition {
 namespace {
 
-/// Follows the parser, which calls before it goes a level deeper itself.
+/// Follows the parser, which calls this class before it descends to the next level.
 class ModestYaml : public YAML::EventHandler {
  public:
   explicit ModestYaml(const std::string& where) : where_(where) {}
@@ -40,8 +40,8 @@ class ModestYaml : public YAML::EventHandler {
   void enter(const YAML::Mark& mark) {
     constexpr int kMaxDepth = 50;
     if (++depth_ > kMaxDepth) {
-      throw Error(where_ + " nests too deep in line " + std::to_string(mark.line + 1) +
-                  "; it is no configuration.");
+      throw Error(where_ + " is nested too deeply in line " + std::to_string(mark.line + 1) +
+                  "; it is not a configuration.");
     }
   }
 

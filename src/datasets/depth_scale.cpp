@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kLevels = 1 << 16;
 
-/// The smallest power of two, 256 at least, that is above `value`.
+/// The smallest power of two greater than `value`, at least 256.
 std::uint32_t powerAbove(std::uint32_t value) {
   std::uint32_t power = 256;
   while (power <= value) power *= 2;
@@ -52,7 +52,7 @@ void DepthScale::setRange() {
     width_ = powerAbove(high);
     return;
   }
-  // A thermal camera: far from zero. Half of the range is left for what comes.
+  // A thermal camera: far from zero. Half of the range is reserved for later images.
   width_ = powerAbove(2 * (high - low));
   const std::uint32_t step = width_ / 4;
   start_ = low / step * step;

@@ -11,17 +11,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What to say of a folder without images; points at recordings one level further down.
+/// The error for a folder without images, which points out recordings one level below.
 [[noreturn]] void throwNoImages(const std::string& folder,
                                 const std::vector<std::string>& warnings) {
   for (const std::string& inner : entriesOf(folder).folders) {
     const std::string path = (fs::path(folder) / inner).string();
     if (!holdsRoomImages(path)) continue;
-    throw Error("The folder " + folder + " holds recordings, not rooms; give one of them, as in " +
-                path + ".");
+    throw Error("The folder " + folder +
+                " contains recordings, not rooms; give one of them, such as " + path + ".");
   }
   std::string text = "The folder " + folder +
-                     " holds no images; arrange them as room/image.jpg (png, jpg, webp, bmp or "
+                     " contains no images; arrange them as room/image.jpg (png, jpg, webp, bmp or "
                      "tiff).";
   for (const std::string& warning : warnings) text += " " + warning;
   throw Error(text);
@@ -65,7 +65,7 @@ class FolderRecording : public Recording {
 
  private:
   ImageSequence images_;
-  std::vector<std::string> places_;  // of each image
+  std::vector<std::string> places_;  // by image
   std::size_t position_ = 0;
 };
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kMaxPixels = 64'000'000;
 constexpr std::size_t kMaxFileSize = 256'000'000;
 
-/// What cameras send.
+/// Formats that cameras send.
 bool isStreamed(ImageFormat format) {
   return format == ImageFormat::kPng || format == ImageFormat::kJpeg ||
          format == ImageFormat::kWebp;
@@ -29,7 +29,7 @@ bool isStreamed(ImageFormat format) {
 std::string whyNoImage(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return "it is empty";
   const FileKind* kind = foreignFile({reinterpret_cast<const char*>(bytes), size});
-  if (!kind) return "it is no image of a format that can be read";
+  if (!kind) return "it is not an image in a readable format";
   return "it is " + std::string(kind->name) + "; " + std::string(kind->remedy);
 }
 
@@ -39,16 +39,16 @@ std::string problemOf(const ImageHeader& header, const std::uint8_t* bytes, std:
   if (header.width == 0 || header.height == 0) return "its header is damaged";
   if (header.width > kMaxPixels || header.height > kMaxPixels ||
       header.width * header.height > kMaxPixels) {
-    return "it announces " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+    return "it declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
            " pixels, more than 64 million";
   }
-  if (size > std::numeric_limits<int>::max()) return "it has more than 2 GB";
+  if (size > std::numeric_limits<int>::max()) return "it is larger than 2 GB";
   const bool is_jpeg = header.format == ImageFormat::kJpeg;
-  if (!header.whole || (is_jpeg && !isWholeJpeg(bytes, size))) return "it is damaged or cut short";
+  if (!header.whole || (is_jpeg && !isWholeJpeg(bytes, size))) return "it is damaged or truncated";
   return "";
 }
 
-/// Without an end marker OpenCV refuses a progressive JPEG, although all of it is there.
+/// OpenCV rejects a progressive JPEG without an end marker, even if its data is complete.
 bool lacksEnd(const ImageHeader& header, const std::uint8_t* bytes, std::size_t size) {
   return header.format == ImageFormat::kJpeg &&
          (bytes[size - 2] != 0xff || bytes[size - 1] != 0xd9);
@@ -79,7 +79,7 @@ DecodedImage decode(const ImageHeader& header, const std::uint8_t* bytes, std::s
 DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size) {
   const ImageHeader header = readImageHeader(bytes, size);
   if (header.format != ImageFormat::kNone && !isStreamed(header.format)) {
-    return {{}, "it is no PNG, JPEG or WebP image"};
+    return {{}, "it is not a PNG, JPEG or WebP image"};
   }
   return decode(header, bytes, size);
 }
@@ -100,7 +100,7 @@ DecodedImage readDeepImageFile(const std::string& path) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.data());
     return decode(readImageHeader(bytes, file.size()), bytes, file.size());
   } catch (const Error&) {
-    return {{}, "it cannot be read or has more than 256 MB"};
+    return {{}, "it cannot be read or is larger than 256 MB"};
   }
 }
 

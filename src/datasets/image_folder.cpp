@@ -23,13 +23,12 @@ constexpr std::array<std::string_view, 17> kImages{"png", "jpg", "jpeg", "jpe", 
                                                    "bmp", "dib", "tif",  "tiff", "pgm",  "ppm",
                                                    "pbm", "pnm", "jp2",  "ras",  "sr"};
 
-/// Endings of images and videos that are not read, and are told when they lie among others.
+/// Extensions of images and videos that are not read, but are reported if they lie among others.
 constexpr std::array<std::string_view, 20> kUnread{
     "gif", "heic", "heif", "avif", "jxl", "svg", "psd", "dng", "cr2", "nef",
     "arw", "raw",  "exr",  "mp4",  "mov", "avi", "mkv", "zip", "tar", "gz"};
 
-/// Endings behind that of an image, of copies that editors keep and of files that are not whole
-/// yet.
+/// Extensions after that of an image, for copies kept by editors and for incomplete files.
 constexpr std::array<std::string_view, 16> kCopies{
     "tmp",        "temp", "part",   "partial", "filepart", "crdownload", "download", "opdownload",
     "unfinished", "bak",  "backup", "old",     "orig",     "save",       "swp",      "copy"};
@@ -47,7 +46,7 @@ bool isOneOf(const std::string& text, const std::array<std::string_view, N>& lis
   return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-/// In lower case, without its point.
+/// In lower case, without its dot.
 std::string endingOf(const std::string& name) {
   const std::string ending = lowerCase(fs::path(name).extension().string());
   return ending.empty() ? "" : ending.substr(1);
@@ -55,19 +54,19 @@ std::string endingOf(const std::string& name) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// As in "0017", "0017." and "frame.0017".
+/// Such as "0017", "0017." and "frame.0017".
 bool lacksEnding(const std::string& name) {
   const std::string ending = endingOf(name);
   return std::all_of(ending.begin(), ending.end(), isDigit);
 }
 
-/// As in "0017.jpg.part" and "0017.jpg~".
+/// Such as "0017.jpg.part" and "0017.jpg~".
 bool isCopyOfImage(const std::string& name) {
   if (!name.empty() && name.back() == '~') return isImageName(name.substr(0, name.size() - 1));
   return isOneOf(endingOf(name), kCopies) && isImageName(fs::path(name).stem().string());
 }
 
-/// The number that starts at `i`, without leading zeros, as digits; moves `i` behind it.
+/// The digits of the number that starts at `i`, without leading zeros; advances `i` past it.
 std::string digits(const std::string& text, std::size_t& i) {
   const std::size_t start = i;
   while (i < text.size() && isDigit(text[i])) ++i;
@@ -75,7 +74,7 @@ std::string digits(const std::string& text, std::size_t& i) {
   return text.substr(start + zeros, i - start - zeros);
 }
 
-/// 2024-05-31, 20240531, 31.05.2024, perhaps with a time behind it.
+/// 2024-05-31, 20240531, 31.05.2024, possibly followed by a time.
 bool isDate(const std::string& name) {
   static const std::regex date(
       R"(((19|20)\d\d[-_. ]?[01]?\d[-_. ]?[0-3]?\d|[0-3]?\d[-_. ][01]?\d[-_. ](19|20)\d\d)([-_. T]*\d[-_.:h\d]*)?)");
@@ -90,7 +89,7 @@ bool hasImagesOrDatesOfThem(const fs::path& folder) {
   });
 }
 
-/// "3 .heic files and 1 .gif file", of the names that `told` is true for.
+/// "3 .heic files and 1 .gif file", for the names that satisfy `told`.
 template <typename Told>
 std::string countedByEnding(const std::vector<std::string>& names, Told told) {
   std::map<std::string, int> counts;
@@ -108,7 +107,7 @@ std::string countedByEnding(const std::vector<std::string>& names, Told told) {
   return text;
 }
 
-/// Collects images below a folder, and what hinders.
+/// Collects images below a folder, and problems on the way.
 class Search {
  public:
   explicit Search(FoundImages& found) : found_(found) {}
@@ -119,7 +118,7 @@ class Search {
     open_.push_back(fs::canonical(folder, ignored));
   }
 
-  /// Adds what is in `folder` and below; returns why this is nothing, or an empty text.
+  /// Adds the contents of `folder` and below; returns why there are none, or an empty text.
   std::string add(const fs::path& folder, const std::string& place) {
     const FolderEntries entries = entriesOf(folder.string());
     if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
@@ -144,9 +143,9 @@ class Search {
       found_.images.push_back({(folder / name).string(), place});
     }
     for (const std::string& name : entries.dead) {
-      warn(folder / name, "it is a link that leads nowhere");
+      warn(folder / name, "it is a broken link");
     }
-    if (entries.images.empty()) return;  // whyNothing() tells of the others
+    if (entries.images.empty()) return;  // whyNothing() reports the others
     const std::string unread = countedByEnding(
         entries.others, [](const std::string& name) { return isOneOf(endingOf(name), kUnread); });
     if (!unread.empty()) {
@@ -155,29 +154,31 @@ class Search {
     }
     const std::string copies = countedByEnding(entries.others, isCopyOfImage);
     if (!copies.empty()) {
-      found_.warnings.push_back(folder.string() + ": left out are " + copies +
-                                ", by their names unfinished or older copies of images; rename "
-                                "those that are to count.");
+      found_.warnings.push_back(
+          folder.string() + ": skipped " + copies +
+          ", whose names indicate unfinished or older copies of images; rename those that should "
+          "be used.");
     }
   }
 
   void warn(const fs::path& path, const std::string& why) {
-    found_.warnings.push_back("Nothing is taken from " + path.string() + ": " + why + ".");
+    found_.warnings.push_back("Nothing was read from " + path.string() + ": " + why + ".");
   }
 
  private:
   static std::string whyNothing(const FolderEntries& entries) {
     const std::string others =
         countedByEnding(entries.others, [](const std::string&) { return true; });
-    if (!others.empty()) return "it holds " + others + ", which cannot be read as images";
-    return entries.folders.empty() && entries.dead.empty() ? "it is empty" : "it holds no images";
+    if (!others.empty()) return "it contains " + others + ", which cannot be read as images";
+    return entries.folders.empty() && entries.dead.empty() ? "it is empty"
+                                                           : "it contains no images";
   }
 
   FoundImages& found_;
-  std::vector<fs::path> open_;  // the folder at hand and those above it
+  std::vector<fs::path> open_;  // the current folder and those above it
 };
 
-/// The entries of a folder that was named by a person.
+/// The entries of a folder named by a person.
 FolderEntries openFolder(const std::string& folder) {
   FolderEntries entries = entriesOf(folder);
   if (entries.problem.empty()) return entries;
@@ -189,7 +190,7 @@ FolderEntries openFolder(const std::string& folder) {
 
 bool isImageName(const std::string& name) { return isOneOf(endingOf(name), kImages); }
 
-bool cameAlong(const std::string& name) {
+bool isSystemEntry(const std::string& name) {
   return name.empty() || name[0] == '.' || isOneOf(lowerCase(name), kCameAlong);
 }
 
@@ -206,7 +207,7 @@ bool naturalLess(const std::string& a, const std::string& b) {
     }
   }
   if (i < a.size() || j < b.size()) return j < b.size();
-  return a < b;  // Equal but for leading zeros.
+  return a < b;  // Equal except for leading zeros.
 }
 
 FolderEntries entriesOf(const std::string& folder) {
@@ -215,7 +216,7 @@ FolderEntries entriesOf(const std::string& folder) {
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
     const std::string name = entry->path().filename().string();
-    if (cameAlong(name)) continue;
+    if (isSystemEntry(name)) continue;
     std::error_code ignored;
     const fs::file_status status = entry->status(ignored);  // follows links
     if (fs::is_directory(status)) {

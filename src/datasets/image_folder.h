@@ -13,7 +13,7 @@ bool isImageName(const std::string& name);
 
 /// Whether an entry of a folder is not the user's own: hidden files ('.git', '._1.jpg'), and what
 /// macOS, Windows and file servers add ('__MACOSX', 'Thumbs.db', '@eaDir', 'lost+found').
-bool cameAlong(const std::string& name);
+bool isSystemEntry(const std::string& name);
 
 /// Natural order of file names: frame_9 before frame_10.
 bool naturalLess(const std::string& a, const std::string& b);

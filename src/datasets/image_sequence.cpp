@@ -21,7 +21,7 @@ DecodedImage ImageSequence::read(std::size_t i) {
 }
 
 std::string ImageSequence::note() const {
-  return is_deep_ ? "images of 16 bits are shown in 8, " + scale_.text() + "." : "";
+  return is_deep_ ? "images with 16 bits are converted to 8: " + scale_.text() + "." : "";
 }
 
 }  // namespace place_recognition

@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstdio>
-// After <cstdio>, which it needs but does not include.
+// After <cstdio>, which it requires but does not include.
 #include <jerror.h>
 #include <jpeglib.h>
 
 namespace place_recognition {
 namespace {
 
-/// Some encoders leave a few bytes between the last block and the end marker. More are left where
-/// the blocks ran on into another image's data.
+/// Some encoders leave a few bytes between the last block and the end marker. There are more if the
+/// blocks continue into another image's data.
 constexpr int kMaxExtraneousBytes = 64;
 
-/// A buffer that was not filled: as many zeros at the end of the file.
+/// An unfilled buffer: at least this many zeros at the end of the file.
 constexpr std::size_t kPadding = 16;
 
-/// Notes what libjpeg complains of, instead of printing it.
+/// Records libjpeg's complaints instead of printing them.
 struct ErrorManager : jpeg_error_mgr {
   std::jmp_buf on_fatal;
   bool lost = false;         // data of a block is missing or wrong
@@ -48,7 +48,7 @@ void onMessage(j_common_ptr jpeg, int level) {
   }
 }
 
-/// Decodes at an eighth of the size, which takes little more than reading the coefficients, and
+/// Decodes at one eighth of the size, which takes little longer than reading the coefficients and
 /// needs no memory for all of them.
 void decodeRows(jpeg_decompress_struct& jpeg) {
   jpeg.scale_num = 1;
@@ -67,7 +67,7 @@ void decodeRows(jpeg_decompress_struct& jpeg) {
 /// Whether there was a scan for every component and, in a progressive image, for every bit.
 bool hasAllScans(const jpeg_decompress_struct& jpeg) {
   for (int c = 0; c < jpeg.num_components; ++c) {
-    if (jpeg.comp_info[c].quant_table == nullptr) return false;  // is set by the first scan
+    if (jpeg.comp_info[c].quant_table == nullptr) return false;  // set by the first scan
     if (!jpeg.progressive_mode) continue;
     const int* bits = jpeg.coef_bits[c];
     if (std::any_of(bits, bits + DCTSIZE2, [](int missing) { return missing != 0; })) return false;
@@ -75,7 +75,7 @@ bool hasAllScans(const jpeg_decompress_struct& jpeg) {
   return true;
 }
 
-/// All that libjpeg may leave by a jump.
+/// Everything that libjpeg may leave by longjmp.
 bool readAll(jpeg_decompress_struct& jpeg, ErrorManager& errors, const std::uint8_t* bytes,
              std::size_t size) {
   if (setjmp(errors.on_fatal) != 0) return false;
@@ -84,7 +84,7 @@ bool readAll(jpeg_decompress_struct& jpeg, ErrorManager& errors, const std::uint
   jpeg_read_header(&jpeg, TRUE);
   decodeRows(jpeg);
   const bool all_scans = hasAllScans(jpeg);
-  // An arithmetic decoder takes all that lies behind the data for zeros, without a word.
+  // The arithmetic decoder silently reads zeros after the end of the data.
   const bool tells_of_end = jpeg.arith_code == FALSE;
   jpeg_finish_decompress(&jpeg);
   return (all_scans && tells_of_end) || !errors.end_missing;

@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kBlocks = 4;  // KTH-TIPS2 has four samples a material
+constexpr int kBlocks = 4;  // KTH-TIPS2 has four samples per material
 
-/// The entries of a folder that a data set is read from.
+/// The entries of a folder from which a data set is read.
 FolderEntries openedEntries(const fs::path& folder) {
   FolderEntries entries = entriesOf(folder.string());
   if (entries.problem.empty()) return entries;
@@ -30,7 +30,7 @@ std::vector<fs::path> foldersIn(const fs::path& folder) {
   return folders;
 }
 
-/// The condition that the name of a sequence tells; empty if none.
+/// The condition in the name of a sequence; empty if there is none.
 std::string conditionOf(const fs::path& sequence) {
   const std::string name = sequence.filename().string();
   for (const char* condition : {"cloudy", "night", "sunny"}) {
@@ -48,7 +48,7 @@ std::vector<std::string> imagesIn(const fs::path& folder) {
   return paths;
 }
 
-/// Tells on stderr of folders that give nothing.
+/// Lists images and reports folders without images on stderr.
 std::vector<LabelledImage> listAndWarn(const std::string& folder, const Layout& layout) {
   std::vector<std::string> warnings;
   std::vector<LabelledImage> images = listImages(folder, layout, warnings);
@@ -87,7 +87,7 @@ std::vector<std::vector<std::string>> samplesOf(const fs::path& material) {
 }
 
 void requireFolder(const std::string& folder) {
-  if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
+  if (!fs::is_directory(folder)) throw Error(folder + " is not a folder; check the path.");
 }
 
 /// By name.
@@ -107,7 +107,7 @@ std::map<std::string, ImageSet> setsByCondition(const std::string& folder,
   return sets;
 }
 
-/// The kind of a place of COLD: 2PO of 2PO1-A.
+/// The kind of a place of COLD: 2PO for 2PO1-A.
 std::string kindOf(const std::string& place) {
   std::string kind = place.substr(0, place.find('-'));
   while (kind.size() > 1 && std::isdigit(static_cast<unsigned char>(kind.back()))) kind.pop_back();
@@ -121,7 +121,7 @@ std::vector<ImageSet> conditionSets(const std::string& folder, const std::string
   std::map<std::string, ImageSet> sets = setsByCondition(folder, layout);
   if (sets.size() < 2) {
     throw Error("The folder " + folder +
-                " does not hold images of two conditions of light or more (cloudy, night, "
+                " does not contain images of at least two conditions (cloudy, night, "
                 "sunny); see doc/datasets.md for the layouts.");
   }
   std::vector<ImageSet> list;
@@ -143,7 +143,7 @@ std::vector<ImageSet> buildingSets(const std::string& folder, const std::string&
     }
     if (building.images.empty()) {
       throw Error("The folder " + path.string() +
-                  " holds no images of a condition of light (cloudy, night, sunny); see "
+                  " contains no images of a condition (cloudy, night, sunny); see "
                   "doc/datasets.md for the layouts.");
     }
   }
@@ -158,7 +158,7 @@ std::vector<ImageSet> sampleSets(const std::string& folder) {
     if (sets.empty()) sets.resize(samples.size());
     if (samples.size() != sets.size()) {
       throw Error(material.string() + " has " + std::to_string(samples.size()) +
-                  " samples where others have " + std::to_string(sets.size()) +
+                  " samples, but others have " + std::to_string(sets.size()) +
                   "; give each material the same number.");
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -170,10 +170,12 @@ std::vector<ImageSet> sampleSets(const std::string& folder) {
     }
   }
   for (const ImageSet& set : sets) {
-    if (set.images.empty()) throw Error("There are too few images in " + folder + ".");
+    if (set.images.empty())
+      throw Error("There are too few images in " + folder + "; give each material at least four.");
   }
   if (sets.empty()) {
-    throw Error("The folder " + folder + " holds no materials; give MATERIAL/SAMPLE/IMAGE.");
+    throw Error("The folder " + folder +
+                " contains no materials; arrange it as MATERIAL/SAMPLE/IMAGE.");
   }
   return sets;
 }

@@ -35,14 +35,14 @@ bool isNumber(const std::string& word) {
   return word.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// cloudy, night or sunny, if `word` says so in any case; else nothing.
+/// cloudy, night or sunny if `word` is one of them in upper or lower case; else empty.
 std::string asCondition(std::string word) {
   std::transform(word.begin(), word.end(), word.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return word == "cloudy" || word == "night" || word == "sunny" ? word : "";
 }
 
-/// A double behind the first letter of `word`, as in t1125496218.37; NaN if there is none.
+/// The number after the first letter of `word`, such as t1125496218.37; NaN if there is none.
 double numberBehindLetter(const std::string& word) {
   char* end = nullptr;
   const double value = word.size() > 1 ? std::strtod(word.c_str() + 1, &end) : NAN;
@@ -57,7 +57,7 @@ void stampByRate(std::vector<LabelledImage>& images, double rate) {
   }
 }
 
-/// The images below a folder, for layouts whose paths tell more than the room.
+/// The images below a folder, for layouts whose paths contain more than the room.
 std::vector<std::string> imagesBelow(const std::string& folder, Warnings& warnings) {
   FoundImages found = findImagesBelow(folder);
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
@@ -82,7 +82,7 @@ std::vector<LabelledImage> listRooms(const fs::path& folder, Warnings& warnings)
   return images;
 }
 
-/// What the path of a KTH-INDECS image tells, wherever in it that stands.
+/// The information in the path of a KTH-INDECS image, wherever in the path it is.
 struct IndecsImage {
   std::string condition;
   std::string room;
@@ -90,7 +90,7 @@ struct IndecsImage {
   long angle = 0;  // degrees
   std::string path;
 
-  /// `path` lies below `folder`. Throws Error if it names no room.
+  /// `path` is below `folder`. Throws Error if it does not name a room.
   IndecsImage(const fs::path& folder, const fs::path& path) : path(path.string()) {
     for (const fs::path& part : path.lexically_relative(folder).parent_path()) {
       if (const std::string found = asCondition(part.string()); !found.empty()) {
@@ -115,7 +115,7 @@ struct IndecsImage {
     }
     if (room.empty()) {
       throw Error(path.string() +
-                  " tells no room, neither by a folder nor by its name; see "
+                  " has no room in its folders or its name; see "
                   "doc/datasets.md for the layout.");
     }
   }
@@ -137,7 +137,7 @@ std::vector<LabelledImage> listIndecs(const fs::path& folder, const std::string&
   }
   if (wanted.empty() && conditions.size() > 1) {
     throw Error(folder.string() +
-                " holds several conditions of light, and a run is one of them; "
+                " contains several conditions, but a run has only one; "
                 "add --condition cloudy, night or sunny.");
   }
   std::sort(found.begin(), found.end());
@@ -156,7 +156,7 @@ std::vector<LabelledImage> listIdol(const fs::path& folder, Warnings& warnings) 
     }
     if (image.place.empty() || std::isnan(image.stamp)) {
       throw Error(image.path +
-                  " is not named as KTH-IDOL does (tTIME_rROOM_xX_yY_aANGLE); give "
+                  " is not named like an image of KTH-IDOL (tTIME_rROOM_xX_yY_aANGLE); give "
                   "the folder of one sequence, or another --layout.");
     }
     images.push_back(std::move(image));
@@ -164,12 +164,12 @@ std::vector<LabelledImage> listIdol(const fs::path& folder, Warnings& warnings) 
   return images;
 }
 
-/// The stamp in the name of an image of COLD; NaN if it has none.
+/// The stamp in the name of a COLD image; NaN if there is none.
 double coldStamp(const std::string& file) {
   return numberBehindLetter(file.substr(0, file.find('_')));
 }
 
-/// A line per image, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
+/// One line per image, `tTIME_xX_yY_aANGLE.jpeg LABEL`.
 std::vector<LabelledImage> listByImages(const fs::path& cameras, const fs::path& list) {
   constexpr std::size_t kMaxFileBytes = 64 << 20;
   std::vector<LabelledImage> images;
@@ -189,8 +189,8 @@ std::vector<LabelledImage> listByImages(const fs::path& cameras, const fs::path&
   return images;
 }
 
-/// Lines `timestamp label` (COLD-Meta), each of which holds until the next. Images before the
-/// first are left out.
+/// Lines `timestamp label` (COLD-Meta), each valid until the next one. Images before the first line
+/// are left out.
 std::vector<LabelledImage> listByTimes(const fs::path& cameras, const fs::path& labels_file,
                                        Warnings& warnings) {
   std::vector<LabelledImage> images;
@@ -198,7 +198,7 @@ std::vector<LabelledImage> listByTimes(const fs::path& cameras, const fs::path& 
   for (const std::string& path : imagesBelow(cameras.string(), warnings)) {
     const double stamp = coldStamp(fs::path(path).filename().string());
     if (std::isnan(stamp)) {
-      throw Error(path + " is not named as COLD does (tTIME_xX_yY_aANGLE); remove it.");
+      throw Error(path + " is not named like an image of COLD (tTIME_xX_yY_aANGLE); remove it.");
     }
     images.push_back({path, "", stamp});
     start = std::min(start, stamp);
@@ -223,8 +223,8 @@ std::vector<LabelledImage> listCold(const fs::path& folder, const std::string& c
     }
   }
   throw Error("There is neither " + list.string() + " nor " + (folder / "labels.dat").string() +
-              "; give the folder of one COLD sequence, which holds " + cameras.filename().string() +
-              " and one of these.");
+              "; give the folder of one COLD sequence, which contains " +
+              cameras.filename().string() + " and one of these.");
 }
 
 }  // namespace
@@ -241,7 +241,7 @@ std::vector<std::string> indecsConditions(const std::string& folder) {
 
 std::vector<LabelledImage> listImages(const std::string& folder, const Layout& layout,
                                       std::vector<std::string>& warnings) {
-  if (!fs::is_directory(folder)) throw Error(folder + " is no folder; check the path.");
+  if (!fs::is_directory(folder)) throw Error(folder + " is not a folder; check the path.");
   const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
   std::vector<LabelledImage> images =
       layout.name == "rooms"    ? listRooms(folder, warnings)
@@ -251,7 +251,7 @@ std::vector<LabelledImage> listImages(const std::string& folder, const Layout& l
   for (LabelledImage& image : images) image.place = placeName(image.place);
   if (images.empty()) {
     throw Error("The folder " + folder +
-                " holds no images (png, jpg, webp, bmp or tiff) in the layout '" + layout.name +
+                " contains no images (png, jpg, webp, bmp or tiff) in the layout '" + layout.name +
                 "'; check the path, or give another --layout." + allOf(warnings));
   }
   if (by_rate) {

@@ -14,7 +14,7 @@
 namespace place_recognition {
 namespace {
 
-/// Where `name` stands in `names`, to which it is added if it is new.
+/// The index of `name` in `names`, to which it is added if it is new.
 int indexIn(std::vector<std::string>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<int>(found - names.begin());
@@ -63,7 +63,7 @@ class Evaluator {
     LeftOutFrames left_out;
     for (Frame frame; recording.next(frame);) {
       ++images_;
-      if (!left_out.takes(frame)) {
+      if (!left_out.leavesOut(frame)) {
         for (const std::string& warning : recognizer_.judge(frame)) {
           evaluation_.warnings.push_back(recording.name() + ": " + warning);
         }
@@ -84,9 +84,8 @@ class Evaluator {
   Evaluation finish() {
     requireLearnedPlaces();
     for (std::size_t k = evaluation_.model_places; k < evaluation_.places.size(); ++k) {
-      evaluation_.warnings.push_back(
-          "The model has not learned '" + evaluation_.places[k] +
-          "'; its images count only for telling known places from unknown ones.");
+      evaluation_.warnings.push_back("The model has not learned '" + evaluation_.places[k] +
+                                     "'; its images are used only to measure 'unknown'.");
     }
     for (const std::string& warning : warnOfLikeNames(evaluation_.places)) {
       evaluation_.warnings.push_back(warning);
@@ -125,7 +124,7 @@ class Evaluator {
     }
   }
 
-  /// Keeps evaluation_.wrong sorted by falling confidence and short.
+  /// Keeps evaluation_.wrong short and sorted by descending confidence.
   void keepIfAmongTheWorst(const FrameResult& result, const cv::Mat& image) {
     std::vector<WrongImage>& wrong = evaluation_.wrong;
     const auto place = std::find_if(wrong.begin(), wrong.end(), [&](const WrongImage& image) {
@@ -139,14 +138,14 @@ class Evaluator {
   void requireLearnedPlaces() const {
     const std::string recordings = joined(evaluation_.recordings, 0, evaluation_.recordings.size());
     if (images_ == 0)
-      throw Error("There are no images in " + recordings + "; give a run that has some.");
+      throw Error("There are no images in " + recordings + "; give a run with images.");
     if (evaluation_.frames.empty() && !first_problem_.empty()) {
-      throw Error("None of the images in " + recordings + " that have a label can be used (" +
-                  first_problem_ + "); give a run that has some.");
+      throw Error("None of the labelled images in " + recordings + " can be used (" +
+                  first_problem_ + "); give a run with usable ones.");
     }
     if (evaluation_.frames.empty()) {
       throw Error("None of the " + std::to_string(images_) + " images in " + recordings +
-                  " has a label; say which place each of them shows.");
+                  " has a label; label them with their places.");
     }
     const bool any = std::any_of(evaluation_.frames.begin(), evaluation_.frames.end(),
                                  [this](const FrameResult& f) { return evaluation_.learned(f); });
@@ -158,8 +157,8 @@ class Evaluator {
   }
 
   RecordingRecognizer recognizer_;
-  std::vector<int> camera_of_;  // of each camera of the current run: index into evaluation_.cameras
-  std::size_t smoothed_ = 0;    // frames that have their smoothed answer
+  std::vector<int> camera_of_;  // by camera of the current run: index into evaluation_.cameras
+  std::size_t smoothed_ = 0;    // number of frames with a smoothed answer
   std::size_t wrong_images_;
   std::uint64_t images_ = 0;
   std::string first_problem_;  // of a labelled image that cannot be used

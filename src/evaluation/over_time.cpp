@@ -18,7 +18,7 @@ void count(const FrameResult& frame, AnswersOverTime& answers) {
   count(frame.place_smoothed, frame.truth, answers.smoothed);
 }
 
-/// Stamps of the first frames after a change of room, ascending.
+/// Stamps of the first frames after each change of room, in ascending order.
 std::vector<double> changesIn(const std::vector<const FrameResult*>& recording) {
   std::vector<double> stamps;
   for (std::size_t i = 1; i < recording.size(); ++i) {
@@ -33,7 +33,7 @@ bool inDoorway(double stamp, const std::vector<double>& changes) {
   return before || (next != changes.begin() && stamp - *std::prev(next) < OverTime::kAfter);
 }
 
-/// Follows the changes from one learned room to another in a recording.
+/// Tracks how the changes from one learned room to another in a recording are followed.
 class Followed {
  public:
   explicit Followed(OverTime& result) : result_(result) {}

@@ -45,14 +45,14 @@ std::string warningList(const Evaluation& evaluation) {
   return html + "</ul>\n";
 }
 
-/// The rate of a room in one recording; empty if the run does not show it.
+/// The rate of a room in one recording; empty if the recording does not show it.
 std::string rateIn(const RecordingSummary& recording, int place) {
   const auto found = std::find_if(recording.rooms.begin(), recording.rooms.end(),
                                   [place](const RoomSummary& room) { return room.place == place; });
   return found == recording.rooms.end() ? "" : percent(found->rate());
 }
 
-/// Rooms by runs, for more than one run.
+/// Rooms by runs, if there are several runs.
 std::string runTable(const Summary& summary) {
   if (summary.recordings.size() < 2) return "";
   std::string html = "<h2>Rate by run</h2>\n<table>\n<thead><tr><th></th>";
@@ -75,7 +75,7 @@ std::string runTable(const Summary& summary) {
          "</p>\n";
 }
 
-/// A cell of the confusion matrix, the darker the larger its fraction of the row.
+/// A cell of the confusion matrix; the larger its fraction of the row, the darker it is.
 std::string confusionCell(std::uint64_t count, std::uint64_t row_sum, bool diagonal) {
   const double fraction =
       row_sum == 0 ? 0 : static_cast<double>(count) / static_cast<double>(row_sum);

@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// The rate of a room in one recording; empty if the run does not show it.
+/// The rate of a room in one recording; empty if the recording does not show it.
 std::string rateIn(const RecordingSummary& recording, int place) {
   for (const RoomSummary& room : recording.rooms) {
     if (room.place == place) return percent(room.rate());
@@ -67,7 +67,7 @@ std::string confusionTable(const Summary& summary) {
   return alignColumns(rows);
 }
 
-/// The worst of the pairs of places that are taken for one another; empty if there are none.
+/// The most confused pairs of places; empty if there are none.
 std::string confusedTable(const Summary& summary) {
   constexpr std::size_t kMax = 5;
   if (summary.confused.empty()) return "";

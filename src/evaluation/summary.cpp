@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// The learned rooms among the frames for which `chosen` holds.
+/// The learned rooms among the frames that satisfy `chosen`.
 std::vector<RoomSummary> summarizeRooms(const Evaluation& evaluation,
                                         const std::function<bool(const FrameResult&)>& chosen) {
   std::vector<RoomSummary> all(evaluation.model_places);
@@ -74,7 +74,7 @@ void summarizeCameras(const Evaluation& evaluation, Summary& summary) {
   }
 }
 
-/// Places that the model has learned, and does not keep apart.
+/// Pairs of learned places that the model confuses.
 std::vector<ConfusedPair> confusedIn(const Evaluation& evaluation) {
   std::vector<int> truth, answers;
   for (const FrameResult& frame : evaluation.frames) {

@@ -21,7 +21,7 @@ struct Paint {
   std::string tooltip;
 };
 
-/// A row of the plot: what it shows of each frame.
+/// A row of the plot: what it shows for each frame.
 struct Strip {
   std::string name;
   std::function<Paint(const FrameResult&)> paint;
@@ -66,7 +66,7 @@ std::vector<Strip> stripsOf(const Evaluation& evaluation, bool drive) {
   return strips;
 }
 
-/// A rectangle for each stretch of frames that look the same.
+/// One rectangle for each series of frames with the same appearance.
 void draw(const Strip& strip, const Frames& frames, double top, Svg& svg) {
   constexpr double kLeft = 84, kWidth = 806, kHeight = 26;
   svg.text(kLeft - 8, top + 18, strip.name, "end");

@@ -13,7 +13,7 @@ namespace {
 
 constexpr PlaceFeatures kFeatures[] = {PlaceFeatures::kLocal, PlaceFeatures::kGlobal};
 
-/// Rates of one kind of features: of each place and, as an empty name, of their mean.
+/// Rates of one kind of features: by place, and their mean under an empty name.
 Table categoryTable(PlaceFeatures features, const std::vector<ImageSet>& buildings,
                     const std::vector<const Json*>& results) {
   Table table;
@@ -70,9 +70,9 @@ std::vector<Json> CategoriesExperiment::cells() const {
 
 void CategoriesExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                                    const Progress& progress) {
-  std::size_t next = 0;  // cells come in the order of cells()
+  std::size_t next = 0;  // cells are in the order of cells()
   for (const PlaceFeatures features : kFeatures) {
-    std::unique_ptr<PlaceSamples> samples;  // only if they are needed
+    std::unique_ptr<PlaceSamples> samples;  // only if needed
     for (std::size_t b = 0; b < buildings_.size() && next < cells.size(); ++b) {
       const Json& cell = cells[next];
       if (cell.at("features") != name(features)) break;

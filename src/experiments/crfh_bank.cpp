@@ -66,7 +66,7 @@ void CrfhBank::quantizeAll(const cv::Mat& image, int columns, int rows) {
 
 void CrfhBank::count(const std::vector<Dimension>& histogram, std::size_t pixels,
                      Feature& feature) {
-  constexpr std::size_t kBlock = 2048;  // stays in the processor's cache
+  constexpr std::size_t kBlock = 2048;  // fits into the processor's cache
   bins_.resize(kBlock);
   counter_.clear();
   for (std::size_t begin = 0; begin < pixels; begin += kBlock) {

@@ -23,7 +23,7 @@ namespace {
 constexpr const char* kCueSets[] = {"thesis", "default"};
 constexpr const char* kWays[] = {"best cue", "weighted mean", "linear SVM", "Gaussian SVM"};
 
-/// The local and the global features of the thesis, or what `train` looks at.
+/// The local and the global features of the thesis, or the default cues of `train`.
 TrainingOptions optionsOf(const std::string& cue_set) {
   TrainingOptions options = trainingOptions(PlaceFeatures::kGlobal);
   if (cue_set == "default") {
@@ -34,14 +34,14 @@ TrainingOptions optionsOf(const std::string& cue_set) {
   return options;
 }
 
-/// An image of a set that is tested.
+/// A test image of a set.
 struct Tested {
   int place = -1;                                   ///< its label in the model
   int answer = -1;                                  ///< of the weighted mean
   std::vector<Eigen::RowVectorXd> decision_values;  ///< of each cue; zero if it is missing
 };
 
-/// Answers of one model to images by themselves.
+/// Answers of one model to single images.
 class Tester {
  public:
   explicit Tester(const std::shared_ptr<const Model>& model)
@@ -81,8 +81,7 @@ std::vector<Tested> testAll(const std::shared_ptr<const Model>& model, const Ima
   return tested;
 }
 
-/// The decision values of all cues as one vector, those of held-out frames before those of
-/// `tested`.
+/// The decision values of all cues as one vector, first for held-out frames, then for `tested`.
 struct MarginVectors {
   std::vector<Feature> features;
   SetSamples samples;  ///< set 0: held out
@@ -120,7 +119,7 @@ MarginVectors marginVectors(const Model& model, const std::vector<std::vector<Te
   return vectors;
 }
 
-/// Mean rate on each fold of the held-out frames by what was trained on the others.
+/// Mean rate on each fold of the held-out frames after training on the others.
 double validate(const Eigen::MatrixXd& gram, const MarginVectors& vectors, const SvmOptions& svm) {
   double sum = 0;
   const std::set<int> folds(vectors.folds.begin(), vectors.folds.end());
@@ -134,7 +133,7 @@ double validate(const Eigen::MatrixXd& gram, const MarginVectors& vectors, const
   return sum / static_cast<double>(folds.size());
 }
 
-/// The rate on the tested sets of an SVM over decision values, whose parameters are the best on
+/// The rate, on the test sets, of an SVM over decision values whose parameters are the best on
 /// held-out frames.
 double svmRate(const std::string& kernel_type, const MarginVectors& vectors, unsigned threads) {
   KernelOptions kernel;
@@ -158,7 +157,7 @@ double svmRate(const std::string& kernel_type, const MarginVectors& vectors, uns
   return rate;
 }
 
-/// The rate of given answers to all tested images.
+/// The rate of the given answers to all test images.
 template <typename AnswerOf>
 double rateOfAnswers(const MarginVectors& vectors, const std::vector<std::vector<Tested>>& tested,
                      const AnswerOf& answer_of) {

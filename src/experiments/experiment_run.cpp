@@ -8,10 +8,10 @@
 namespace place_recognition {
 namespace {
 
-/// Raised when what is computed changes, so that cells of an older program are not taken for new.
+/// Incremented when the computation changes, so that cells of an older program are not reused.
 constexpr int kVersion = 2;
 
-/// As RFC 4180 has it: quoted where a cell holds what separates cells.
+/// According to RFC 4180: quoted if a cell contains a separator.
 std::string csvCell(const std::string& cell) {
   if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
   std::string quoted = "\"";

@@ -12,10 +12,10 @@
 namespace place_recognition {
 namespace {
 
-/// Removes what depends on others up to rounding.
+/// Removes vectors that depend on others up to rounding.
 constexpr double kExact = 1e-8;
 
-/// A machine of one panel; tau 0: before reduction.
+/// A machine of one panel; tau 0 means before reduction.
 struct Panel {
   std::string title;
   KernelOptions kernel;
@@ -58,7 +58,7 @@ std::string number(double value) {
   return text;
 }
 
-/// Chapter 5: what C does, what the kernel does; chapter 6: reduction up to rounding, by tau.
+/// Chapter 5: the effects of C and of the kernel; chapter 6: reduction up to rounding, and by tau.
 std::vector<FigurePlan> figurePlans() {
   FigurePlan by_c{
       "figure_5_5", "Figure 5.5: Gaussian kernel, gamma = 5", PlaneBorder::kWave, 3, {}};
@@ -113,8 +113,8 @@ Json cellOf(const FigurePlan& figure, const Panel& panel) {
           {"tau", panel.tau}};
 }
 
-/// The machine of a panel, how many vectors it had before reduction, and by how much that changed
-/// the discriminant function anywhere in the square.
+/// The machine of a panel, its number of vectors before reduction, and the largest change of the
+/// discriminant function in the square.
 Json evaluate(PlaneBorder border, const Panel& panel) {
   const PlanePoints points = planePoints(border);
   const PlaneMachine trained = trainInPlane(points, panel.kernel, panel.c);
@@ -159,7 +159,7 @@ std::vector<Json> FiguresExperiment::cells() const {
 
 void FiguresExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                                 const Progress& progress) {
-  std::size_t next = 0;  // cells come in the order of cells()
+  std::size_t next = 0;  // cells are in the order of cells()
   for (const FigurePlan& figure : figurePlans()) {
     for (const Panel& panel : figure.panels) {
       if (next == cells.size() || cellOf(figure, panel) != cells[next]) continue;

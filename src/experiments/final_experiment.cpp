@@ -10,10 +10,10 @@
 namespace place_recognition {
 namespace {
 
-/// "", where the thesis has no figure.
+/// Empty if the thesis has no figure.
 std::string thesisRate(double rate) { return rate < 0 ? "" : fixed(rate, 2); }
 
-/// The rate of one test set as a training left it, in per cent; empty if there is none.
+/// The rate of one test set after a training, in per cent; empty if there is none.
 std::string rateIn(const Json& result, const std::string& place, const std::string& set) {
   for (const Json& count : result.at("counts")) {
     if (count.at("place") != place || count.at("set") != set) continue;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kWidth = 512;  // pixels, section 8.1
 constexpr double kC = 100;
-/// What the thesis leaves open for Table 8.4. Its rows reach 8 dimensions and no more, as if bins
-/// were numbered in 32 bits, and one row says the same as in Table 8.5, where it has 15 bins.
+/// Parameters that the thesis does not state for Table 8.4. Its rows have at most 8 dimensions, as
+/// if bins were numbered with 32 bits, and one row equals the row of Table 8.5 with 15 bins.
 constexpr int kBinsOfTable84 = 15;
 constexpr double kBatchBytes = 1.5e9;
 
@@ -28,7 +28,7 @@ std::vector<double> gammas() {
   return values;
 }
 
-/// All combinations of one to four of the scales 1..5, in order of their number.
+/// All combinations of one to four of the scales 1..5, ordered by their number.
 std::vector<std::vector<double>> scaleCombinations() {
   std::vector<std::vector<double>> combinations;
   for (int count = 1; count <= 4; ++count) {
@@ -43,7 +43,7 @@ std::vector<std::vector<double>> scaleCombinations() {
   return combinations;
 }
 
-/// Whether 64 bits can number the bins.
+/// Whether the bins can be numbered with 64 bits.
 bool isPossible(const CrfhOptions& options) {
   try {
     options.check();
@@ -64,7 +64,7 @@ CrfhOptions histogram(const ThesisRow& row, const std::vector<double>& scales, i
 cv::Mat readImage(const LabelledImage& image) {
   const DecodedImage decoded = readImageFile(image.path);
   if (decoded.image.empty()) {
-    throw Error("The image " + image.path + " is of no use: " + decoded.problem +
+    throw Error("The image " + image.path + " cannot be used: " + decoded.problem +
                 "; remove it or put a good one in its place.");
   }
   cv::Mat buffer;
@@ -130,7 +130,7 @@ const HistogramExperiment::Candidate& HistogramExperiment::candidateOf(const Jso
 void HistogramExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                                   const Progress& progress) {
   std::size_t done = 0;
-  // Progress of a part of the work that itself reports from 0 to 1.
+  // Progress of a part of the work that reports from 0 to 1.
   const auto fraction = [&](double parts) -> Progress {
     return [&, parts](const std::string& stage, double fraction) {
       const double all = (static_cast<double>(done) + parts * fraction) / cells.size();

@@ -70,7 +70,7 @@ Table histogramTable(HistogramSweep sweep, const std::vector<std::string>& sets,
   }
   table.rows.push_back(head);
   for (std::size_t i = 0; i < thesis.size(); ++i) {
-    if (!best[i].histogram) continue;  // left out for its dimensions
+    if (!best[i].histogram) continue;  // omitted because of its dimensions
     const CrfhOptions& options = best[i].histogram->options;
     const std::size_t dimensions = options.descriptors.size() * options.scales.size();
     std::vector<std::string> row = {

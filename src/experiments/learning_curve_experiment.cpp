@@ -15,7 +15,7 @@ namespace place_recognition {
 namespace {
 
 constexpr int kCounts[] = {1, 2, 4, 8, 16, 32, 64, 128};
-constexpr std::size_t kSalient = 5;  ///< viewpoints shown of each training set
+constexpr std::size_t kSalient = 5;  ///< viewpoints shown per training set
 constexpr const char* kColumns[] = {"spread", "neighbours"};
 
 /// `train` without `dropped`.
@@ -40,7 +40,7 @@ std::vector<double> ratesOf(const std::vector<std::vector<int>>& subsets,
   return rates;
 }
 
-/// Viewpoints whose absence costs most, those first.
+/// The viewpoints whose omission costs most, in descending order.
 std::vector<Json> salient(const Json& result) {
   std::vector<Json> viewpoints = result.at("viewpoints");
   std::stable_sort(viewpoints.begin(), viewpoints.end(), [](const Json& a, const Json& b) {
@@ -70,7 +70,7 @@ void LearningCurveExperiment::compute(const std::vector<Json>& cells, const Cell
   const SetSamples& samples = places.samples();
   const SvmOptions svm = trainingOptions(PlaceFeatures::kGlobal).svm;
   const Eigen::MatrixXd measures = places.measures(progress);
-  std::size_t next = 0;  // cells come in the order of cells()
+  std::size_t next = 0;  // cells are in the order of cells()
   for (std::size_t set = 0; set < sets_.size() && next < cells.size(); ++set) {
     if (cells[next].at("training_set") != sets_[set].name) continue;
     const Fold split = samples.split(static_cast<int>(set));

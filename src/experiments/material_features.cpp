@@ -17,7 +17,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kPixelsPerImage = 500;  // that textons are learned from
+constexpr int kPixelsPerImage = 500;  // for learning textons
 
 TrainingOptions trainingOptions(const std::string& feature) {
   TrainingOptions options;
@@ -35,7 +35,7 @@ std::vector<RecordingOpener> runsOf(const std::vector<ImageSet>& sets) {
   return recordings;
 }
 
-/// What one image at a time tells of.
+/// Extractors that need only one image at a time.
 MaterialFeatures extractUntrained(const std::string& feature, const std::vector<ImageSet>& sets,
                                   unsigned threads, const Progress& progress) {
   Samples samples = collectSamples(runsOf(sets), trainingOptions(feature), threads, progress);
@@ -50,8 +50,8 @@ MaterialFeatures extractUntrained(const std::string& feature, const std::vector<
   return result;
 }
 
-/// Histograms of textons. Images are read and filtered twice, so that their responses need no
-/// memory: once for the dictionaries, once for the histograms.
+/// Histograms of textons. Images are read and filtered twice, once for the dictionaries and once
+/// for the histograms, so that their responses need not be stored.
 class TextonExtraction {
  public:
   TextonExtraction(const std::vector<ImageSet>& sets, unsigned threads, const Progress& progress)
@@ -63,7 +63,7 @@ class TextonExtraction {
   }
 
   MaterialFeatures extract(const std::vector<TrainingSamples>& splits) {
-    std::vector<cv::Mat1f> pixels(paths_.size());  // of each image
+    std::vector<cv::Mat1f> pixels(paths_.size());  // by image
     forEachImage("Filtering the images", [&](std::size_t i, const auto& responses) {
       pixels[i] = sampledPixels(responses, kPixelsPerImage);
     });
@@ -98,7 +98,7 @@ class TextonExtraction {
   void forEachImage(const std::string& stage, const Work& work) const {
     std::vector<Mr8Responses> filters(threadCount(threads_), Mr8Responses(Mr8Options().weber));
     std::vector<ImageScaler> scalers(filters.size(), ImageScaler(size_, ImageOptions().max_width));
-    constexpr std::size_t kAtOnce = 64;  // images between two looks at whether to stop
+    constexpr std::size_t kAtOnce = 64;  // images between two checks for a stop
     for (std::size_t begin = 0; begin < paths_.size(); begin += kAtOnce) {
       report(progress_, stage, static_cast<double>(begin) / static_cast<double>(paths_.size()));
       const std::size_t count = std::min(kAtOnce, paths_.size() - begin);

@@ -29,8 +29,8 @@ Fold foldOf(const SetSamples& samples, const TrainingSamples& split) {
   return fold;
 }
 
-/// Mean rate on parts of the training images when they are left out: on each sample, or, where
-/// there is one only, on three blocks of neighbours of each material.
+/// Mean rate on held-out parts of the training images: on each sample or, if there is only one, on
+/// three blocks of neighbours of each material.
 double validate(const Eigen::MatrixXd& gram, const SetSamples& samples,
                 const std::vector<int>& train, const SvmOptions& svm) {
   constexpr int kBlocks = 3;
@@ -71,7 +71,7 @@ Json tauCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values) 
   return points;
 }
 
-/// Machines over the vectors that they use.
+/// Machines restricted to the vectors that they use.
 BinarySvms compacted(BinarySvms machines, const std::vector<int>& vectors) {
   Eigen::MatrixXd weights(vectors.size(), machines.weights.cols());
   for (std::size_t i = 0; i < vectors.size(); ++i) {
@@ -160,9 +160,9 @@ std::vector<Json> MaterialsExperiment::cells() const {
 
 void MaterialsExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                                   const Progress& progress) {
-  std::size_t next = 0;  // cells come in the order of cells()
+  std::size_t next = 0;  // cells are in the order of cells()
   for (const char* feature : kMaterialFeatures) {
-    std::vector<TrainingSamples> splits;  // those that are wanted
+    std::vector<TrainingSamples> splits;  // the requested ones
     std::vector<std::vector<const Json*>> wanted;
     for (const TrainingSamples& split : splits_) {
       std::vector<const Json*> of_split;
@@ -191,7 +191,7 @@ void MaterialsExperiment::computeSplit(const TrainingSamples& split,
   const Fold fold = foldOf(samples, split);
   const std::vector<KernelOptions> kernels = materialKernels();
   const std::vector<SvmOptions> svms = materialSvms();
-  const bool with_curve = split.size() + 1 == sets_.size();  // as the thesis' tables
+  const bool with_curve = split.size() + 1 == sets_.size();  // as in the thesis' tables
   std::string measured;
   Eigen::MatrixXd measures;
   for (std::size_t k = 0; k < kernels.size(); ++k) {

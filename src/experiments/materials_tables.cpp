@@ -23,7 +23,7 @@ std::string plusMinus(const std::vector<double>& values, int decimals) {
   return fixed(spread.mean, decimals) + " +- " + fixed(spread.deviation, decimals);
 }
 
-/// A number of each split.
+/// A number for each split.
 template <typename NumberOf>
 std::vector<double> each(const MaterialResult& result, const NumberOf& number_of) {
   std::vector<double> numbers;
@@ -35,7 +35,7 @@ std::vector<double> rates(const MaterialResult& result) {
   return each(result, [](const MaterialOutcome& outcome) { return 100 * outcome.rate; });
 }
 
-/// Per cent of the vectors that are dropped at a fraction.
+/// Percentage of the vectors dropped at a fraction of the rate.
 std::vector<double> dropped(const MaterialResult& result, std::size_t fraction) {
   return each(result, [fraction](const MaterialOutcome& outcome) {
     return 100 - 100.0 * outcome.fewest[fraction] / std::max(1, outcome.vectors);
@@ -50,7 +50,7 @@ bool isRejected(const MaterialResult& result) {
   return spreadOf(rates(result)).mean < 100 * kLeastRate;
 }
 
-/// Rate and vectors before reduction, and what is dropped at each fraction of the rate.
+/// Rate and vectors before reduction, and the vectors dropped at each fraction of the rate.
 std::vector<std::string> measured(const MaterialResult& result) {
   std::vector<std::string> cells = {
       plusMinus(rates(result), 2),
@@ -76,7 +76,7 @@ std::string typeOf(const KernelOptions& kernel) {
   return kernel.type + (kernel.type != "polynomial" ? "" : kernel.p == 0 ? " p=0" : " p=1");
 }
 
-/// Whether a classifier is of the kind that row `row` of a table is about.
+/// Whether a classifier is of the kind in row `row` of a table.
 bool belongs(const MaterialClassifier& classifier, const ThesisMaterialTable& table,
              std::size_t row) {
   if (classifier.feature != table.feature || classifier.svm.multiclass != table.multiclass) {
@@ -95,7 +95,7 @@ bool belongs(const MaterialClassifier& classifier, const ThesisMaterialTable& ta
   return classifier.svm.c == 100 && typeOf(classifier.kernel) == kKernelTypes[row];
 }
 
-/// The best one by validation of the `eligible` that are not rejected; null if there is none.
+/// The `eligible` classifier with the best validation that is not rejected; null if there is none.
 template <typename IsEligible>
 const MaterialResult* best(const std::vector<MaterialResult>& results, int samples,
                            const IsEligible& is_eligible) {
@@ -175,7 +175,7 @@ Curve tauCurve(const std::string& name, const MaterialResult& result) {
   return curve;
 }
 
-/// Vectors left by tau as text, for what a plot does not tell near 0.
+/// Vectors left by tau as text, because a plot does not show small values.
 Table tauTable(const std::vector<Curve>& curves) {
   Table table{"figure_7_2_tau",
               "Figure 7.2, right: per cent of the vectors dropped by tau, normalization off",
@@ -199,7 +199,7 @@ std::set<int> sampleCounts(const std::vector<MaterialResult>& results) {
   return counts;
 }
 
-/// What fewer training samples cost.
+/// The effect of fewer training samples.
 Table samplesTable(const std::vector<MaterialResult>& results) {
   Table table{"table_7_samples",
               "By the number of samples of each material that are trained on, C = 100: kernel "

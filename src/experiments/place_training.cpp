@@ -65,7 +65,7 @@ PlaceTraining PlaceSamples::train(const Fold& split, const Progress& progress) c
     origins.push_back(samples_.origins[static_cast<std::size_t>(i)]);
     training_features.push_back(features[static_cast<std::size_t>(i)]);
   }
-  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // an image apart
+  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // gap of one image
   const std::vector<Fold> folds = timeBlockFolds(
       origins, options_.validation.folds,
       std::vector<TimeBlocks>(static_cast<std::size_t>(set_samples_.set_count), kAFifth));

@@ -11,7 +11,7 @@ constexpr double kGap = 14;
 constexpr double kTitle = 20;
 constexpr const char* kFrame = "#555";
 
-/// By class, from near the border on.
+/// By class, starting near the border.
 constexpr const char* kFills[2][DecisionRegions::kLevels.size()] = {
     {"#e3ecf5", "#cfdfee", "#b3cde4", "#94b6d6"}, {"#f9e5e1", "#f4d2cb", "#edb9af", "#e39c8f"}};
 constexpr const char* kPoints[2] = {"#1f4e7a", "#9c2f24"};
@@ -25,7 +25,7 @@ Region regionOf(const cv::Mat& mask) {
   return region;
 }
 
-/// Draws panels at some corner of a drawing.
+/// Draws panels with their corner at a given position of a drawing.
 class PanelPen {
  public:
   PanelPen(Svg& svg, double left, double top) : svg_(svg), left_(left), top_(top) {}

@@ -10,7 +10,7 @@ namespace place_recognition {
 namespace {
 
 constexpr int kPoints = 160;
-constexpr double kOverlap = 0.4;  ///< the largest distance of a point from its own side, about
+constexpr double kOverlap = 0.4;  ///< about the largest distance of a point from its own side
 constexpr std::uint64_t kSeed = 5;
 
 Feature point(double x, double y) {

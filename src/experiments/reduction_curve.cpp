@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kLowestFraction = 0.7;
 
-/// As many values, whatever the number of `thresholds` (see Reduction), in ascending order.
+/// The same number of values, in ascending order, however many `thresholds` there are (see
+/// Reduction).
 std::vector<double> tausOf(const std::vector<double>& thresholds) {
   std::vector<double> taus = {kExactTau};
   const auto n = static_cast<double>(thresholds.size());

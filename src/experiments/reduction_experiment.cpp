@@ -17,24 +17,24 @@ namespace {
 
 constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
 
-/// A way to reduce: the thesis' own twice, for its tables take the better of both.
+/// A way to reduce; the thesis' own occurs twice, because its tables use the better of both.
 struct Way {
-  std::size_t method;  ///< of kMethods
+  std::size_t method;  ///< index into kMethods
   bool normalize;
 };
 constexpr Way kWays[] = {{0, true}, {0, false}, {1, true}, {2, true}};
 
 constexpr PlaceFeatures kFeatures[] = {PlaceFeatures::kLocal, PlaceFeatures::kGlobal};
 
-/// Curves of one kind of features: [method][training set], several a method where there are.
+/// Curves of one kind of features: [method][training set]; there may be several per method.
 using Curves = std::vector<std::vector<std::vector<ReductionCurve>>>;
 
 std::string plusMinus(const Spread& spread, int decimals) {
   return fixed(spread.mean, decimals) + " +- " + fixed(spread.deviation, decimals);
 }
 
-/// Over the training sets: the rate, how many vectors hold a fraction of it, and what part of all
-/// vectors that drops.
+/// Over the training sets: the rate, the number of vectors that retain a fraction of it, and the
+/// fraction of all vectors that this drops.
 struct Kept {
   std::vector<double> rates, vectors, dropped;
 };
@@ -85,7 +85,7 @@ Table reductionTable(PlaceFeatures features, const Curves& curves) {
   return table;
 }
 
-/// What a tau drops and what that costs, by the thesis' method with normalization and without.
+/// The effect of tau on vectors and rate, by the thesis' method with and without normalization.
 Table tauTable(PlaceFeatures features, const std::vector<std::vector<ReductionCurve>>& by_set) {
   Table table;
   table.name = features == PlaceFeatures::kLocal ? "table_8_3_tau" : "table_8_7_tau";
@@ -149,7 +149,7 @@ std::vector<Json> ReductionExperiment::cells() const {
 void ReductionExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                                   const Progress& progress) {
   for (const PlaceFeatures features : kFeatures) {
-    std::unique_ptr<PlaceSamples> samples;  // only if they are needed
+    std::unique_ptr<PlaceSamples> samples;  // only if needed
     for (std::size_t set = 0; set < sets_.size(); ++set) {
       std::vector<const Json*> wanted;
       for (const Json& cell : cells) {

@@ -10,7 +10,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The best of a few runs of k-means from k-means++ starting points.
+/// The best of several runs of k-means from k-means++ starting points.
 cv::Mat1f clusterCentres(const cv::Mat1f& points) {
   constexpr int kRuns = 3;
   const int count = std::min(TextonDictionary::kPerMaterial, points.rows);
@@ -53,7 +53,7 @@ DenseVector TextonDictionary::histogram(const Mr8FilterBank::Responses& response
     for (int k = 0; k < Mr8FilterBank::kResponses; ++k) {
       std::copy_n(responses[k][y], size.width, &pixels(k, 0));
     }
-    // The square of the distance, but for what all textons share, and halved.
+    // Half the squared distance, without the term common to all textons.
     nearness.noalias() = textons * pixels;
     nearness.colwise() -= half_squares;
     for (Eigen::Index x = 0; x < nearness.cols(); ++x) {

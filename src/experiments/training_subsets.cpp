@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// The samples of `train` by place, each list in their order.
+/// The samples of `train` by place, each list in the original order.
 std::vector<std::vector<int>> byPlace(const std::vector<int>& train, const SetSamples& samples) {
   std::vector<std::vector<int>> places(static_cast<std::size_t>(samples.place_count));
   for (const int i : train) {

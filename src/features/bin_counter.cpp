@@ -9,10 +9,10 @@ namespace place_recognition {
 namespace {
 
 constexpr int kInitialBits = 14;
-constexpr std::size_t kSlotsPerEntry = 4;  // At least; few collisions, few mispredicted branches.
+constexpr std::size_t kSlotsPerEntry = 4;  // At least; collisions and mispredictions are rare.
 constexpr std::uint64_t kNoBin = ~std::uint64_t{0};
 
-/// Sorts entries by bin, digit by digit from the lowest: several times faster than comparing.
+/// Radix sort of entries by bin, several times faster than a comparison sort.
 template <typename Entry>
 void radixSort(std::vector<Entry>& entries, std::vector<Entry>& scratch) {
   constexpr int kDigitBits = 10;
@@ -21,7 +21,7 @@ void radixSort(std::vector<Entry>& entries, std::vector<Entry>& scratch) {
   const auto digit = [](const Entry& entry, int place) {
     return (entry.bin >> place * kDigitBits) % kDigits;
   };
-  // Where the next entry with each digit at each place goes.
+  // Position for the next entry, by digit and place.
   std::array<std::array<std::uint32_t, kDigits>, kPlaces> next{};
   for (const Entry& entry : entries) {
     for (int place = 0; place < kPlaces; ++place) ++next[place][digit(entry, place)];
@@ -52,8 +52,8 @@ inline std::size_t BinCounter::hash(std::uint64_t bin) const {
 }
 
 void BinCounter::add(const std::uint64_t* bins, std::size_t n) {
-  // Whether a bin is found at its first place cannot be foretold, so this is done without branches;
-  // the few that are new or further on come after.
+  // Whether a bin is found at its first slot is unpredictable, so the first pass has no branches;
+  // bins that are new or in later slots follow in a second pass.
   missed_.resize(n);
   std::size_t missed = 0;
   for (std::size_t i = 0; i < n; ++i) {

@@ -7,7 +7,7 @@
 namespace place_recognition {
 namespace {
 
-/// A channel is this many times B, G and R, less the middle of its range.
+/// A channel is a combination of B, G and R with these factors, minus the middle of its range.
 struct Mixture {
   std::int16_t b, g, r, middle;
 };
@@ -35,7 +35,7 @@ void mixColours(const std::uint8_t* __restrict bgr, const Mixture& mixture, int 
                 float* __restrict out) {
   const auto [b, g, r, middle] = mixture;
   for (int x = 0; x < n; ++x) {
-    // 16 bits hold all of it, and vectors hold more of them.
+    // 16 bits suffice, and a vector holds more of them.
     auto sum = static_cast<std::int16_t>(b * bgr[3 * x]);
     sum = static_cast<std::int16_t>(sum + g * bgr[3 * x + 1]);
     sum = static_cast<std::int16_t>(sum + r * bgr[3 * x + 2]);
@@ -43,7 +43,7 @@ void mixColours(const std::uint8_t* __restrict bgr, const Mixture& mixture, int 
   }
 }
 
-/// Every third number from the first on, the channel of a mixture of one.
+/// Every third number from the first on: the channel of a mixture of only one.
 PLACE_RECOGNITION_TARGET_CLONES
 void takeColour(const std::uint8_t* __restrict channel, int n, float* __restrict out) {
   for (int x = 0; x < n; ++x) out[x] = static_cast<float>(channel[3 * x] - 128);

@@ -20,7 +20,7 @@ const std::map<std::string_view, Operator> kSuffixes = {
 const std::map<std::string_view, Operator> kFunctions = {
     {"grad", Operator::kGradient}, {"lap", Operator::kLaplacian}, {"det", Operator::kDeterminant}};
 
-/// On the whole range, 85 to 93 % of the pixels of rooms fall into the middle one of 15 bins.
+/// With the full range, 85 to 93 % of the pixels of rooms fall into the middle one of 15 bins.
 constexpr double kDeterminantFraction = 4;
 
 /// Splits "Lxx" and "det(L)" into the names of channel and operator.
@@ -38,14 +38,14 @@ Parts split(std::string_view name) {
   return {name.substr(0, end), name.substr(end), kSuffixes};
 }
 
-/// Responses, in grey levels, that fall in the first and past the last bin.
+/// Responses, in grey levels, at the start of the first bin and the end of the last.
 struct ResponseRange {
   double low;
   double high;
 };
 
-/// The range of a descriptor. That of derivatives is `derivative_range`, whatever the channel; that
-/// of the determinant is a quarter of it, in grey levels squared.
+/// The range of a descriptor. For derivatives it is `derivative_range`, whatever the channel; for
+/// the determinant it is a quarter of that, in grey levels squared.
 ResponseRange responseRange(const CrfhDescriptor& descriptor, double derivative_range) {
   if (descriptor.op == Operator::kGradient) return {0, derivative_range};
   if (descriptor.op == Operator::kDeterminant) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLargestScale = 400;
 constexpr int kMaxBins = 65536;
 
-/// Throws unless the bins of all dimensions, the product, can be numbered in 64 bits.
+/// Throws unless the total number of bins, the product over all dimensions, fits into 64 bits.
 void checkIndexFits(const CrfhOptions& options) {
   std::uint64_t room = std::numeric_limits<std::uint64_t>::max();
   for (std::size_t scale = 0; scale < options.variances().size(); ++scale) {

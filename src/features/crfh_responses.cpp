@@ -52,7 +52,7 @@ int CrfhResponses::computeRows(const cv::Mat& image) {
   const int count = std::min(ResponseFilter::kRows, image.rows - border_ - next_row_);
   if (count == 0) return 0;
   next_row_ += count;
-  // Just before they are needed, so that they are still in the processor's cache then.
+  // Extracted just before use, so that the rows are still in the processor's cache.
   while (next_taken_ < next_row_ + margin_) takeRow(image, next_taken_++);
   for (Plane& plane : planes_) {
     for (Filter& filter : plane.filters) {

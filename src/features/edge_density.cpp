@@ -5,7 +5,7 @@
 namespace place_recognition {
 
 double EdgeDensity::of(const cv::Mat& image) {
-  constexpr int kSobelGain = 8;  // of its response to a ramp of one grey level per pixel
+  constexpr int kSobelGain = 8;  // response to a ramp of one grey level per pixel
   constexpr int kLeast = 4 * kSobelGain;
   if (image.channels() == 3) cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
   cv::GaussianBlur(image.channels() == 3 ? grey_ : image, smoothed_, cv::Size(), 1);

@@ -13,7 +13,7 @@
 namespace place_recognition {
 namespace {
 
-/// The largest central part of the shape of `size`.
+/// The largest central part with the shape of `size`.
 cv::Rect centralPart(const cv::Size& image, const cv::Size& size) {
   const double scale = std::min(static_cast<double>(image.width) / size.width,
                                 static_cast<double>(image.height) / size.height);
@@ -23,13 +23,13 @@ cv::Rect centralPart(const cv::Size& image, const cv::Size& size) {
   return {(image.width - width) / 2, (image.height - height) / 2, width, height};
 }
 
-/// Averages over the area of a pixel if it shrinks, interpolates linearly if it grows.
+/// Averages over the area of a pixel when shrinking, and interpolates linearly when enlarging.
 void scaleTo(const cv::Mat& image, const cv::Size& size, cv::Mat& scaled) {
   const bool shrinks = image.cols >= size.width && image.rows >= size.height;
   cv::resize(image, scaled, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
 }
 
-/// The mean of each value over height and width.
+/// Averages each value over height and width.
 void pool(const cv::Mat& output, std::vector<float>& values) {
   const int places = output.dims == 4 ? output.size[2] * output.size[3] : 1;
   const float* next = output.ptr<float>();
@@ -41,7 +41,7 @@ void pool(const cv::Mat& output, std::vector<float>& values) {
   }
 }
 
-/// False if there is no direction to keep.
+/// False for a zero vector.
 bool normalize(std::vector<float>& values) {
   double squares = 0;
   for (const float value : values) squares += static_cast<double>(value) * value;
@@ -62,9 +62,9 @@ EmbeddingExtractor::EmbeddingExtractor(const EmbeddingOptions& options)
     const OnnxGraph graph(network->onnx);
     const NetworkInput input = graph.input();
     require(input.channels == channels_ && input.width > 0 && input.height > 0,
-            "it does not take the images that the options say");
+            "it does not accept the images that the options describe");
     runner_ = std::make_unique<NetworkRunner>(graph);
-    require(runner_->dimension() == network->dimension, "its output is not of the size it was");
+    require(runner_->dimension() == network->dimension, "the size of its output has changed");
     blob_.create(std::vector<int>{1, channels_, input.height, input.width}, CV_32F);
   } catch (const Error& e) {
     throw Error("the network '" + options.network + "' cannot be used: " + e.what() +
@@ -93,7 +93,7 @@ void EmbeddingExtractor::fillBlob(const cv::Mat& image) {
   } else {
     grey_ = scaled_;
   }
-  // A grey image serves every channel.
+  // A grey image serves as every channel.
   const int step = grey_.channels();
   auto* next = blob_.ptr<float>();
   for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
@@ -112,9 +112,9 @@ void EmbeddingExtractor::extract(const cv::Mat& image, Feature& feature) {
   try {
     pool(runner_->run(blob_), values);
     if (normalize(values)) return;
-    missing_reason_ = "the network answers the image with nothing but zeros";
+    missing_reason_ = "the network's output for the image is zero";
   } catch (const cv::Exception& e) {
-    missing_reason_ = "OpenCV " CV_VERSION " does not run the network on the image: " + e.err;
+    missing_reason_ = "OpenCV " CV_VERSION " cannot run the network on the image: " + e.err;
   }
   feature = std::monostate();
 }

@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-/// Samples at 0..half_width, of sum 1 with their mirror image.
+/// Samples at 0..half_width; together with their mirror image they have sum 1.
 std::vector<double> sampleGaussian(double t, int half_width) {
   std::vector<double> samples;
   double sum = 0;
@@ -20,7 +20,7 @@ std::vector<double> sampleGaussian(double t, int half_width) {
   return samples;
 }
 
-/// [-1/2 0 1/2] or [1 -2 1] of a symmetric kernel.
+/// Applies [-1/2 0 1/2] or [1 -2 1] to a symmetric kernel.
 std::vector<double> differentiate(const std::vector<double>& g, int order) {
   const int size = static_cast<int>(g.size());
   const auto at = [&](int x) { return std::abs(x) < size ? g[std::abs(x)] : 0; };
@@ -31,8 +31,8 @@ std::vector<double> differentiate(const std::vector<double>& g, int order) {
   return taps;
 }
 
-/// Derivatives of the Gaussian g at the same samples, x g / t and (x^2 - t) g / t^2, with t and
-/// 2 t^2 replaced by what the moments of the samples make of them.
+/// Derivatives of the Gaussian g at the same samples, x g / t and (x^2 - t) g / t^2, with t and 2
+/// t^2 replaced by the corresponding moments of the samples.
 std::vector<double> weight(const std::vector<double>& g, int order) {
   double variance = 0, moment4 = 0;
   for (std::size_t x = 1; x < g.size(); ++x) {

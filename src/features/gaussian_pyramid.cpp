@@ -9,7 +9,7 @@ namespace place_recognition {
 
 namespace {
 
-/// Half-width of the smoothing kernels, in sigma: wide, as errors add up from scale to scale.
+/// Half-width of the smoothing kernels, in sigma; wide, because errors add up from scale to scale.
 constexpr double kHalfWidth = 4;
 
 bool isOdd(int n) { return n % 2 == 1; }
@@ -25,7 +25,7 @@ void smooth(const cv::Mat1f& in, GaussianFilter& filter, cv::Mat1f& out) {
   }
 }
 
-/// The values halfway between rows b and c, by the cubic through four rows: its second moment is
+/// Values halfway between rows b and c, from the cubic through four rows. Its second moment is
 /// zero, so it does not blur.
 PLACE_RECOGNITION_TARGET_CLONES
 void interpolateRows(const float* a, const float* b, const float* c, const float* d, int width,
@@ -33,8 +33,8 @@ void interpolateRows(const float* a, const float* b, const float* c, const float
   for (int x = 0; x < width; ++x) out[x] = (9 * (b[x] + c[x]) - (a[x] + d[x])) / 16;
 }
 
-/// Half as many rows, as far from the upper edge as from the lower: of an odd number every other
-/// one, of an even number what lies between two.
+/// Halves the number of rows symmetrically: from an odd number, every other row; from an even
+/// number, the values halfway between two rows.
 void halveRows(const cv::Mat1f& in, cv::Mat1f& out) {
   out.create((in.rows + 1) / 2, in.cols);
   for (int y = 0; y < out.rows; ++y) {
@@ -47,7 +47,7 @@ void halveRows(const cv::Mat1f& in, cv::Mat1f& out) {
   }
 }
 
-/// The Gaussian that takes an image from one scale to a larger one.
+/// The Gaussian that smooths an image from one scale to a larger one.
 GaussianFilter filterBetween(double from, double to) {
   return {std::sqrt(to * to - from * from), kHalfWidth};
 }

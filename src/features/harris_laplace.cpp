@@ -13,16 +13,17 @@ namespace {
 
 /// Half-width of the integration window, in sigma_I.
 constexpr double kWindowHalfWidth = 3;
-/// No corners this close to the edge, pixels of the octave: what is beyond is only a mirror image.
+/// Minimum distance of corners from the edge, in pixels of the octave; what is beyond the edge is
+/// only a mirror image.
 constexpr int kBorder = 4;
-// A corner is seen at several differentiation scales. Points closer than this are one; at half the
-// distance, the strongest points of an image are fewer places, and fewer are found again in
-// another light.
+// A corner is detected at several differentiation scales. Points closer than this are merged. With
+// half the distance, the strongest points of an image cover fewer places, and fewer of them are
+// found again in other light.
 constexpr float kSameDistance = 1;  ///< in scales of the smaller
 constexpr float kSameScaleRatio = 1.3f;
 
-/// Products of the first derivatives (central differences) of row `here`, for eq. 4.25. The
-/// image is mirrored, so flat across its left and right edge.
+/// Products of the first derivatives (central differences) of row `here`, for eq. 4.25. The image
+/// is mirrored, so the horizontal derivative at its left and right edges is zero.
 PLACE_RECOGNITION_TARGET_CLONES
 void multiplyGradients(const float* above, const float* here, const float* below, int width,
                        float* __restrict xx, float* __restrict xy, float* __restrict yy) {
@@ -51,8 +52,8 @@ void combineMoments(const float* xx, const float* xy, const float* yy, int width
   }
 }
 
-/// Whether each pixel of row `here` is above the threshold and its eight neighbours; of two equal
-/// neighbours the later one in raster order counts as lower.
+/// Whether each pixel of row `here` exceeds the threshold and its eight neighbours; of two equal
+/// neighbours, the later one in raster order counts as lower.
 PLACE_RECOGNITION_TARGET_CLONES
 void markPeaks(const float* above, const float* here, const float* below, int width,
                float threshold, unsigned char* __restrict is_peak) {
@@ -65,7 +66,8 @@ void markPeaks(const float* above, const float* here, const float* below, int wi
   }
 }
 
-/// Where the parabola through three values, the middle one the largest, has its maximum.
+/// Position of the maximum of the parabola through three values, of which the middle one is
+/// largest.
 double peakOffset(double before, double middle, double after) {
   const double curvature = before - 2 * middle + after;
   return curvature < 0 ? std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5) : 0;
@@ -147,9 +149,9 @@ void HarrisLaplace::findCorners(int octave, int step) {
   }
 }
 
-/// Makes a candidate of each extremum of the Laplacian over scale within an octave of the
-/// integration scale. To ask for one at the integration scale itself would lose every other corner
-/// to a little noise.
+/// Makes a candidate of each extremum of the Laplacian over scale that is within an octave of the
+/// integration scale. If only extrema at the integration scale itself were accepted, a little noise
+/// would remove every other corner.
 void HarrisLaplace::selectScales(const cv::Point2d& corner, int octave, int step,
                                  float cornerness) {
   const int integration = octave * options_.steps + step + integration_offset_;
@@ -170,7 +172,7 @@ void HarrisLaplace::selectScales(const cv::Point2d& corner, int octave, int step
   }
 }
 
-/// t |L_xx + L_yy| at a place of the image.
+/// t |L_xx + L_yy| at a point of the image.
 double HarrisLaplace::laplacian(const cv::Point2d& place, int scale) const {
   const int octave = pyramid_.octaveOf(scale);
   const cv::Mat1f& image = pyramid_.level(octave, scale);

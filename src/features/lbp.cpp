@@ -11,12 +11,13 @@ namespace place_recognition {
 
 namespace {
 
-/// Positions are rounded to 2^-11 pixel, so that weights, products of two, times 255 fit 31 bits.
+/// Positions are rounded to 2^-11 pixel, so that weights, which are products of two, times 255 fit
+/// into 31 bits.
 constexpr int kPositionBits = 11;
 constexpr int kWeightBits = 2 * kPositionBits;
 
-/// For each pixel, whether the neighbour is as bright as the centre: adds it to `ones`, and to
-/// `changes` where it differs from the neighbour before, `last`, which it replaces.
+/// Adds to `ones` whether the neighbour of each pixel is at least as bright as the centre, adds to
+/// `changes` whether this differs from the previous neighbour, `last`, and updates `last`.
 PLACE_RECOGNITION_TARGET_CLONES
 void compareNeighbour(const std::uint8_t* centre, const std::array<const std::uint8_t*, 4>& pixels,
                       const std::array<std::int32_t, 4>& weights, int count,
@@ -62,7 +63,7 @@ LbpOperator::Neighbour LbpOperator::neighbourAt(double dx, double dy) {
   const int top = static_cast<int>(std::floor(y / static_cast<double>(kOne)));
   const int fx = x - left * kOne;
   const int fy = y - top * kOne;
-  // A neighbour exactly on a column or row has no business with the next one.
+  // A neighbour exactly on a column or row does not need the next one.
   const int right = fx > 0 ? left + 1 : left;
   const int bottom = fy > 0 ? top + 1 : top;
   return {{{{left, top}, {right, top}, {left, bottom}, {right, bottom}}},
@@ -82,7 +83,7 @@ const std::vector<std::int32_t>& LbpOperator::encodeRow(const cv::Mat1b& image, 
                      changes_.data(), last_.data());
     if (&neighbour == &neighbours_.front()) first_ = changes_;
   }
-  // The first neighbour was compared with none; it follows the last one.
+  // The first neighbour was not compared yet; it follows the last one.
   const int other = codes() - 1;
   for (int x = 0; x < count; ++x) {
     const int changes = changes_[x] - first_[x] + (first_[x] ^ last_[x]);

@@ -20,26 +20,26 @@ namespace fs = std::filesystem;
 constexpr const char* kExtension = ".onnx";
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 1024;
-constexpr int kUsualSide = 224;  // of networks that leave it open
+constexpr int kUsualSide = 224;  // default for networks that do not fix it
 constexpr int kUsualChannels = 3;
 
 bool isSide(int side) { return side == 0 || (side >= kMinSide && side <= kMaxSide); }
 
-/// The declared side unless the options give one.
+/// The size in the options, else the declared one.
 int chooseSide(const char* key, int declared, int wanted) {
   const int side = wanted > 0 ? wanted : declared;
-  require(side > 0, "it leaves the size of its input open; give 'width' and 'height'");
+  require(side > 0, "it does not fix the size of its input; give 'width' and 'height'");
   require(isSide(side), "the " + std::string(key) + " of its input is " + std::to_string(side) +
-                            " pixels, where 16 to 1024 are taken");
+                            " pixels; 16 to 1024 are supported");
   return side;
 }
 
-/// What is declared as the options want it; every shape between depends on it.
+/// The input shape from the options and the declaration; all intermediate shapes depend on it.
 NetworkInput chooseInput(const NetworkInput& declared, const EmbeddingOptions& options) {
   const int channels = options.channels == "grey" ? 1 : 3;
   require(declared.channels == 0 || declared.channels == channels,
-          "it takes images of " + std::to_string(declared.channels) +
-              " channels, which 'channels: " + options.channels + "' are not");
+          "it takes images with " + std::to_string(declared.channels) +
+              " channels, but the option is 'channels: " + options.channels + "'");
   return {channels, chooseSide("height", declared.height, options.height),
           chooseSide("width", declared.width, options.width)};
 }
@@ -55,7 +55,7 @@ std::string readNetwork(const std::string& name) {
   return readFile(path, kMaxNetworkBytes);
 }
 
-/// `work()`, with the network, the layer and OpenCV's version before what is wrong.
+/// Calls `work()`; errors get the network, the layer and OpenCV's version in front.
 template <typename Work>
 auto explained(const std::string& name, const std::string& layer, const Work& work) {
   try {
@@ -64,7 +64,7 @@ auto explained(const std::string& name, const std::string& layer, const Work& wo
     throw Error("The network " + networkPath(name) + " cannot be used (" +
                 (layer.empty() ? "its output" : "layer " + quoted(layer)) +
                 ", OpenCV " CV_VERSION "): " + e.what() +
-                "; see doc/networks.md for some that can.");
+                "; doc/networks.md lists networks that can.");
   }
 }
 

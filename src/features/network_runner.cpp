@@ -12,12 +12,12 @@
 namespace place_recognition {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;   // of all that lies between layers
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;   // of all data between layers
 constexpr std::int64_t kMaxOperations = 100'000'000'000;  // on one image
 
-/// While any of these lives, OpenCV computes in the thread that asks for it: how it shares a layer
-/// between threads changes the last bits of what comes out, and callers run several networks at a
-/// time already. OpenCV has one number of threads for the whole program.
+/// While any instance exists, OpenCV computes in the calling thread: sharing a layer between
+/// threads would change the last bits of the output, and callers already run several networks in
+/// parallel. OpenCV has one number of threads for the whole program.
 class OneThread {
  public:
   OneThread() {
@@ -55,14 +55,14 @@ cv::dnn::Net read(const std::string& onnx) {
   return net;
 }
 
-/// Before any of it is allocated.
+/// Called before anything is allocated.
 void checkCosts(const cv::dnn::Net& net, const NetworkInput& input) {
   std::size_t weights = 0;
   std::size_t blobs = 0;
   net.getMemoryConsumption(shapeOf(input), weights, blobs);
-  require(blobs <= kMaxBytes, "it takes more than 1 GiB of memory for an image");
+  require(blobs <= kMaxBytes, "it needs more than 1 GiB of memory per image");
   require(net.getFLOPS(shapeOf(input)) <= kMaxOperations,
-          "it takes more than 100 thousand million operations for an image");
+          "it needs more than 100 billion operations per image");
 }
 
 /// Output of the network for a mid-grey image.
@@ -71,8 +71,8 @@ cv::Mat firstOutput(cv::dnn::Net& net, const NetworkInput& input) {
   return net.forward();
 }
 
-/// The message of an exception without the sources' paths, on one line. What went wrong within a
-/// layer stands last, as in "... error: (-5:Bad argument) WHAT in function 'f'".
+/// The message of an exception without paths of sources, on one line. An error within a layer is at
+/// its end, such as "... error: (-5:Bad argument) WHAT in function 'f'".
 std::string reasonOf(const std::exception& e) {
   const auto* of_opencv = dynamic_cast<const cv::Exception*>(&e);
   std::string text = of_opencv ? of_opencv->err : e.what();
@@ -96,7 +96,7 @@ bool works(const OnnxGraph& graph, std::size_t layers) {
   }
 }
 
-/// The first layer that OpenCV does not read or run, by bisection.
+/// The first layer that OpenCV cannot read or run, found by bisection.
 std::size_t firstFailure(const OnnxGraph& graph) {
   std::size_t good = 0;
   std::size_t bad = graph.layers();
@@ -119,7 +119,7 @@ NetworkRunner::NetworkRunner(const OnnxGraph& graph) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {
-    throw Error("OpenCV does not run its layer " + graph.describeLayer(firstFailure(graph)) + ": " +
+    throw Error("OpenCV cannot run its layer " + graph.describeLayer(firstFailure(graph)) + ": " +
                 reasonOf(e));
   }
   const std::string last = graph.describeLayer(graph.layers() - 1);

@@ -17,10 +17,10 @@ using Names = std::set<std::string>;
 
 constexpr int kMaxLayers = 10000;
 constexpr std::int64_t kMaxElements = std::int64_t{1} << 28;
-constexpr std::int64_t kMaxStep = 8192;  // of strides and the like, pixels
+constexpr std::int64_t kMaxStep = 8192;  // of strides and similar attributes, pixels
 constexpr int kMaxSide = 8192;           // of an image, pixels
 
-/// The types of elements, as ONNX numbers them.
+/// The types of elements, with the numbers of ONNX.
 enum ElementType { kFloat = 1, kUint8, kInt8, kInt32 = 6, kInt64, kBool = 9, kHalf, kDouble };
 
 std::size_t bytesOf(int element_type) {
@@ -42,7 +42,7 @@ std::size_t bytesOf(int element_type) {
   }
 }
 
-/// How many elements stand in the list of their type, rather than as raw bytes.
+/// Number of elements that are listed by type instead of stored as raw bytes.
 int listedElements(const onnx::Tensor& tensor) {
   switch (tensor.data_type()) {
     case kFloat:
@@ -57,9 +57,9 @@ int listedElements(const onnx::Tensor& tensor) {
 }
 
 void checkTensor(const onnx::Tensor& tensor, const std::string& of) {
-  require(tensor.external_data_size() == 0, of + " is kept in another file");
+  require(tensor.external_data_size() == 0, of + " is stored in another file");
   const std::size_t element_bytes = bytesOf(tensor.data_type());
-  require(element_bytes > 0, of + " is of an unknown type");
+  require(element_bytes > 0, of + " has an unknown type");
   std::int64_t elements = 1;
   for (const std::int64_t dim : tensor.dims()) {
     require(dim >= 0 && dim <= kMaxElements, of + " has an impossible shape");
@@ -72,7 +72,7 @@ void checkTensor(const onnx::Tensor& tensor, const std::string& of) {
   require(fits, of + " has a length that does not match its shape");
 }
 
-/// What OpenCV divides by must not be zero.
+/// OpenCV divides by some of these, so they must not be zero.
 void checkSteps(const onnx::Attribute& attribute, const std::string& of) {
   const std::string& name = attribute.name();
   const bool is_step = name == "strides" || name == "dilations" || name == "kernel_shape";
@@ -91,7 +91,8 @@ std::string describe(const onnx::Node& node) {
 void checkAttributes(const onnx::Node& node) {
   const std::string of = "layer " + describe(node);
   for (const onnx::Attribute& attribute : node.attribute()) {
-    require(!attribute.has_g() && attribute.graphs_size() == 0, of + " holds a graph of its own");
+    require(!attribute.has_g() && attribute.graphs_size() == 0,
+            of + " contains a graph of its own");
     if (attribute.has_t()) checkTensor(attribute.t(), of + ": its tensor");
     for (const onnx::Tensor& tensor : attribute.tensors()) checkTensor(tensor, of + ": its tensor");
     checkSteps(attribute, of);
@@ -113,8 +114,9 @@ void checkGraph(const onnx::Graph& graph) {
   for (const onnx::ValueInfo& input : graph.input()) known.insert(input.name());
   for (const onnx::Node& node : graph.node()) {
     for (const std::string& input : node.input()) {
-      require(input.empty() || known.count(input) > 0,
-              "layer " + describe(node) + " takes " + quoted(input) + ", which is not there");
+      require(input.empty() || known.count(input) > 0, "layer " + describe(node) + " uses " +
+                                                           quoted(input) +
+                                                           ", which nothing before it provides");
     }
     require(node.output_size() > 0, "layer " + describe(node) + " has no output");
     known.insert(node.output().begin(), node.output().end());
@@ -122,7 +124,7 @@ void checkGraph(const onnx::Graph& graph) {
   }
 }
 
-/// The node of a name, or of an output of that name; -1: there is none.
+/// The node with this name, or with an output of this name; -1 if there is none.
 int findNode(const onnx::Graph& graph, const std::string& layer) {
   for (int i = graph.node_size() - 1; i >= 0; --i) {
     const onnx::Node& node = graph.node(i);
@@ -142,7 +144,7 @@ std::string lastLayers(const onnx::Graph& graph) {
   return names;
 }
 
-/// Keeps, in order, the elements that `keep` holds for.
+/// Keeps, in order, the elements that satisfy `keep`.
 template <typename Repeated, typename Predicate>
 void keepOnly(Repeated& elements, const Predicate& keep) {
   int kept = 0;
@@ -154,7 +156,7 @@ void keepOnly(Repeated& elements, const Predicate& keep) {
   elements.DeleteSubrange(kept, elements.size() - kept);
 }
 
-/// Everything that the last node needs, directly or not; removes the nodes that it does not.
+/// The names that the last node needs, directly or indirectly; removes all other nodes.
 Names keepNeeded(onnx::Graph& graph) {
   Names needed;
   std::vector<bool> keep(static_cast<std::size_t>(graph.node_size()));
@@ -178,7 +180,7 @@ void setOnlyOutput(const std::string& name, onnx::Graph& graph) {
   output.set_name(name);
   onnx::TensorType& type = *output.mutable_type()->mutable_tensor_type();
   type.set_elem_type(kFloat);
-  type.mutable_shape();  // OpenCV asks for one, and finds it by itself
+  type.mutable_shape();  // OpenCV requires one, and determines it by itself
 }
 
 }  // namespace
@@ -197,10 +199,10 @@ void OnnxGraph::cutBehind(const std::string& layer) {
   const std::string wanted = layer.empty() ? graph.output(0).name() : layer;
   const int last = findNode(graph, wanted);
   require(last >= 0,
-          "it has no layer " + quoted(wanted) + "; its last ones are " + lastLayers(graph));
+          "it has no layer " + quoted(wanted) + "; its last layers are " + lastLayers(graph));
   const std::string& output = graph.node(last).output(0);
   require(wanted == output || wanted == graph.node(last).name(),
-          "of layer " + describe(graph.node(last)) + " only its first output can be taken");
+          "only the first output of layer " + describe(graph.node(last)) + " can be used");
   graph.mutable_node()->DeleteSubrange(last + 1, graph.node_size() - last - 1);
   setOnlyOutput(output, graph);
 
@@ -213,16 +215,17 @@ void OnnxGraph::cutBehind(const std::string& layer) {
     return is_needed(input) && constants.count(input.name()) == 0;
   });
   graph.clear_value_info();
-  require(graph.input_size() == 1, "it takes " + std::to_string(graph.input_size()) +
-                                       " inputs, where one image is expected");
+  require(graph.input_size() == 1,
+          "it takes " + std::to_string(graph.input_size()) + " inputs instead of one image");
 }
 
 NetworkInput OnnxGraph::input() const {
   const onnx::ValueInfo& input = model_->graph().input(0);
   const onnx::Shape& shape = input.type().tensor_type().shape();
-  require(shape.dim_size() == 4, "its input " + quoted(input.name()) +
-                                     " is not one of images, 1 x channels x height x "
-                                     "width");
+  require(shape.dim_size() == 4,
+          "its input " + quoted(input.name()) +
+              " does not have the shape of an image, 1 x channels x height x "
+              "width");
   std::vector<int> sides;
   for (const onnx::Dimension& dim : shape.dim()) {
     require(dim.dim_value() <= kMaxSide, "its input " + quoted(input.name()) + " is too large");

@@ -17,11 +17,11 @@ constexpr struct {
 
 ResponseFilter::ResponseFilter(double t, double half_width_sigmas, DerivativeMethod method) {
   const int half_width = gaussianHalfWidth(t, half_width_sigmas);
-  margin_ = half_width + 1;  // What central differences need: both methods see the same pixels.
+  margin_ = half_width + 1;  // of central differences, so that both methods see the same pixels
   for (int order = 0; order < 3; ++order) {
     kernels_[order] = gaussianKernel(t, half_width, order, method);
   }
-  kernels_[0].taps.resize(kernels_[1].taps.size(), 0);  // a tap of zero changes no sum
+  kernels_[0].taps.resize(kernels_[1].taps.size(), 0);  // a zero tap does not change a sum
 }
 
 void ResponseFilter::request(Operator op) {
@@ -47,7 +47,7 @@ void ResponseFilter::computeRows(const RowRing& rows, int count, int margin,
 
 void ResponseFilter::computeDerivatives(const float* in, std::ptrdiff_t step, int margin,
                                         const StripedRows& lanes, int r) {
-  std::array<float*, 3> sums{};  // null: not wanted
+  std::array<float*, 3> sums{};  // null: not requested
   std::array<std::array<float*, 3>, 3> responses{};
   for (const auto& [op, x_order, y_order] : kDerivatives) {
     if (!requested(op)) continue;

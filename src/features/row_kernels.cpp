@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// Orders of derivative, a bit each.
+/// Orders of derivatives, one bit each.
 using Orders = unsigned;
 constexpr Orders kAllOrders = 7;
 
@@ -18,8 +18,8 @@ constexpr int count(Orders orders) {
   return contains(orders, 0) + contains(orders, 1) + contains(orders, 2);
 }
 
-/// Adds what a tap of the kernel of kOrder makes of the two mirrored samples that it meets, if
-/// that is one of kOrders.
+/// Adds the contribution of one tap of the kernel of order kOrder, given the two mirrored samples,
+/// if that order is one of kOrders.
 template <Orders kOrders, int kOrder>
 PLACE_RECOGNITION_INLINE void addTap([[maybe_unused]] float weight, [[maybe_unused]] float before,
                                      [[maybe_unused]] float here, [[maybe_unused]] float after,
@@ -30,8 +30,9 @@ PLACE_RECOGNITION_INLINE void addTap([[maybe_unused]] float weight, [[maybe_unus
   if constexpr (kOrder == 2) sum += weight * ((before + after) - 2 * here);
 }
 
-/// out[order] = the first sizeof...(I) taps beside the centre and, if kFirst, the centre; else +=
-/// the next ones, from `tap` on. One loop, so that the sums stay in registers.
+/// Sets out[order] to the sum of the first sizeof...(I) taps beside the centre and, if kFirst, the
+/// centre; otherwise adds the next taps, starting at `tap`. A single loop keeps the sums in
+/// registers.
 template <Orders kOrders, bool kFirst, std::size_t... I>
 PLACE_RECOGNITION_INLINE void addTaps(const float* in, std::ptrdiff_t stride,
                                       const float* const* taps, int tap, int n, float* const* out,
@@ -59,7 +60,7 @@ PLACE_RECOGNITION_INLINE void addTaps(const float* in, std::ptrdiff_t stride,
   }
 }
 
-/// At a time: 8, 6 or 4, so that weights and sums stay in registers.
+/// Number of taps at a time: 8, 6 or 4, so that weights and sums stay in registers.
 constexpr int mostTaps(Orders orders) { return 10 - 2 * count(orders); }
 
 template <Orders kOrders, bool kFirst, int kCount = mostTaps(kOrders)>

@@ -15,17 +15,17 @@ constexpr int kPeakBins = 36;
 constexpr float kPeakRatio = 0.8f;
 constexpr float kPeakWindow = 1.5f;    ///< sigma of the window, in scales
 constexpr float kBinWidth = 3;         ///< width of one of the 4 x 4 histograms, in scales
-constexpr float kLargestValue = 0.2f;  ///< of the normalized descriptor, against glare
+constexpr float kLargestValue = 0.2f;  ///< of the normalized descriptor; limits the effect of glare
 
-// The histograms have a cell more at each side and two directions more, so that a sample can be
-// shared without looking where it is; the rim is dropped, the directions wrap.
+// The histograms have one more cell on each side and two more directions, so that a sample can be
+// distributed without checking its position; the rim is dropped, and the directions wrap around.
 constexpr int kGrid = SiftDescriptor::kGrid;
 constexpr int kDirections = SiftDescriptor::kOrientations;
 constexpr int kCell = kDirections + 2;
 constexpr int kCellRow = (kGrid + 2) * kCell;
 constexpr int kCells = (kGrid + 2) * kCellRow;
 
-/// atan2 to 1e-5 radians, free of branches.
+/// atan2 with an error below 1e-5 radians, without branches.
 inline float angleOf(float dy, float dx) {
   const float ax = std::fabs(dx);
   const float ay = std::fabs(dy);
@@ -56,19 +56,19 @@ void toPolar(const float* above, const float* here, const float* below, int coun
   }
 }
 
-/// A straight row of samples in the descriptor's turned grid: column and row of sample i, counted
-/// from the centre of the rim's first cell, are start + i * step.
+/// A straight row of samples in the descriptor's rotated grid: the column and row of sample i,
+/// counted from the centre of the rim's first cell, are start + i * step.
 struct GridLine {
   float column, column_step;
   float row, row_step;
 };
 
-/// Where each sample falls. `angle` becomes the fraction of the next direction.
+/// Computes the bin of each sample. `angle` becomes the fraction towards the next direction.
 PLACE_RECOGNITION_TARGET_CLONES
 void toBins(const GridLine& line, float turned, int count, float* __restrict angle,
             float* __restrict row_fraction, float* __restrict column_fraction,
             int* __restrict bin) {
-  constexpr float kEnd = kGrid + 0.9999f;  // against rounding at the rim's edge
+  constexpr float kEnd = kGrid + 0.9999f;  // guards against rounding at the rim's edge
   constexpr float kPerRadian = kDirections / (2 * kPi);
   for (int i = 0; i < count; ++i) {
     const float row = std::min(std::max(line.row + i * line.row_step, 0.0f), kEnd);
@@ -85,7 +85,7 @@ void toBins(const GridLine& line, float turned, int count, float* __restrict ang
   }
 }
 
-/// Narrows first..last to where |offset + slope * t| <= limit.
+/// Narrows first..last to the range where |offset + slope * t| <= limit.
 void narrow(float offset, float slope, float limit, float& first, float& last) {
   if (std::fabs(slope) < 1e-6f) {
     if (std::fabs(offset) > limit) last = first - 1;
@@ -200,8 +200,8 @@ void SiftDescriptor::describe(const cv::Mat1f& level, float x, float y, float si
 
   const int end_row = std::min(top + 2 * radius, level.rows - 2);
   for (int row = std::max(top, 1); row <= end_row; ++row) {
-    // In cells from the centre, a pixel at (dx, dy) is at column dx cosine + dy sine and row
-    // -dx sine + dy cosine.
+    // In cells from the centre, a pixel at (dx, dy) is in column dx cosine + dy sine and row -dx
+    // sine + dy cosine.
     const float dy = row - y;
     float first = std::max(left, 1) - x;
     float last = std::min(left + 2 * radius, level.cols - 2) - x;

@@ -23,8 +23,8 @@ void transpose(const float* __restrict row, int length, float* __restrict lanes)
 void StripedRows::lay(const float* row, float* lanes) const { transpose(row, length_, lanes); }
 
 void StripedRows::lengthen(int n, float* lanes) const {
-  // What follows pixel i of lane k at its end is pixel i of lane k + 1, which stands beside it.
-  // No more at a time than there is, where lanes are shorter than n.
+  // The pixel that follows the end of lane k is pixel i of lane k + 1, which is stored beside it.
+  // If lanes are shorter than n, copy only as many pixels at a time as a lane has.
   assert(length_ > 0);
   for (int done = 0; done < n; done += length_) {
     const int numbers = std::min(length_, n - done) * kLanes;
@@ -37,7 +37,7 @@ void StripedRows::lengthen(int n, float* lanes) const {
 
 void StripedRows::take(int pixels, const std::uint32_t* lanes, std::uint32_t* row) const {
   assert(pixels > 0 && pixels <= size());
-  const int whole = (pixels - 1) / length_;  // lanes; one more has `rest` pixels
+  const int whole = (pixels - 1) / length_;  // complete lanes; one more has `rest` pixels
   const int rest = pixels - whole * length_;
   for (int i = 0; i < length_; ++i) {
     std::uint32_t beside[kLanes];

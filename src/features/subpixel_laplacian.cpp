@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kSide = SubpixelLaplacian::kSide;
 
-/// How much each of the samples at 0, 1, .. 5 counts in the value and the second derivative, at
-/// `t`, of the polynomial through them (Lagrange's form: sample i counts prod (t - j) / (i - j)).
+/// Weights of the samples at 0, 1, .. 5 in the value and the second derivative, at `t`, of the
+/// polynomial through them (Lagrange's form: the weight of sample i is prod (t - j) / (i - j)).
 void lagrangeWeights(double t, std::array<double, kSide>& value,
                      std::array<double, kSide>& second_derivative) {
   for (int i = 0; i < kSide; ++i) {
@@ -29,7 +29,7 @@ void lagrangeWeights(double t, std::array<double, kSide>& value,
   }
 }
 
-/// First of the six pixels around `place` along a side of `size` pixels.
+/// The first of the six pixels around `place` along a side of `size` pixels.
 int firstPixel(double place, int size) {
   return std::clamp(static_cast<int>(std::floor(place)) - kSide / 2 + 1, 0, size - kSide);
 }

@@ -35,7 +35,7 @@ LabelKeys::LabelKeys(std::vector<std::string> places, std::vector<int> buttons, 
     std::iota(buttons_.begin(), buttons_.end(), 0);
   }
   if (buttons_.size() != places_.size()) {
-    throw Error("The parameter ~buttons has not one button for each of ~places.");
+    throw Error("The parameter ~buttons must have one button for each of ~places.");
   }
 }
 

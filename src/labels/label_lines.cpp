@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::size_t kMaxFileBytes = 64 << 20;
 
-const char* const kWanted = "'timestamp label', as in '1700000000.5 kitchen'";
+const char* const kWanted = "'timestamp label', such as '1700000000.5 kitchen'";
 
-/// A line before the unit of its timestamp is understood.
+/// A line before the unit of its timestamp is known.
 struct RawLine {
   double time = 0;
-  char separator = ' ';  // ' ' also for tabs
+  char separator = ' ';  // ' ' also represents tabs
   std::string label;
 };
 
@@ -31,8 +31,8 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
-/// A line without blanks that are not what they seem, as of word processors and web pages, where a
-/// tab at its end still ends a column.
+/// Replaces blanks that are not plain spaces, which word processors and web pages insert. A tab at
+/// the end of a line still ends a column.
 std::string withPlainBlanks(const std::string& line) {
   const bool ends_column = !line.empty() && line.back() == '\t';
   return placeName(line) + (ends_column ? "\t" : "");
@@ -43,15 +43,15 @@ bool isNumber(const std::string& text) {
   return text.size() < 40 && std::regex_match(text, number);
 }
 
-/// Whether a line heads the columns: its first word speaks of time.
+/// Whether a line contains column headings: its first word refers to time.
 bool isHeader(const std::string& line) {
   const std::string word = caseFolded(line.substr(0, line.find_first_of(",;\t ", 1)));
   const auto says = [&word](const char* text) { return word.find(text) != std::string::npos; };
   return says("time") || says("stamp") || says("sec") || word == "t" || word == "\"t\"";
 }
 
-/// The only field of `text`, which stands behind the separator; may be quoted, and followed by
-/// empty ones.
+/// The only field of `text`, which follows the separator; it may be quoted, and followed by empty
+/// fields.
 std::string onlyField(const std::string& text, char separator, const std::string& where) {
   std::string field;
   std::string rest = trimmed(text);
@@ -61,29 +61,29 @@ std::string onlyField(const std::string& text, char separator, const std::string
       if (rest[i] == '"') ++i;
       field += rest[i];
     }
-    if (i >= rest.size()) throw Error(where + " has a quote that does not end; close it.");
+    if (i >= rest.size()) throw Error(where + " has an unclosed quote; close it.");
     rest = trimmed(rest.substr(i + 1));
     if (!rest.empty() && rest[0] != separator) {
-      throw Error(where + " has text behind its quotes; write " + std::string(kWanted) + ".");
+      throw Error(where + " has text after its quotes; write " + std::string(kWanted) + ".");
     }
   } else {
     field = trimmed(rest.substr(0, rest.find(separator)));
     rest.erase(0, rest.find(separator));
   }
   if (rest.find_first_not_of(std::string(" \t") + separator) != std::string::npos) {
-    throw Error(where + " has more than two columns; leave only " + kWanted + " (a name with '" +
-                separator + "' in it stands in double quotes).");
+    throw Error(where + " has more than two columns; leave only " + kWanted +
+                " (put a name with '" + separator + "' in double quotes).");
   }
   return field;
 }
 
-/// The part of a line that patterns are looked for in; std::regex recurses on each letter.
+/// The part of a line that is searched for patterns; std::regex recurses on each letter.
 std::string headOf(const std::string& line) { return line.substr(0, 100); }
 
 [[noreturn]] void refuseSpan(const std::string& where) {
-  throw Error(where + " may hold the time of an end too; write " + kWanted +
-              ", each label from where it holds, or spans into RUN.labels.yaml: {from: ..., to: "
-              "..., place: ...}. A name that holds such a number stands in double quotes.");
+  throw Error(where + " may also contain an end time; write " + kWanted +
+              ", each label with its start, or intervals in RUN.labels.yaml: {from: ..., to: "
+              "..., place: ...}. Put a name with such a number in double quotes.");
 }
 
 /// A number that no room has.
@@ -93,11 +93,12 @@ bool isTime(const std::string& word) {
 }
 
 [[noreturn]] void refuseNanoseconds(const std::string& where) {
-  throw Error(where + " may hold the nanoseconds of its timestamp; write " + kWanted +
-              ", with one number. A name that begins with such a number stands in double quotes.");
+  throw Error(where + " may have the nanoseconds of its timestamp in a separate column; write " +
+              kWanted +
+              ", with one number. Put a name that begins with such a number in double quotes.");
 }
 
-/// For a label that is not in quotes: that it holds no other part of a time, as the end of a span.
+/// Checks that a label without quotes contains no part of a time, such as the end of an interval.
 void requireNoTime(const std::string& label, double time, const std::string& where) {
   const std::string first = label.substr(0, label.find_first_of(" \t"));
   const std::string last = label.substr(label.find_last_of(" \t") + 1);
@@ -119,7 +120,7 @@ std::string withoutSingleQuotes(const std::string& label) {
   return has_them ? trimmed(label.substr(1, label.size() - 2)) : label;
 }
 
-/// For a label behind a blank or a tab, not in quotes: that it is nothing else besides.
+/// Checks that a label after a blank or a tab, without quotes, contains nothing else.
 void requireOneLabel(const std::string& label, const std::string& where) {
   static const std::regex with_separator(R"((-|[-=:|/>~]+[ \t].*|.*[,;]))");
   static const std::regex with_comment(R"(.*[ \t](#|//)[ \t].*)");
@@ -129,14 +130,14 @@ void requireOneLabel(const std::string& label, const std::string& where) {
   }
   const std::string head = headOf(label);
   if (std::regex_match(head, with_separator) || std::regex_match(head, with_comment)) {
-    throw Error(where + " may hold more than a label: '" + head + "'; write " + kWanted +
-                " (a name like that stands in double quotes).");
+    throw Error(where + " may contain more than a label: '" + head + "'; write " + kWanted +
+                " (put such a name in double quotes).");
   }
 }
 
 RawLine split(const std::string& line, const std::string& where) {
-  // The timestamp, perhaps quoted, and what separates it from the label. A comma followed by digits
-  // may be the decimal one, but only before a semicolon or a tab.
+  // The timestamp, possibly quoted, and what separates it from the label. A comma followed by
+  // digits may be a decimal comma, but only before a semicolon or a tab.
   static const std::regex with_decimal_comma(R"re([ \t]*("?)([+-]?\d+,\d+)\1 *([;\t]))re");
   static const std::regex usual(
       R"re([ \t]*("?)([+-]?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)\1(?:[ \t]*([,;])|[ \t]))re");
@@ -162,12 +163,12 @@ RawLine split(const std::string& line, const std::string& where) {
       requireOneLabel(raw.label, where);
     }
   } else {
-    // '1700000000,5 kitchen' has a decimal comma, or a room '5 kitchen'.
+    // '1700000000,5 kitchen' has either a decimal comma or a room '5 kitchen'.
     static const std::regex digits_and_more(R"(\d+[ \t]+\S)");
     const std::string label = headOf(raw.label);
     if (separator == ',' &&
         std::regex_search(label, digits_and_more, std::regex_constants::match_continuous)) {
-      throw Error(where + " may have a decimal comma, or the label '" + label +
+      throw Error(where + " has either a decimal comma or the label '" + label +
                   "'; write the timestamp with a point, or the label in double quotes.");
     }
     raw.label = onlyField(raw.label, separator, where);
@@ -209,7 +210,7 @@ LabelLines readLabelLines(const std::string& path) {
   bool may_be_header = true;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string line = withPlainBlanks(lines[i]);
-    // Spreadsheets tell each other the separator by 'sep=;'.
+    // Spreadsheet programs declare the separator with 'sep=;'.
     if (line.empty() || line[0] == '#' || line.compare(0, 4, "sep=") == 0) continue;
     const std::string where = path + ", line " + std::to_string(i + 1);
     if (std::exchange(may_be_header, false) && isHeader(line)) continue;
@@ -219,13 +220,13 @@ LabelLines readLabelLines(const std::string& path) {
       unit = secondsPerUnit(raw.time);
     }
     if (raw.separator != separator) {
-      throw Error(where + " separates its columns in another way than the lines before; write " +
+      throw Error(where + " separates its columns differently from the lines before; write " +
                   kWanted + ".");
     }
     if (secondsPerUnit(raw.time) != unit) {
       throw Error(where +
-                  " has its timestamp in another unit than the lines before; write all of "
-                  "them in s.");
+                  " has its timestamp in another unit than the lines before; write all "
+                  "timestamps in s.");
     }
     read.lines.push_back({raw.time * unit, raw.label, static_cast<int>(i + 1)});
   }

@@ -22,7 +22,7 @@ struct Interval {
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor("from", self.from, "s");
-    visitor("to", self.to, "s; left out: until the next interval");
+    visitor("to", self.to, "s; if omitted: until the next interval");
     visitor("place", self.place, "label");
   }
 };
@@ -38,7 +38,7 @@ struct LabelsFile {
   }
 };
 
-/// For messages: printable and short, whatever the label holds.
+/// For messages: printable and short, whatever the label contains.
 std::string inQuotes(const std::string& label) {
   std::string text = label.substr(0, 40);
   for (char& c : text) {
@@ -47,13 +47,13 @@ std::string inQuotes(const std::string& label) {
   return "'" + text + (label.size() > 40 ? "...'" : "'");
 }
 
-/// Nothing if the file says `labels: []`: on purpose, there are none.
+/// Nothing if the file says `labels: []`, which means that there deliberately are none.
 std::optional<std::vector<Interval>> readIntervals(const std::string& path, double start) {
   LabelsFile file;
   const YAML::Node tree = readYamlFile(path);
   const YAML::Node list = tree.IsMap() ? tree["labels"] : YAML::Node(YAML::NodeType::Undefined);
   if (list.IsDefined() && !list.IsSequence() && list.size() == 0) {
-    throw Error(path + ": labels is no list; write 'labels: []' if there are none.");
+    throw Error(path + ": labels is not a list; write 'labels: []' if there are none.");
   }
   readOptions(tree, path, file);
   if (file.times != "relative" && file.times != "absolute") {
@@ -66,7 +66,7 @@ std::optional<std::vector<Interval>> readIntervals(const std::string& path, doub
     const std::string where = path + ", labels[" + std::to_string(i) + "]";
     checkLabel(interval.place, where);
     if (!std::isfinite(interval.from) || !(interval.from < interval.to)) {
-      throw Error(where + ": from must lie before to.");
+      throw Error(where + ": 'from' must be less than 'to'.");
     }
     interval.from += origin;
     interval.to += origin;
@@ -91,7 +91,7 @@ void addIntervals(std::vector<Interval> intervals, const std::string& path, Labe
   }
 }
 
-/// Returns a sentence if a line is of no effect, else nothing.
+/// Returns a sentence if a line has no effect, else nothing.
 std::string addLines(const std::vector<LabelLine>& lines, const std::string& path, Labels& labels) {
   std::string note;
   const LabelLine* before = nullptr;
@@ -103,7 +103,7 @@ std::string addLines(const std::vector<LabelLine>& lines, const std::string& pat
     }
     if (note.empty() && before && line.time == before->time && line.label != before->label) {
       note = where + " has the same timestamp as the line before, whose label " +
-             inQuotes(before->label) + " does not count.";
+             inQuotes(before->label) + " has no effect.";
     }
     labels.add(line.time, line.label);
     before = &line;
@@ -116,7 +116,7 @@ std::string addLines(const std::vector<LabelLine>& lines, const std::string& pat
   std::ostringstream span;
   span.precision(13);
   span << start << " to " << end;
-  throw Error(path + ": no label falls into the bag, which lasts from " + span.str() +
+  throw Error(path + ": no label falls into the bag, which extends from " + span.str() +
               " s; correct the times or remove the file. " + hint);
 }
 
@@ -145,7 +145,7 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
     labels.forEach(start, end, [&fits](double, double, const std::string&) { fits = true; });
     if (!fits) {
       throwNoneFits(path, start, end,
-                    "Times that count from the bag's start need 'times: relative', bag times "
+                    "Times relative to the bag's start need 'times: relative', and bag times "
                     "'times: absolute'.");
     }
     return labels;
@@ -156,8 +156,7 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
   if (!unused.empty()) labels.note_ += (labels.note_.empty() ? "" : " ") + unused;
   if (labels.changes_.empty() || labels.changes_.front().first > end ||
       labels.changes_.back().first < start) {
-    throwNoneFits(path, start, end,
-                  "Times that count from the bag's start belong into RUN.labels.yaml.");
+    throwNoneFits(path, start, end, "Put times relative to the bag's start into RUN.labels.yaml.");
   }
   return labels;
 }

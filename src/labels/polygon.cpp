@@ -28,7 +28,7 @@ bool edgesCross(const Vector2d& a, const Vector2d& b, const Vector2d& c, const V
   return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
 }
 
-/// Positive if the corners go round counterclockwise.
+/// Positive if the corners are counterclockwise.
 double signedArea(const Polygon& polygon) {
   double twice_area = 0;
   forEachEdge(polygon, [&, origin = polygon.front()](const Vector2d& a, const Vector2d& b) {
@@ -37,7 +37,7 @@ double signedArea(const Polygon& polygon) {
   return twice_area / 2;
 }
 
-/// A turn that is smaller, of corners as far apart as these, is one of rounding.
+/// A smaller turn, for corners as far apart as these, is due to rounding.
 double roundingOf(const Polygon& polygon) {
   double size = 0;
   for (const Vector2d& corner : polygon) {
@@ -51,7 +51,7 @@ Triangle triangleAt(const Polygon& polygon, std::size_t i) {
   return {polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]};
 }
 
-/// Whether no corner lies in the counterclockwise triangle or on its border, but for its own.
+/// Whether no other corner is in the counterclockwise triangle or on its border.
 bool isEmpty(const Triangle& triangle, const Polygon& polygon) {
   const auto& [a, b, c] = triangle;
   for (const Vector2d& corner : polygon) {
@@ -99,7 +99,7 @@ std::optional<std::pair<std::size_t, std::size_t>> crossingEdges(const Polygon& 
 }
 
 UniformDistribution uniformDistribution(const Polygon& polygon) {
-  const Vector2d origin = polygon.front();  // far from it digits would be lost
+  const Vector2d origin = polygon.front();  // far from it, digits would be lost
   double twice_area = 0;
   Vector2d first = Vector2d::Zero();
   Matrix2d second = Matrix2d::Zero();
@@ -134,7 +134,8 @@ std::vector<Triangle> triangulated(Polygon polygon) {
   if (signedArea(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
   const double rounding = roundingOf(polygon);
   std::vector<Triangle> triangles;
-  // Without crossings there always is a corner to clip; else the search ends when all were tried.
+  // Without crossings there is always a corner to clip; otherwise the search ends when all were
+  // tried.
   for (std::size_t i = 0, tried = 0; polygon.size() >= 3 && tried < polygon.size();) {
     const Triangle corner = triangleAt(polygon, i);
     const double area = turn(corner[0], corner[1], corner[2]);

@@ -10,7 +10,7 @@
 namespace place_recognition {
 namespace {
 
-/// The most corners of a room: the search for walls that cross takes quadratic time.
+/// Maximum number of corners of a room: the search for crossing walls takes quadratic time.
 constexpr std::size_t kMaxCorners = 10000;
 /// The smallest area of a room, m^2.
 constexpr double kMinArea = 1e-4;
@@ -35,8 +35,8 @@ struct PlacesFile {
   }
 };
 
-/// The outline that a person drew: the last corner may be the first again, or one stand there
-/// twice.
+/// Normalizes an outline drawn by a person: the last corner may repeat the first, and a corner may
+/// occur twice.
 Polygon toOutline(const PlaceEntry& entry, const std::string& where) {
   Polygon outline;
   for (const std::vector<double>& corner : entry.position) {
@@ -58,10 +58,10 @@ std::string edgeText(const Polygon& outline, std::size_t edge) {
 }
 
 void checkOutline(const Polygon& outline, const std::string& where) {
-  if (outline.size() < 3) throw Error(where + ": a room has three corners or more.");
+  if (outline.size() < 3) throw Error(where + ": a room needs at least three corners.");
   if (outline.size() > kMaxCorners) {
-    throw Error(where + " has " + std::to_string(outline.size()) + " corners; give " +
-                std::to_string(kMaxCorners) + " at most.");
+    throw Error(where + " has " + std::to_string(outline.size()) + " corners; give at most " +
+                std::to_string(kMaxCorners) + ".");
   }
   if (const auto edges = crossingEdges(outline)) {
     throw Error(where + ": the wall from " + edgeText(outline, edges->first) +
@@ -112,7 +112,8 @@ RoomPolygons readRoomPolygons(const std::string& path) {
   PlacesFile file;
   readOptions(readYamlFile(path), path, file);
   if (file.places.empty()) {
-    throw Error(path + " names no room; give 'places: [{name: ..., position: [[x, y], ...]}]'.");
+    throw Error(path +
+                " does not name a room; give 'places: [{name: ..., position: [[x, y], ...]}]'.");
   }
   std::vector<RoomPolygon> rooms;
   for (std::size_t i = 0; i < file.places.size(); ++i) {

@@ -23,7 +23,7 @@ void forEachPair(std::size_t places, Visit visit) {
   }
 }
 
-/// For each machine, +1 or -1 for the vectors it is trained on, 0 for the others.
+/// For each machine, +1 or -1 for the vectors it is trained on, and 0 for the others.
 std::vector<std::vector<int>> signsOfMachines(const std::vector<int>& labels, std::size_t places,
                                               bool one_against_one) {
   std::vector<std::vector<int>> signs;

@@ -7,7 +7,7 @@
 namespace place_recognition {
 namespace {
 
-/// slope * decision values, kept so far from infinity that differences stay finite.
+/// slope * decision values, clamped so that differences stay finite.
 Eigen::RowVectorXd exponents(double slope, const Eigen::RowVectorXd& decision_values) {
   constexpr double kLargest = 1e300;
   return (slope * decision_values).cwiseMax(-kLargest).cwiseMin(kLargest);
@@ -19,8 +19,8 @@ Eigen::RowVectorXd softmax(const Eigen::RowVectorXd& z) {
   return powers / powers.sum();
 }
 
-/// Derivative of the negative log-likelihood with respect to the slope: expected less wanted
-/// decision values. It rises with the slope, for the likelihood is log-concave.
+/// Derivative of the negative log-likelihood with respect to the slope: expected minus target
+/// decision values. It increases with the slope because the likelihood is log-concave.
 double slopeGradient(double slope, const Eigen::MatrixXd& decision_values, double wanted_sum) {
   const Eigen::VectorXd largest = decision_values.rowwise().maxCoeff();
   const Eigen::ArrayXXd powers = (slope * (decision_values.colwise() - largest)).array().exp();
@@ -29,7 +29,7 @@ double slopeGradient(double slope, const Eigen::MatrixXd& decision_values, doubl
   return expected.sum() - wanted_sum;
 }
 
-/// Sum over frames of the decision values expected under the wanted probabilities.
+/// Sum over frames of the decision values expected under the target probabilities.
 double wantedSum(const Eigen::MatrixXd& decision_values, const std::vector<int>& labels) {
   const auto frames = static_cast<double>(labels.size());
   double true_values = 0;
@@ -40,14 +40,14 @@ double wantedSum(const Eigen::MatrixXd& decision_values, const std::vector<int>&
   return (frames * true_values + mean_values) / (frames + 1);
 }
 
-/// The element that a `fraction` of the values lie below.
+/// The element below which a `fraction` of the values lie.
 double quantile(Eigen::VectorXd values, double fraction) {
   std::sort(values.data(), values.data() + values.size());
   const auto below = static_cast<Eigen::Index>(fraction * static_cast<double>(values.size()));
   return values[std::min(below, values.size() - 1)];
 }
 
-/// One over the standard deviation; 0 where all values are equal.
+/// One over the standard deviation; 0 if all values are equal.
 double unitsOf(const Eigen::VectorXd& values) {
   const double deviation = std::sqrt((values.array() - values.mean()).square().mean());
   return deviation > 1e-9 * (1 + values.cwiseAbs().maxCoeff()) ? 1 / deviation : 0;
@@ -77,8 +77,8 @@ double Calibration::evidence(const Eigen::RowVectorXd& decision_values, double f
 Calibration fitCalibration(const Eigen::MatrixXd& decision_values, const std::vector<int>& labels) {
   assert(decision_values.rows() == static_cast<Eigen::Index>(labels.size()));
   if (labels.empty()) return {};
-  // For decision values of at most 1. The flattest slope is for decision values that tell nothing
-  // or the opposite.
+  // For decision values of at most 1. The flattest slope is for decision values that carry no
+  // information or the opposite.
   constexpr double kFlattest = 1e-3;
   constexpr double kSteepest = 1e12;
   const double largest = decision_values.cwiseAbs().maxCoeff();

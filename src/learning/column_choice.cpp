@@ -7,14 +7,14 @@
 namespace place_recognition {
 namespace {
 
-/// What is left of a column is rounding error at this fraction of the largest norm.
+/// At this fraction of the largest norm, the remainder of a column is rounding error.
 double roundingError(Eigen::Index rows) {
   return static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
 }
 
-/// The first candidate of the largest norm (eq. 6.18); after normalization all are equal but for
-/// rounding. Brings as few up to date as it can: what is left of a column can only have become
-/// less.
+/// The first candidate with the largest norm (eq. 6.18); after normalization all norms are equal up
+/// to rounding. Updates as few columns as possible, because the remainder of a column can only have
+/// decreased.
 Eigen::Index findPivot(PivotedQr& qr) {
   const auto norms = qr.squaredNorms().head(qr.candidates());
   while (true) {
@@ -63,7 +63,7 @@ Eigen::VectorXd orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& lim
   Eigen::MatrixXd products = qr.targetProducts();
   for (Eigen::Index count = 0; count < limits.max_count && gap() > least_gap; ++count) {
     reportChoice(progress, count, limits.max_count);
-    // What is left of the targets shrinks by the square of its part along each column.
+    // The remainder of the targets decreases by the square of its component along each column.
     const Eigen::ArrayXd gains =
         (columnNorms() > least_norm)
             .select(products.rowwise().squaredNorm().array() / columnNorms(), 0);

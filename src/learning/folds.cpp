@@ -14,13 +14,13 @@ namespace {
 
 using Samples = std::vector<SampleOrigin>;
 
-/// The fold that tests each sample, and the folds that it is not trained on in, besides.
+/// The fold that tests each sample, and the other folds in which it is not trained on.
 struct Assignment {
   std::vector<int> tested_in;
   std::vector<std::set<int>> left_out_of;
 };
 
-/// Runs in ascending order, those that hold every place first.
+/// Runs in ascending order; those that contain every place come first.
 std::vector<int> completeRecordingsFirst(const Samples& samples, std::size_t& complete) {
   std::map<int, std::set<int>> places_of_recording;
   std::set<int> places;
@@ -37,7 +37,7 @@ std::vector<int> completeRecordingsFirst(const Samples& samples, std::size_t& co
   return recordings;
 }
 
-/// Whole runs in turn; runs have no neighbours.
+/// Tests whole runs in turn; runs have no neighbours in time.
 Assignment assignRecordings(const Samples& samples, const std::vector<int>& recordings, int count) {
   std::map<int, int> fold_of_run;
   for (std::size_t i = 0; i < recordings.size(); ++i)
@@ -49,7 +49,7 @@ Assignment assignRecordings(const Samples& samples, const std::vector<int>& reco
   return assignment;
 }
 
-/// Enters `fold` for all samples of `sequence` from the time `first` to `last`.
+/// Assigns `fold` to all samples of `sequence` from the time `first` to `last`.
 void leaveOut(const Sequence& sequence, double first, double last, int fold,
               Assignment& assignment) {
   const std::vector<double>& times = sequence.times;
@@ -60,12 +60,12 @@ void leaveOut(const Sequence& sequence, double first, double last, int fold,
   }
 }
 
-/// Whether the times of two sequences may be compared.
+/// Whether the times of two sequences are comparable.
 bool sameClock(const Sequence& a, const Sequence& b) {
   return &a == &b || (a.recording == b.recording && a.stamped && b.stamped);
 }
 
-/// How many blocks a sequence of `size` samples is cut into.
+/// Number of blocks into which a sequence of `size` samples is cut.
 std::size_t blockCount(std::size_t size, double step, double length, int folds) {
   const double samples_each = std::max(1.0, std::ceil(length / step - 1e-9));
   const long wanted = std::lround(static_cast<double>(size) / samples_each);
@@ -73,7 +73,7 @@ std::size_t blockCount(std::size_t size, double step, double length, int folds) 
       std::max(wanted, std::min(static_cast<long>(size), static_cast<long>(folds))));
 }
 
-/// How one sequence is cut.
+/// The division of one sequence.
 struct Cut {
   std::size_t parts;
   double gap;  // s
@@ -87,7 +87,7 @@ Cut cutOf(const Sequence& sequence, int folds, const TimeBlocks& wanted) {
   return {parts, std::min(wanted.gap, largestGap(length, folds))};
 }
 
-/// The first sample of a part. What several cameras saw at a moment stays together.
+/// The first sample of a part. Simultaneous images of several cameras stay together.
 std::size_t startOf(std::size_t part, std::size_t parts, const Sequence& sequence) {
   const std::size_t size = sequence.samples.size();
   std::size_t i = part * size / parts;
@@ -128,7 +128,7 @@ Assignment assignBlocks(const Samples& samples, int count, const std::vector<Tim
   return assignment;
 }
 
-/// The samples for which `key` is the same, in ascending order of it.
+/// Groups samples by `key`, in ascending order of the key.
 template <typename Key>
 std::vector<Sequence> grouped(const Samples& samples, const Key& key) {
   std::map<decltype(key(samples[0])), std::vector<int>> groups;

@@ -9,11 +9,11 @@
 namespace place_recognition {
 namespace {
 
-/// Features compared at a time: few enough that their sums stay in the cache, many enough that
-/// looking the bins up is a small part of the work.
+/// Number of features compared at a time: few enough for their sums to stay in the cache, and
+/// enough for the lookup of bins to be a small part of the work.
 constexpr std::size_t kBlock = 1024;
 
-/// Counts finished rows from any thread and reports them, a percent at a time, from the first.
+/// Counts finished rows from any thread and reports every per cent, starting with the first row.
 class RowProgress {
  public:
   RowProgress(const Progress& progress, std::size_t rows) : progress_(progress), rows_(rows) {}
@@ -38,7 +38,7 @@ SupportSet blockOf(const Kernel& kernel, const std::vector<Feature>& features, s
   return SupportSet(kernel, {features.data() + begin, features.data() + end});
 }
 
-/// Row and column numbers of all blocks: how often a feature is compared with a block.
+/// Number of rows and columns of all blocks, that is, of comparisons of a feature with a block.
 std::size_t rowCount(std::size_t n) {
   std::size_t rows = 0;
   for (std::size_t begin = 0; begin < n; begin += kBlock) rows += n - begin;
@@ -55,8 +55,8 @@ Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& 
   for (std::size_t begin = 0; begin < n; begin += kBlock) {
     const std::size_t end = std::min(n, begin + kBlock);
     const SupportSet block = blockOf(kernel, features, begin, end);
-    // Column i is computed down to the diagonal and mirrored below it, so that the matrix is
-    // symmetric to the last bit.
+    // Column i is computed down to the diagonal and mirrored, so that the matrix is exactly
+    // symmetric.
     parallelFor(n - begin, threads, [&](std::size_t offset, unsigned thread) {
       const std::size_t count = std::min(offset + 1, block.size());
       block.measures(features[begin + offset], measures.col(begin + offset).segment(begin, count));

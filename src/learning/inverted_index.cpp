@@ -8,9 +8,9 @@
 namespace place_recognition {
 namespace {
 
-/// BinTable::Slot::count of a bin whose values are a row.
+/// BinTable::Slot::count of a bin that is stored as a row.
 constexpr std::uint32_t kRow = 0xFFFFFFFF;
-/// The memory is asked for what stands so many bins ahead; visiting it is what takes the time.
+/// Number of bins by which memory is prefetched in advance; accessing it takes most of the time.
 constexpr std::size_t kLookupsAhead = 8;
 constexpr std::size_t kPostingsAhead = 3;
 
@@ -24,7 +24,7 @@ struct MinimumTerm {
   PLACE_RECOGNITION_INLINE double operator()(double x, double y) const { return x < y ? x : y; }
 };
 
-/// Asks the memory for all values of a bin.
+/// Prefetches all values of a bin.
 PLACE_RECOGNITION_INLINE void prefetch(const InvertedIndex::Postings& bin) {
   constexpr std::size_t kLine = 64 / sizeof(float);
   for (std::size_t i = 0; i < bin.count; i += kLine) {
@@ -131,7 +131,7 @@ void InvertedIndex::measures(const Feature& x, Eigen::Ref<Eigen::VectorXd> out) 
       addProducts(bins, out.data());
   }
   if (measure_ != Measure::kChiSquared && measure_ != Measure::kSquaredDistance) return;
-  // What rounding leaves of the distance of equal vectors must not become negative.
+  // Rounding must not make the distance of equal vectors negative.
   const double shared_weight = measure_ == Measure::kChiSquared ? 4 : 2;
   const Eigen::Map<const Eigen::VectorXd> totals(lists_.totals.data(), out.size());
   out = (total(measure_, sparse) + totals.array() - shared_weight * out.array()).max(0).matrix();

@@ -77,7 +77,7 @@ double meanOfBestMatches(const DescriptorSet& x, const DescriptorSet& y, double 
 
 PLACE_RECOGNITION_TARGET_CLONES
 bool hasNegative(const float* values, std::size_t size) {
-  std::size_t count = 0;  // of all: looking at some only would be slower
+  std::size_t count = 0;  // of all vectors: examining only some would be slower
   for (std::size_t i = 0; i < size; ++i) count += values[i] < 0;
   return count > 0;
 }
@@ -130,11 +130,12 @@ double Kernel::value(double measure) const {
 }
 
 void Kernel::requireMeaningFor(const Feature& feature) const {
-  if (isMissing(feature)) throw Error("An image without this feature cannot be compared; skip it.");
+  if (isMissing(feature))
+    throw Error("An image without this feature cannot be compared; skip the image.");
   const auto* set = std::get_if<DescriptorSet>(&feature);
   requireMeaningFor(set != nullptr, hasNegative(feature));
   if (set && set->size() == 0) {
-    throw Error("A set of no local descriptors cannot be compared; skip such images.");
+    throw Error("An empty set of local descriptors cannot be compared; skip such images.");
   }
 }
 

@@ -21,7 +21,7 @@ bool isForHistograms(const KernelType& type) {
   return type.measure == Measure::kChiSquared || type.measure == Measure::kIntersection;
 }
 
-/// Names of the types that `belongs` holds for, separated by commas.
+/// Names of the types that satisfy `belongs`, separated by commas.
 template <typename Predicate>
 std::string namesOfTypes(const Predicate& belongs) {
   std::string names;
@@ -48,7 +48,7 @@ const KernelType& kernelType(const std::string& name) {
 
 void requireMeaning(const KernelType& type, bool for_descriptors) {
   if (isForDescriptors(type) == for_descriptors) return;
-  throw Error(std::string("The kernel '") + type.name + "' has no meaning for " +
+  throw Error(std::string("The kernel '") + type.name + "' is not defined for " +
               (for_descriptors ? "local descriptors" : "vectors") +
               "; use one of: " + namesOfTypes(for_descriptors) + ".");
 }
@@ -58,7 +58,7 @@ void requireSignedMeaning(const KernelType& type) {
   const std::string others = namesOfTypes(
       [](const KernelType& other) { return !isForHistograms(other) && !isForDescriptors(other); });
   throw Error(std::string("The kernel '") + type.name +
-              "' has no meaning for negative elements; use one of: " + others + ".");
+              "' is not defined for negative elements; use one of: " + others + ".");
 }
 
 }  // namespace place_recognition

@@ -9,10 +9,9 @@
 namespace place_recognition {
 namespace {
 
-/// Stopping tolerance on the optimality conditions; decision values are determined to about as
-/// much.
+/// Tolerance of the optimality conditions, which determines the accuracy of decision values.
 constexpr double kTolerance = 1e-4;
-/// Size of libsvm's own cache, which holds rows of a machine's problem.
+/// Size of libsvm's own cache for rows of a machine's problem.
 constexpr double kCacheMegabytes = 200;
 
 void silenceLibsvm() {
@@ -59,7 +58,7 @@ double LibsvmSolver::solve(const std::vector<int>& signs, double c,
   const std::unique_ptr<svm_model, ModelDeleter> model(svm_train(&problem, &parameter));
   assert(model->nr_class == 2);
 
-  // libsvm's decision value is positive for its first label.
+  // libsvm's decision value is positive for the first label that it encounters.
   const double sign = model->label[0];
   weights.setZero();
   for (int k = 0; k < model->l; ++k) {

@@ -42,7 +42,7 @@ void matchPanelsPlainly(const DescriptorBlock& block, const DescriptorPanel* pan
   for (std::size_t p = 0; p < panel_count; ++p) {
     BlockByPanel products;
     for (std::size_t r = 0; r < DescriptorBlock::kRows; ++r) {
-      std::int32_t parts[kWidth][4] = {};  // the order that compilers make vectors of
+      std::int32_t parts[kWidth][4] = {};  // the order that compilers vectorize
       for (std::size_t k = 0; k < DescriptorPanel::kSteps; ++k) {
         for (std::size_t lane = 0; lane < kWidth; ++lane) {
           for (std::size_t i = 0; i < 4; ++i) {

@@ -21,7 +21,8 @@ TARGET_AVX2 inline __m256i widen(const std::uint8_t (*elements)[4]) {
   return _mm256_cvtepu8_epi16(_mm_load_si128(reinterpret_cast<const __m128i*>(elements)));
 }
 
-/// Products of four rows, each step's elements 16 bits each in 64, with eight lanes of a panel.
+/// Products of four rows (each 64-bit number holds one step's elements, 16 bits each) with eight
+/// lanes of a panel.
 TARGET_AVX2 inline void multiply(const std::int64_t (*rows)[kSteps], const DescriptorPanel& panel,
                                  std::size_t lane, std::int32_t (*products)[kWidth]) {
   constexpr std::size_t kRowsAtOnce = 4;

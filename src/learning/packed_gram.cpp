@@ -10,12 +10,12 @@
 namespace place_recognition {
 namespace {
 
-/// Rows and columns of the source that are read at a time: it stands column by column, the target
-/// row by row, and both parts must fit the first-level cache.
+/// Number of rows and columns of the source read at a time. The source is column-major and the
+/// target row-major, and both parts must fit into the first-level cache.
 constexpr Eigen::Index kTile = 32;
 
 static_assert(sizeof(svm_node) == 2 * sizeof(double) && offsetof(svm_node, value) == sizeof(double),
-              "two rows fit into one only where half of a node is its value");
+              "two rows can share memory only if half of a node is its value");
 
 }  // namespace
 

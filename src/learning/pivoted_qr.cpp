@@ -11,7 +11,7 @@ namespace place_recognition {
 namespace {
 
 /// Columns are padded to a multiple of this: two registers of the widest instruction set. Sums are
-/// kept in so many parts, so that the order of adding is the same whatever the registers.
+/// kept in as many parts, so that the order of additions does not depend on the registers.
 constexpr Eigen::Index kPadding = 16;
 
 PLACE_RECOGNITION_TARGET_CLONES

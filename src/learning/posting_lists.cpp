@@ -15,8 +15,8 @@ namespace {
 
 using Slot = BinTable::Slot;
 
-/// Calls visit(v, bin, value) for each element of each vector v, after asking the memory for the
-/// bin's slot in `table`; visiting the memory is what takes the time.
+/// Calls visit(v, bin, value) for each element of each vector v, after prefetching the bin's slot
+/// in `table`; accessing memory takes most of the time.
 template <typename Visit>
 void forEachElement(const std::vector<Feature>& vectors, std::size_t dimension,
                     const BinTable& table, Visit visit) {
@@ -41,7 +41,7 @@ std::vector<Slot*> inAscendingOrder(BinTable& table) {
   return slots;
 }
 
-/// Gives every bin, counted in the table, its place in the rows or among the postings.
+/// Assigns every bin in the table, which contains the counts, its position in the rows or postings.
 void layOut(BinTable& table, PostingLists& lists) {
   std::uint32_t rows = 0;
   std::uint32_t postings = 0;
@@ -69,7 +69,7 @@ std::size_t countZeros(const float* values, std::size_t size) {
   return count;
 }
 
-/// How many values are finite and not zero.
+/// Number of values that are finite and not zero.
 PLACE_RECOGNITION_TARGET_CLONES
 std::size_t countElements(const float* values, std::size_t size) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -81,7 +81,7 @@ std::size_t countElements(const float* values, std::size_t size) {
   return count;
 }
 
-/// How many numbers are not above the one before.
+/// Number of elements that are not greater than the previous one.
 PLACE_RECOGNITION_TARGET_CLONES
 std::size_t countDescents(const std::uint16_t* numbers, std::size_t size) {
   std::size_t count = 0;
@@ -99,18 +99,17 @@ void requireTotalsFit(const PostingLists& lists) {
 void requireBinsAscend(const PostingLists& lists) {
   const std::vector<std::uint64_t>& bins = lists.bins;
   require(std::adjacent_find(bins.begin(), bins.end(), std::greater_equal<>()) == bins.end(),
-          "the bins of the support vectors do not ascend");
+          "the bins of the support vectors are not in ascending order");
   require(lists.dimension == 0 || bins.empty() || bins.back() < lists.dimension,
-          "a support vector has not the dimension of the extractor's");
+          "an element of a support vector is beyond its dimension");
 }
 
-/// That rows and postings are as many as the counts say.
+/// Checks that the sizes of rows and postings match the counts.
 void requireSizesFit(const PostingLists& lists) {
   std::uint64_t rows = 0;
   std::uint64_t postings = 0;
   for (const std::uint32_t count : lists.counts) {
-    require(count > 0 && count <= lists.vectors(),
-            "a bin is of none or of too many support vectors");
+    require(count > 0 && count <= lists.vectors(), "a bin has no or too many support vectors");
     const bool common = lists.isCommon(count);
     rows += common;
     postings += common ? 0 : count;
@@ -120,27 +119,27 @@ void requireSizesFit(const PostingLists& lists) {
           "the sizes of the support vectors do not add up");
 }
 
-/// That every bin has as many vectors as it says, in ascending order.
+/// Checks that every bin has as many vectors as its count, in ascending order.
 void requireVectorsFit(const PostingLists& lists) {
   require(countElements(lists.values.data(), lists.values.size()) == lists.values.size(),
-          "a support vector holds an element that is zero or not finite");
+          "a support vector contains an element that is zero or not finite");
   const std::size_t vectors = lists.vectors();
   const float* row = lists.rows.data();
   const std::uint16_t* number = lists.numbers.data();
-  std::size_t descents = 0;  // from one bin to the next, the only ones that may be
+  std::size_t descents = 0;  // from one bin to the next, the only ones allowed
   for (const std::uint32_t count : lists.counts) {
     if (lists.isCommon(count)) {
       require(countElements(row, vectors) == count && countZeros(row, vectors) == vectors - count,
-              "a bin has not as many support vectors as it says, or not finite ones");
+              "a bin does not have as many finite values as its count");
       row += vectors;
     } else {
       if (number != lists.numbers.data()) descents += number[0] <= number[-1];
       number += count;
-      require(number[-1] < vectors, "a bin is of a support vector that there is not");
+      require(number[-1] < vectors, "a bin refers to a support vector that does not exist");
     }
   }
   require(countDescents(lists.numbers.data(), lists.numbers.size()) == descents,
-          "the support vectors of a bin do not ascend");
+          "the support vectors of a bin are not in ascending order");
 }
 
 }  // namespace

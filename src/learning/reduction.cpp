@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// The machines as they are.
+/// Keeps the machines unchanged.
 class NoReduction : public Reduction {
  public:
   explicit NoReduction(const BinarySvms& machines) : machines_(machines) {}
@@ -21,7 +21,7 @@ class NoReduction : public Reduction {
   BinarySvms machines_;
 };
 
-/// Where the variants of each method begin, and where the last one ends.
+/// The start of the variants of each method, and the end of the last one.
 std::vector<std::size_t> methodBounds(const std::vector<ReductionOptions>& variants) {
   std::vector<std::size_t> bounds;
   for (std::size_t i = 0; i < variants.size(); ++i) {

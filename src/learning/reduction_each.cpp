@@ -6,10 +6,10 @@
 namespace place_recognition {
 namespace {
 
-/// One machine's support vectors, factorized as far as its reduction may need them.
+/// One machine's support vectors, factorized as far as its reduction may require.
 struct MachineFactors {
   std::vector<int> vectors;
-  std::vector<Eigen::Index> chosen;  ///< places in `vectors`, in the order of the pivots
+  std::vector<Eigen::Index> chosen;  ///< indices into `vectors`, in the order of the pivots
   Eigen::VectorXd pivots;            ///< relative to the first
   Eigen::MatrixXd r;
 
@@ -40,8 +40,8 @@ MachineFactors factorizeMachine(const ReductionTask& task, Eigen::Index machine)
   return factors;
 }
 
-/// For each machine how many of its chosen vectors are kept so that, with one tau for all machines,
-/// at most `max_vectors` different ones remain.
+/// For each machine, the number of its chosen vectors to keep so that, with one tau for all
+/// machines, at most `max_vectors` different ones remain.
 std::vector<Eigen::Index> ranksFor(const std::vector<MachineFactors>& machines, int max_vectors) {
   struct Candidate {
     double pivot;
@@ -66,7 +66,7 @@ std::vector<Eigen::Index> ranksFor(const std::vector<MachineFactors>& machines, 
   return ranks;
 }
 
-/// Eq. 6.21 for the first `rank` chosen vectors; the others' weights are 0.
+/// Eq. 6.21 for the first `rank` chosen vectors; the weights of the others are 0.
 Eigen::VectorXd updatedWeights(const MachineFactors& factors, Eigen::Index rank,
                                const Eigen::VectorXd& weights, const Eigen::RowVectorXd& scales) {
   const std::vector<Eigen::Index> independent(factors.chosen.begin(),

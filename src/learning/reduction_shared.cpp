@@ -60,7 +60,7 @@ class SharedReduction : public Reduction {
 
   BinarySvms machines_;
   Eigen::RowVectorXd scales_;
-  std::vector<int> basis_;   ///< in the order of the choice
+  std::vector<int> basis_;   ///< in the order of selection
   Eigen::VectorXd norms_;    ///< see column_choice.h
   Eigen::MatrixXd r11_;      ///< of the basis
   Eigen::MatrixXd targets_;  ///< Q'F

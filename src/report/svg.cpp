@@ -6,7 +6,7 @@
 namespace place_recognition {
 namespace {
 
-/// ` name="value"`, a number with a tenth of a pixel.
+/// ` name="value"`, a number rounded to a tenth of a pixel.
 std::string attribute(const char* name, double value) {
   return std::string(" ") + name + "=\"" + fixed(value, 1) + "\"";
 }
@@ -15,7 +15,7 @@ std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + value + "\"";
 }
 
-/// Closes `element`, with a tooltip inside if there is one.
+/// Closes `element`, with a tooltip inside if it is not empty.
 std::string close(const std::string& element, const char* tag, const std::string& tooltip) {
   if (tooltip.empty()) return element + "/>";
   return element + "><title>" + escapeMarkup(tooltip) + "</title></" + tag + ">";

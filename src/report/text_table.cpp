@@ -6,7 +6,7 @@
 namespace place_recognition {
 namespace {
 
-/// Characters of UTF-8 text: bytes that continue one do not count.
+/// Number of characters of UTF-8 text: continuation bytes are not counted.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));

@@ -4,7 +4,7 @@
 #include "simulation/furniture.h"
 #include "simulation/light.h"
 
-// The machines, lamps, doors and other hard things among the furniture.
+// Appliances, lamps, doors and other hard objects among the furniture.
 namespace place_recognition::simulation {
 
 void Furniture::fridge(const Placement& at) {
@@ -127,7 +127,7 @@ void Furniture::pendant(const Placement& at, float drop, bool on) {
                   palette_.black, 4);
   }
   if (!on) return;
-  // As large as its shade, but without a side.
+  // As large as its shade, but without sides.
   const Vec3 middle = at(0.0f, 0.0f, -drop + 0.12f);
   scene_.lamps.push_back({middle, {0.16f, 0, 0}, {0, 0, 0.14f}, {0, 0, 0}, kShadeRadiance});
 }

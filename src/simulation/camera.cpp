@@ -9,9 +9,9 @@ namespace place_recognition::simulation {
 namespace {
 
 constexpr float kVignetting = 0.22f;   ///< light lost in the corners
-constexpr float kTarget = 0.2f;        ///< mean exposure that the meter aims at; 1 is white
-constexpr float kMeterCeiling = 1.0f;  ///< the meter does not see brighter than this
-constexpr float kCorrection = 0.55f;   ///< fraction of a colour cast that is taken out
+constexpr float kTarget = 0.2f;        ///< mean exposure targeted by the meter; 1 is white
+constexpr float kMeterCeiling = 1.0f;  ///< the meter clips at this brightness
+constexpr float kCorrection = 0.55f;   ///< fraction of a colour cast that is removed
 constexpr float kFullWell = 9000.0f;   ///< electrons at white, at the lowest sensitivity
 constexpr float kReadNoise = 14.0f;    ///< electrons
 constexpr float kBrightEnough = 1.2f;  ///< mean radiance below which the sensitivity rises
@@ -49,7 +49,7 @@ float exposure(const cv::Mat& radiance) {
   return std::sqrt(low * high);
 }
 
-/// Gains that take part of the image's mean colour out; blown-out parts do not count.
+/// Gains that remove part of the image's mean colour; overexposed parts are ignored.
 Vec3 whiteBalance(const cv::Mat& radiance, float factor) {
   Vec3 mean(1e-6f, 1e-6f, 1e-6f);
   for (int y = 0; y < radiance.rows; y += 4) {
@@ -79,7 +79,7 @@ const std::array<uchar, 4096>& toneCurve() {
   return kCurve;
 }
 
-/// A fixed supply of normal deviates: drawing them one by one would take longer than rendering.
+/// A fixed table of normal deviates: drawing them one by one would take longer than rendering.
 const std::array<float, 8192>& deviates() {
   static const std::array<float, 8192> kDeviates = [] {
     std::array<float, 8192> values{};
@@ -103,7 +103,7 @@ float focalLength(int width) { return 6.5f / 7.18f * static_cast<float>(width); 
 cv::Mat develop(const cv::Mat& radiance, Random random) {
   const float factor = exposure(radiance);
   const Vec3 gain = factor * whiteBalance(radiance, factor);
-  // The shutter is not kept open for ever: in the dark, fewer electrons have to do.
+  // The exposure time is limited: in the dark, fewer electrons must suffice.
   const float sensitivity = std::clamp(factor * kBrightEnough / kTarget, 1.0f, kMaxGain);
   const float full = kFullWell / sensitivity;
   const float read = kReadNoise * kReadNoise;

@@ -73,7 +73,7 @@ void addBlinds(Furniture& f, const Habits& habits) {
   }
 }
 
-/// Open, more or less; into the room, hinged on the side of larger x.
+/// Opens doors to varying degrees, into the room, hinged on the side of larger x.
 void addDoors(Furniture& f) {
   for (const Opening& opening : openings()) {
     if (opening.kind != Opening::kDoor) continue;
@@ -131,7 +131,7 @@ void addClutter(Furniture& f, const Habits& habits) {
   }
 }
 
-/// Anywhere on free floor: `put` builds a thing of half size `half` at a placement.
+/// Places a thing of half size `half` anywhere on the free floor; `put` builds it at a placement.
 template <typename Put>
 void scatter(Furniture& f, int count, float half, const std::vector<cv::Point2f>& keep_clear,
              const Put& put) {

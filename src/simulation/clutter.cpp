@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-// What people hang up and leave about.
+// Things that people hang up or leave lying around.
 namespace place_recognition::simulation {
 
 void Furniture::curtain(const Placement& at, float width, float bottom, float top, int cloth) {

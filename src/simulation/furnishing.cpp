@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-/// Curtains at both sides of every window of a room, radiators under them.
+/// Adds curtains on both sides of every window of a room, and radiators below.
 void dressWindows(Furniture& f, const Room& room, int cloth) {
   for (const Opening& opening : openings()) {
     const cv::Rect2f& g = opening.gap;

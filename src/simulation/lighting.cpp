@@ -10,11 +10,11 @@ namespace place_recognition::simulation {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kLift = 0.003f;      ///< m, off a surface before a ray starts
-constexpr float kInset = 0.015f;     ///< m, of the outer nodes, so that they see past the corner
-constexpr float kSampleStep = 0.5f;  ///< m, between the points that stand for a lamp's area
-constexpr int kStrata = 6;           ///< its square is the number of rays that gather a bounce
-constexpr float kFarthest = 25.0f;   ///< m, the building's size; less than to the outdoors
+constexpr float kLift = 0.003f;   ///< m, distance from a surface at which a ray starts
+constexpr float kInset = 0.015f;  ///< m, inset of the outer nodes, so that they see past the corner
+constexpr float kSampleStep = 0.5f;  ///< m, spacing of the points that represent a lamp's area
+constexpr int kStrata = 6;  ///< its square is the number of rays that gather reflected light
+constexpr float kFarthest = 25.0f;  ///< m, size of the building; the outdoors is farther
 
 float nodePosition(int i, int count, float length) {
   if (count == 1) return length / 2.0f;
@@ -31,7 +31,7 @@ Vec3 normalAt(const Facet& facet, float a) {
   return cv::normalize(facet.normal + (a / facet.width - 0.5f) * facet.bend);
 }
 
-/// Takes out of a bounced grid most of the noise of its few rays.
+/// Removes most of the noise that few rays leave in a grid of reflected light.
 template <typename Grid>
 void smooth(Grid& grid) {
   const Grid source = grid;
@@ -177,12 +177,12 @@ Vec3 Lighting::fromLamp(const Lamp& lamp, const Vec3& point, const Vec3& normal,
       if (here <= 0.0f || there <= 0.0f) continue;
       float fraction = here * there * area / std::max(squared, 0.5f * area);
       if (fraction * radiance[1] < 0.004f) continue;
-      // A shade of cloth would shadow its own middle.
+      // A fabric shade would shadow its own centre.
       if (tracer_.blocked(point, way,
                           everywhere ? 1.0f - 0.21f / std::max(distance, 0.3f) : 1.0f)) {
         continue;
       }
-      // Looking up through a window one sees the sky, looking down the darker ground.
+      // Looking up through a window one sees the sky; looking down, the darker ground.
       if (window) fraction *= 0.9f + 0.8f * std::clamp(way[2] / distance, -0.7f, 0.7f);
       sum += fraction * radiance;
     }
@@ -191,7 +191,7 @@ Vec3 Lighting::fromLamp(const Lamp& lamp, const Vec3& point, const Vec3& normal,
 }
 
 Vec3 Lighting::bounced(const Vec3& point, const Vec3& normal) const {
-  // The same rays for every node: neighbours then agree, which noise of their own would not let.
+  // The same rays for every node, so that neighbours agree; independent noise would not.
   Random random(77);
   const Vec3 hint = std::abs(normal[2]) > 0.7f ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   const Vec3 across = cv::normalize(hint.cross(normal));
@@ -199,7 +199,7 @@ Vec3 Lighting::bounced(const Vec3& point, const Vec3& normal) const {
   Vec3 sum;
   for (int i = 0; i < kStrata; ++i) {
     for (int j = 0; j < kStrata; ++j) {
-      // Density proportional to the cosine: each ray then counts the same.
+      // Density proportional to the cosine, so that each ray has the same weight.
       const float square = (static_cast<float>(i) + random.uniform()) / kStrata;
       const float angle = 2.0f * kPi * (static_cast<float>(j) + random.uniform()) / kStrata;
       const float radius = std::sqrt(square);

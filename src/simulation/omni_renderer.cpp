@@ -14,12 +14,12 @@ constexpr float kHighest = 115 * kPi / 180;
 constexpr float kRim = 0.47f;               ///< radius of the mirror, in shorter sides of the image
 const Vec3 kSurround(0.02f, 0.02f, 0.02f);  ///< radiance beside the mirror, and of the camera in it
 constexpr int kFaces = 4;
-/// Of a face, in focal lengths: a quarter of the circle, and a little for interpolation.
+/// Width of a face, in focal lengths: a quarter of the circle, with a margin for interpolation.
 constexpr float kFaceWidth = 2.05f;
-/// Where the directions at 45 degrees to a face's middle that are lowest leave it.
+/// Where the lowest directions at 45 degrees to a face's centre leave the face.
 const float kFaceHeight = 2.05f / std::cos(0.25f * kPi);
 
-/// Of a direction at `angle` from straight down, in units of g.
+/// The radius of a direction at `angle` from straight down, in units of g.
 float radiusAt(float angle) { return std::sin(angle) / (kXi + std::cos(angle)); }
 
 float scaleOf(cv::Size size) { return mirrorRing(size).outer / radiusAt(kHighest); }
@@ -29,7 +29,7 @@ cv::Size faceSize(float focal) {
           2 * static_cast<int>(std::ceil(0.5f * kFaceHeight * focal))};
 }
 
-/// Where the pixel at `offset` from the mirror's centre is seen on the faces; behind them: nowhere.
+/// Position on the faces of the pixel at `offset` from the mirror's centre; behind them: nowhere.
 cv::Vec2f onFaces(cv::Point2f offset, float scale, float focal) {
   const float radius = std::hypot(offset.x, offset.y) / scale;
   if (radius < radiusAt(kLowest) || radius > radiusAt(kHighest)) return {-1e6f, -1e6f};
@@ -37,8 +37,7 @@ cv::Vec2f onFaces(cv::Point2f offset, float scale, float focal) {
       (kXi + std::sqrt(1 + (1 - kXi * kXi) * radius * radius)) / (1 + radius * radius);
   const float level = eta * radius;  // sine of the angle from straight down
   const float down = eta - kXi;
-  // Anticlockwise from ahead; the camera looks up, so that what is to the left is seen at the
-  // right.
+  // Anticlockwise from ahead; the camera looks up, so what is on the left appears on the right.
   const float azimuth = std::atan2(offset.x, -offset.y);
   const float quarter = std::round(azimuth / (0.5f * kPi));
   const float within = azimuth - quarter * 0.5f * kPi;
@@ -65,7 +64,7 @@ MirrorRing mirrorRing(cv::Size size) {
 OmniRenderer::OmniRenderer(const Scene& scene, const RayTracer& tracer, const Lighting& lighting,
                            cv::Size size)
     : size_(size),
-      focal_(1.1f * scaleOf(size)),  // as fine as the ring is at the horizon
+      focal_(1.1f * scaleOf(size)),  // matches the ring's resolution at the horizon
       faces_(scene, tracer, lighting, faceSize(focal_), focal_),
       map_(size, CV_32FC2) {
   const cv::Point2f center = mirrorRing(size).center;

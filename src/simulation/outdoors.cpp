@@ -11,10 +11,10 @@ namespace {
 const cv::Size kSize{2048, 1024};
 const int kHorizon = kSize.height / 2;
 
-/// The colours of a day or of a night.
+/// The colours of a day or a night.
 struct Light {
   cv::Scalar zenith, horizon, cloud, wall, window, tree, ground;
-  double clouds;     ///< fraction of the cloud's colour where it is thickest
+  double clouds;     ///< fraction of the cloud's colour at its thickest point
   float lit_window;  ///< fraction of the windows with a lamp behind
 };
 

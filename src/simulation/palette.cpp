@@ -7,15 +7,15 @@
 namespace place_recognition::simulation {
 namespace {
 
-/// Adds materials to a scene; every one draws from its own generator, so that a change to one
-/// leaves the others as they are.
+/// Adds materials to a scene. Each draws from its own generator, so that a change to one leaves the
+/// others unchanged.
 class Painter {
  public:
   Painter(Scene& scene, std::uint64_t seed) : scene_(scene), seed_(seed) {}
 
   Random random() { return Random(seed_, stream_++); }
 
-  /// `width` by `height` m a repeat; 0: once over the facet.
+  /// `width` by `height` m per repeat; 0: once over the facet.
   int surface(const cv::Mat& picture, float width, float height) {
     Material material;
     material.texture = std::make_shared<Texture>(picture);
@@ -55,7 +55,7 @@ class Painter {
   std::uint64_t stream_ = 0;
 };
 
-/// `base` moved a little in brightness and hue, so that buildings differ.
+/// `base` varied slightly in brightness and hue, so that buildings differ.
 cv::Scalar near(Random& random, const cv::Scalar& base) {
   const double brightness = random.uniform(0.94f, 1.04f);
   return {base[0] * brightness * random.uniform(0.96f, 1.04f), base[1] * brightness,
@@ -165,7 +165,7 @@ Palette makePalette(Scene& scene, std::uint64_t seed, Condition condition) {
   palette.shade_on = painter.luminous(palette.shade_off, kShadeRadiance);
 
   for (const int blind : palette.blinds) {
-    painter.material(blind).emission = 0.12f * daylight(condition).sky;  // shines through
+    painter.material(blind).emission = 0.12f * daylight(condition).sky;  // light shines through
   }
   Random random = painter.random();
   palette.outdoors = painter.surface(outdoors(random, condition), 0.0f, 0.0f);

@@ -16,7 +16,7 @@ constexpr float kFromFurniture = 0.35f;  ///< m
 constexpr int kAngles = 12;
 
 constexpr float kSpeed = 0.5f;     ///< m/s
-constexpr float kTurnRate = 0.7f;  ///< rad/s, at most
+constexpr float kTurnRate = 0.7f;  ///< rad/s, maximum
 constexpr float kStep = 0.02f;     ///< m
 
 template <typename... Numbers>
@@ -28,7 +28,7 @@ std::string numbered(const char* format, Numbers... numbers) {
 
 using Points = std::vector<cv::Point2f>;
 
-/// Where the robot is to pass, in rooms in which it turns round as in corridors.
+/// Points on the robot's path; in rooms it turns round, as in corridors.
 const Points kWaypoints = {
     {1.2f, 1.1f},  {2.6f, 1.1f},  {3.3f, 1.6f},  {3.3f, 2.6f},  {3.2f, 3.6f},   {2.9f, 4.6f},
     {2.5f, 5.5f},  {2.0f, 5.8f},  {1.7f, 5.2f},  {1.8f, 4.2f},  {2.3f, 3.5f},   {3.1f, 3.0f},
@@ -42,7 +42,7 @@ const Points kWaypoints = {
     {3.4f, 0.8f},  {2.4f, 1.1f},  {1.2f, 1.1f},
 };
 
-/// Uniform cubic B-spline: near the waypoints rather than through them, with a smooth curvature.
+/// Uniform cubic B-spline: passes near the waypoints, not through them, with smooth curvature.
 cv::Point2f spline(const cv::Point2f* p, float t) {
   const float s = 1.0f - t;
   return (s * s * s * p[0] + (3.0f * t * t * t - 6.0f * t * t + 4.0f) * p[1] +
@@ -50,7 +50,7 @@ cv::Point2f spline(const cv::Point2f* p, float t) {
          6.0f;
 }
 
-/// Points `step` metres apart along the way.
+/// Points `step` metres apart along the path.
 Points walk(const Points& waypoints, float step) {
   Points way;
   float left = 0.0f;
@@ -149,7 +149,7 @@ std::vector<Pose> driveRun(double rate, float stray, Random random) {
       pose.stamp = stamp;
       pose.view.eye = {at.x, at.y, kCameraHeight};
       pose.view.yaw = wrapped(heading(i) + fraction * turn);
-      pose.view.pitch = 0.003f * random.normal();  // the floor is not quite even
+      pose.view.pitch = 0.003f * random.normal();  // the floor is not perfectly even
       run.push_back(pose);
     }
     time += duration;

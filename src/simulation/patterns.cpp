@@ -26,7 +26,7 @@ cv::Mat mixed(const cv::Mat& a, double weight, const cv::Mat& b) {
   return result;
 }
 
-/// Lines along x that waver, as the grain of wood does.
+/// Wavering lines along x, like the grain of wood.
 cv::Mat grain(Random& random, cv::Size size) {
   const cv::Mat fine = noise(random, size, {4, 96});
   const cv::Mat wide = noise(random, size, {2, 12});

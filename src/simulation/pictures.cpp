@@ -49,7 +49,7 @@ void plot(cv::Mat picture, Random& random, const cv::Rect& box) {
   }
 }
 
-/// Coloured noise that passes for a photograph seen from afar.
+/// Coloured noise that resembles a photograph seen from afar.
 void photograph(cv::Mat picture, Random& random, const cv::Rect& box) {
   cv::Mat channels[3], image;
   const cv::Mat common = noise(random, box.size(), {5, 4});

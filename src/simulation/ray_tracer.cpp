@@ -132,7 +132,7 @@ Hit RayTracer::trace(const Vec3& origin, const Vec3& direction, float reach) con
     if (enter > leave) continue;
     if (node.count == 0) {
       const std::size_t left = index(node.first);
-      // The nearer child last, so that it is taken first.
+      // The nearer child is pushed last, so that it is visited first.
       const Vec3 apart = nodes_[left + 1].box.low + nodes_[left + 1].box.high -
                          nodes_[left].box.low - nodes_[left].box.high;
       const int nearer = apart.dot(direction) > 0.0f ? 0 : 1;

@@ -17,9 +17,9 @@ struct Form {
   float at(float x, float y) const { return constant + along_x * x + along_y * y; }
 };
 
-/// A facet as the camera sees it: with inverse(x, y) the inverse of the distance to its plane along
-/// the ray of a sample, a(x, y) / inverse(x, y) and b(x, y) / inverse(x, y) are where on it the ray
-/// arrives.
+/// A facet as seen by the camera. inverse(x, y) is the inverse of the distance to its plane along
+/// the ray of a sample, and a(x, y) / inverse(x, y) and b(x, y) / inverse(x, y) are the coordinates
+/// on it where the ray arrives.
 struct Projected {
   Form inverse, a, b;
 };
@@ -179,7 +179,7 @@ Vec3 Renderer::shade(const Frame& frame, int index, float x, float y, float exte
 
   Vec3 colour;
   if (!material.glass) {
-    // How far a step of one sample moves on the surface.
+    // The distance on the surface that corresponds to a step of one sample.
     const auto reach = [&](const Form& form, float value) {
       const float by_x = form.along_x - value * projected.inverse.along_x;
       const float by_y = form.along_y - value * projected.inverse.along_y;
@@ -190,7 +190,8 @@ Vec3 Renderer::shade(const Frame& frame, int index, float x, float y, float exte
   if (material.mirror > 0.0f) {
     const Vec3 direction = cv::normalize(frame.ray(x, y, samples_, focal_));
     const float cosine = std::abs(direction.dot(facet.normal));
-    // Schlick's approximation of Fresnel's law, less at grazing angles, for nothing is that flat.
+    // Schlick's approximation of Fresnel's law, reduced at grazing angles, because nothing is that
+    // flat.
     const float fraction =
         material.mirror + 0.5f * (1.0f - material.mirror) * std::pow(1.0f - cosine, 5.0f);
     colour = (1.0f - fraction) * colour +

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-/// Fills in the frame and the bounding rectangle from the corners.
+/// Sets the frame and the bounding rectangle from the corners.
 void measure(Facet& facet) {
   const std::vector<Vec3>& corners = facet.corners;
   facet.normal = cv::normalize((corners[1] - corners[0]).cross(corners[2] - corners[0]));
@@ -62,7 +62,7 @@ Facet& Scene::polygon(std::vector<Vec3> corners, int material) {
   const cv::Size2f size = materials[static_cast<std::size_t>(material)].size;
   if (size.width > 0.0f) {
     facet.repeats = {1.0f / size.width, 1.0f / size.height};
-    // Else every board of a shelf would show the same knots.
+    // Otherwise every board of a shelf would show the same knots.
     const float number = static_cast<float>(facets.size());
     facet.shift = {std::fmod(number * 0.618f, 1.0f), std::fmod(number * 0.382f, 1.0f)};
   } else {

@@ -14,7 +14,7 @@ struct Wall {
   bool alongX() const { return side == Side::kMinusY || side == Side::kPlusY; }
   float start() const { return alongX() ? room.floor.x : room.floor.y; }
   float length() const { return alongX() ? room.floor.width : room.floor.height; }
-  /// The coordinate that all its points share.
+  /// The coordinate shared by all its points.
   float level() const {
     const cv::Rect2f& f = room.floor;
     switch (side) {
@@ -82,7 +82,7 @@ void addWall(Scene& scene, const Palette& palette, const Wall& wall, int paint) 
   solid(wall.length());
 }
 
-/// In the frame of an opening x runs along the wall from -half to half, y through it.
+/// In the frame of an opening, x runs along the wall from -half to half, and y through it.
 struct Gap {
   Placement at;
   float half, depth;
@@ -91,14 +91,14 @@ struct Gap {
 Gap gapOf(const Opening& opening) {
   const cv::Rect2f& g = opening.gap;
   const bool along_x = g.width > g.height;
-  // The frame of an outer wall has y towards the inside.
+  // In the frame of an outer wall, y points inside.
   const float yaw = along_x ? 3.14159265f : -1.57079633f;
   return {{g.x + g.width / 2.0f, g.y + g.height / 2.0f, 0.0f, yaw},
           (along_x ? g.width : g.height) / 2.0f,
           along_x ? g.height : g.width};
 }
 
-/// Lines the hole with four boards and sets a frame `bar` wide into its middle.
+/// Lines the hole with four boards and adds a frame `bar` wide in its middle.
 void addFrame(Scene& scene, const Opening& opening, float bar, int lining, int frame) {
   const Gap gap = gapOf(opening);
   const float y = gap.depth / 2.0f, thin = 0.004f;
@@ -141,7 +141,7 @@ void addWindow(Scene& scene, const Palette& palette, const Opening& opening) {
   scene.windows.push_back(window);
 }
 
-/// Half of it stands still, the other half is pushed open behind it.
+/// One half is fixed, and the other is slid open behind it.
 void addSlidingDoor(Scene& scene, const Palette& palette, const Opening& opening) {
   const Gap gap = gapOf(opening);
   addFrame(scene, opening, 0.05f, palette.frame, palette.steel);
@@ -175,7 +175,7 @@ void addOpening(Scene& scene, const Palette& palette, const Opening& opening) {
   }
 }
 
-/// Two painted walls 30 m away, for the building is on an upper floor of a corner house.
+/// Two painted walls 30 m away, because the building is an upper floor at a street corner.
 void addOutdoors(Scene& scene, int material) {
   scene.picture({8.0f, 37.0f, -14.0f, 0.0f}, 120.0f, 32.0f, material);
   scene.picture({-30.0f, 0.0f, -14.0f, 1.57079633f}, 120.0f, 32.0f, material);
@@ -196,7 +196,7 @@ void addShell(Scene& scene, const Palette& palette) {
   }
   for (const Opening& opening : openings()) {
     const cv::Rect2f& g = opening.gap;
-    // The threshold, so that no one looks into the ground between two floors.
+    // The threshold hides the ground between two floors.
     if (opening.sill == 0.0f && g.area() > 0.0f) {
       scene.box({}, {g.x, g.y, -0.05f}, {g.x + g.width, g.y + g.height, 0.0f}, palette.steel);
     }

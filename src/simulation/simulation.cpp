@@ -23,10 +23,10 @@ namespace {
 
 using namespace simulation;
 
-/// Frames that are rendered at a time, whatever the number of threads.
+/// Number of frames rendered at a time, whatever the number of threads.
 constexpr std::size_t kBatch = 8;
 
-/// How far the robot strays from its way on a later visit, m.
+/// Deviation of the robot from its path on a later visit, m.
 constexpr float kStray = 0.1f;
 
 constexpr unsigned kMaxVisits = 1000;
@@ -35,7 +35,7 @@ constexpr unsigned kMaxFloors = 1000;
 /// From the last frame of a floor to the first of the next, s.
 constexpr double kLiftTime = 10.0;
 
-/// Cameras by their names: how far each is turned to the left, rad.
+/// Cameras by name, and the angle by which each is turned to the left, rad.
 constexpr std::pair<const char*, float> kMounts[] = {
     {"front", 0.0f}, {"left", 1.5707963f}, {"rear", 3.1415927f}, {"right", -1.5707963f}};
 
@@ -46,13 +46,13 @@ enum Stream : std::uint64_t {
   kNoiseStream = 4000
 };
 
-/// The generator of what differs from one condition, and one visit, to the next.
+/// The generator for what differs between conditions and visits.
 Random randomOf(const SimulationOptions& options, std::uint64_t stream) {
   const auto condition = static_cast<std::uint64_t>(options.condition);
   return Random(options.seed, stream + condition + 10000 * (options.visit - 1));
 }
 
-/// Builds and furnishes the scene; returns what the camera is to take of it.
+/// Builds and furnishes the scene; returns the poses of the camera.
 std::vector<Pose> prepare(const SimulationOptions& options, Scene& scene) {
   const Palette palette = makePalette(scene, options.seed, options.condition);
   addShell(scene, palette);
@@ -71,7 +71,7 @@ std::vector<Pose> prepare(const SimulationOptions& options, Scene& scene) {
                                                : driveRun(options.rate, stray, jitter);
 }
 
-/// The number of a camera in kMounts; throws Error if there is none of this name.
+/// The index of a camera in kMounts; throws Error if there is none with this name.
 std::size_t mountOf(const std::string& camera) {
   const auto found = std::find_if(std::begin(kMounts), std::end(kMounts),
                                   [&camera](const auto& mount) { return camera == mount.first; });
@@ -81,7 +81,7 @@ std::size_t mountOf(const std::string& camera) {
 
 using Render = std::function<cv::Mat(const View& view)>;
 
-/// The camera of the options; it keeps references to what it is of.
+/// The renderer for the camera in the options; it keeps references to its arguments.
 Render renderOf(const SimulationOptions& options, const Scene& scene, const RayTracer& tracer,
                 const Lighting& lighting) {
   if (options.omnidirectional) {
@@ -109,7 +109,7 @@ void simulateFloor(const SimulationOptions& options, const FrameSink& sink) {
   Scene scene;
   const std::vector<Pose> poses = prepare(options, scene);
   const RayTracer tracer(scene);
-  // A grid of light finer than what the image shows would be wasted.
+  // A light grid finer than the image's resolution would be wasted.
   const float spacing = 0.12f * std::max(1.0f, 512.0f / static_cast<float>(options.size.width));
   const Lighting lighting(scene, tracer, daylight(options.condition), spacing, options.threads);
   const Render render = renderOf(options, scene, tracer, lighting);
@@ -179,12 +179,12 @@ void SimulationOptions::check() const {
   }
   if (!(rate >= 0.1 && rate <= 100.0)) {
     throw Error("Simulation rate " + std::to_string(rate) +
-                " is out of range; give 0.1 to 100 frames a second.");
+                " is out of range; give 0.1 to 100 frames per second.");
   }
   for (auto camera = cameras.begin(); camera != cameras.end(); ++camera) {
     mountOf(*camera);
     if (std::find(cameras.begin(), camera, *camera) == camera) continue;
-    throw Error("Camera '" + *camera + "' is there twice; name each once.");
+    throw Error("Camera '" + *camera + "' is named twice; name each only once.");
   }
 }
 

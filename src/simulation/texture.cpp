@@ -60,8 +60,8 @@ Texture::Texture(const cv::Mat& picture) {
 Vec3 Texture::sample(float s, float t, float extent_s, float extent_t) const {
   const float width = extent_s * static_cast<float>(levels_[0].cols);
   const float height = extent_t * static_cast<float>(levels_[0].rows);
-  // A long thin footprint (a floor seen at a grazing angle) is a compromise between the blur of
-  // its long side and the aliasing of its short one; the samples of a pixel average the rest.
+  // A long thin footprint (a floor seen at a grazing angle) is a compromise between the blur of its
+  // long side and the aliasing of its short one; the samples of a pixel average the rest.
   const float extent = std::max(std::min(width, height), std::max(width, height) * 0.5f);
   const float level =
       std::min(std::log2(std::max(extent, 1.0f)), static_cast<float>(levels_.size() - 1));

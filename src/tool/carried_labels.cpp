@@ -13,10 +13,10 @@
 namespace place_recognition::tool {
 namespace {
 
-/// s; parts of a recording follow each other within a message or two.
+/// s; consecutive parts of a recording are only a message or two apart.
 constexpr double kMaxGap = 2;
 
-/// What is in a bag; nothing for what cannot be read, which its reader will tell.
+/// The contents of a bag; empty if it cannot be read, which its reader will report.
 BagInfo infoOf(const std::string& recording, const BagRecordingOptions& options) {
   try {
     return isBag(recording) ? bagInfo(recording, options) : BagInfo();
@@ -25,14 +25,14 @@ BagInfo infoOf(const std::string& recording, const BagRecordingOptions& options)
   }
 }
 
-/// Whether `recording` is named as rosbag names a part of a recording behind the first.
+/// Whether `recording` has the name that rosbag gives to later parts of a recording.
 bool isLaterPart(const std::string& recording) {
   static const std::regex part(R"(.*_0*[1-9]\d{0,3}\.bag)");
   const std::string name = std::filesystem::path(recording).filename().string();
   return name.size() < 256 && std::regex_match(name, part);
 }
 
-/// The bag that ends where bag `i` starts; the one given before it, if that does. -1: none.
+/// The bag that ends where bag `i` starts, preferably the one given before it; -1 if there is none.
 int partBefore(const std::vector<BagInfo>& bags, int i) {
   const auto gapBehind = [&](int j) {
     const BagInfo& bag = bags[static_cast<std::size_t>(j)];
@@ -54,8 +54,8 @@ void warnOfStart(const std::string& recording, const BagInfo& bag, bool among_ot
   if (!none && bag.labels.front().from <= kAtOnce) return;
   if (!isLaterPart(recording) && !(none && among_others)) return;
   std::cerr << "warning: " << recording << (none ? " has no labels." : " starts without a label.")
-            << " One that was said in another part of its recording holds if that part is given, "
-               "too; rosbag record --repeat-latched repeats it in every part.\n";
+            << " A label from another part of its recording is carried over if that part is "
+               "given, too; rosbag record --repeat-latched repeats labels in every part.\n";
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ std::vector<std::string> carriedLabels(const std::vector<std::string>& recording
   if (!may_lack || !options.label.empty()) return carried;
   std::vector<BagInfo> bags;
   for (const std::string& recording : recordings) bags.push_back(infoOf(recording, options));
-  // In order of time, so that a label is carried through parts that say none.
+  // In order of time, so that a label is carried through parts without labels.
   std::vector<int> order(recordings.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&bags](int a, int b) {
@@ -85,7 +85,7 @@ std::vector<std::string> carriedLabels(const std::vector<std::string>& recording
     BagRecordingOptions own = options;
     own.initial_label = carried[i] = bags[static_cast<std::size_t>(before)].last_label;
     bags[i] = infoOf(recordings[i], own);
-    std::cerr << "note: " << recordings[i] << " goes on where "
+    std::cerr << "note: " << recordings[i] << " continues where "
               << recordings[static_cast<std::size_t>(before)] << " ends, and starts in '"
               << carried[i] << "'.\n";
   }

@@ -24,7 +24,7 @@ std::string configurationPath(const std::string& config) {
               ".");
 }
 
-/// `work()`, with `where` before the message of an Error.
+/// Calls `work()`; puts `where` in front of the message of an Error.
 template <typename Work>
 void explain(const std::string& where, const Work& work) {
   try {

@@ -38,8 +38,8 @@ std::string download(const std::string& url, std::size_t limit, const std::strin
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) break;
     bytes.append(buffer.data(), static_cast<std::size_t>(count));
-    if (bytes.size() > limit) throw Error(url + " holds more than " + most + " bytes.");
-    // How much there is to come is not known; the bar tells that it comes.
+    if (bytes.size() > limit) throw Error(url + " is larger than " + most + " bytes.");
+    // The total is not known; the bar only shows that data arrives.
     report("Downloading " + url, static_cast<double>(bytes.size()) / static_cast<double>(limit));
   }
   std::string complaint;

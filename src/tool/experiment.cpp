@@ -61,7 +61,7 @@ std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
 std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
   const bool made_up = options.name == "figures";
   if (made_up && !options.data.empty()) {
-    throw UsageError("--data: the figures are of made-up points; leave it out");
+    throw UsageError("--data: the figures use artificial points; omit it");
   }
   if (!made_up && options.data.empty()) throw UsageError("--data is required");
   if (made_up) return {};

@@ -17,7 +17,7 @@ struct FeaturesOptions {
   ConfigurationOptions configuration;
 };
 
-/// Shortest text that gives the same float again, in nine digits at most.
+/// The shortest text that gives the same float again, with at most nine digits.
 std::string formatFloat(float value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
@@ -58,7 +58,7 @@ void features(const FeaturesOptions& options) {
   std::vector<Feature> features;
   if (!extraction.extract(image, features)) {
     throw Error(options.image + " has no feature: " + extraction.reason() +
-                "; take a larger or less empty image, or another --config.");
+                "; use a larger image with more detail, or another --config.");
   }
   for (std::size_t c = 0; c < features.size(); ++c) {
     if (features.size() > 1) std::cout << "# " << training_options.cues[c].name << '\n';

@@ -23,7 +23,7 @@ struct ImportOptions {
 
 void importImages(const ImportOptions& options) {
   if (!options.layout.camera.empty() && options.layout.name != "cold") {
-    throw UsageError("--camera goes with --layout cold alone");
+    throw UsageError("--camera requires --layout cold");
   }
   requireWritable(options.out);
   std::vector<std::string> warnings;
@@ -31,14 +31,14 @@ void importImages(const ImportOptions& options) {
 
   LabelledBagOptions bag_options;
   bag_options.jpeg = !options.raw;
-  // Stamps that start at 0 are moved to a time that ROS takes for one; others are kept.
+  // Stamps that start at 0 are shifted to a time that ROS accepts; others are kept.
   if (images.front().stamp > 0) bag_options.base_time = 0;
 
   ProgressDisplay display(options.output.progress);
   const Progress progress = display.callback();
   LabelledBagWriter bag(options.out, bag_options);
   std::set<std::string> places;
-  std::map<std::string, std::string> problems;  // the first, by place
+  std::map<std::string, std::string> problems;  // the first one, by place
   UnusableImages unusable;
   std::vector<std::string> paths;
   for (const LabelledImage& image : images) paths.push_back(image.path);

@@ -92,7 +92,7 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
       if (model.adjacency.joined(a, b)) adjoining.push_back({model.places[a], model.places[b]});
     }
   }
-  Json correlations = Json::array();  // a row per camera
+  Json correlations = Json::array();  // one row per camera
   for (Eigen::Index a = 0; a < model.cameras.coefficients.rows(); ++a) {
     const Eigen::VectorXd row = model.cameras.coefficients.row(a);
     correlations.push_back(std::vector<double>(row.data(), row.data() + row.size()));
@@ -158,7 +158,7 @@ Json bagFigures(const BagInfo& bag, const std::string& path) {
           {"labels", labels}};
 }
 
-/// The file of the model that `name` means. Throws Error for a file or folder that is none.
+/// The model file that `name` refers to. Throws Error for a file or folder that is not a model.
 std::string modelPathOf(const std::string& name) {
   std::error_code ignored;
   const bool exists = std::filesystem::exists(name, ignored);
@@ -180,7 +180,7 @@ void info(const InfoOptions& options) {
     const BagInfo bag = bagInfo(options.name, options.input.bag);
     if (isActiveBag(options.name)) {
       std::cerr << "warning: " << options.name
-                << " is whole, though named as one that is being recorded; rename it.\n";
+                << " is complete but has the name of an active recording; rename it.\n";
     }
     if (options.output.json != "-") printBag(bag, options.name);
     options.output.writeJson(bagFigures(bag, options.name));

@@ -21,21 +21,22 @@ bool isRecording(const std::string& path) {
   return isBag(path) || (fs::is_directory(path) && holdsRoomImages(path));
 }
 
-/// Why a folder that holds no run gives nothing.
+/// Why a folder without runs yields nothing.
 std::string whyNoRoomFolders(const std::string& folder) {
   const FolderEntries entries = entriesOf(folder);
   if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
   const FoundImages found = findRoomImages(folder);
   if (!found.images.empty()) {
-    return "its images lie too deep, as " + found.images.front().path +
+    return "its images are nested too deeply, such as " + found.images.front().path +
            "; arrange them as room/image";
   }
-  std::string text = "it holds no room/image files";
+  std::string text = "it contains no room/image files";
   for (const std::string& warning : found.warnings) text += "; " + warning;
   return text;
 }
 
-/// Why no image can be read from a bag. Its labels are another matter: they are mended, not left.
+/// Why no image can be read from a bag. Problems with its labels are reported elsewhere, because
+/// they can be corrected.
 std::string whyUnreadable(const std::string& bag) {
   BagRecordingOptions without_labels;
   without_labels.label = "any";
@@ -51,7 +52,7 @@ std::string whyUnreadable(const std::string& bag) {
   }
 }
 
-/// Why `path`, in a folder of runs, is none; empty if nobody would take it for one.
+/// Why `path`, in a folder of runs, is not a run; empty if nobody would expect it to be one.
 std::string whyPassedOver(const std::string& path) {
   std::error_code ignored;
   const std::string what = whyNoRecording(path);
@@ -61,7 +62,7 @@ std::string whyPassedOver(const std::string& path) {
   return is_folder && !isRecording(path) ? whyNoRoomFolders(path) : "";
 }
 
-/// The runs directly in a folder; names what could be one and gives nothing.
+/// Finds the runs directly in a folder, and reports entries that look like runs but yield nothing.
 void findRecordingsIn(const std::string& folder, std::vector<std::string>& recordings) {
   const FolderEntries entries = entriesOf(folder);
   if (!entries.problem.empty()) {
@@ -75,7 +76,7 @@ void findRecordingsIn(const std::string& folder, std::vector<std::string>& recor
   std::vector<std::string> passed_over;  // sentences
   const auto pass_over = [&](const std::string& path, const std::string& why) {
     const std::string end = why.back() == '.' ? "" : ".";
-    passed_over.push_back("Nothing is taken from " + path + ": " + why + end);
+    passed_over.push_back("Nothing was read from " + path + ": " + why + end);
   };
   for (const std::string& name : names) {
     const std::string path = (fs::path(folder) / name).string();
@@ -87,15 +88,16 @@ void findRecordingsIn(const std::string& folder, std::vector<std::string>& recor
     }
   }
   for (const std::string& name : entries.dead) {
-    pass_over((fs::path(folder) / name).string(), "it is a link that leads nowhere");
+    pass_over((fs::path(folder) / name).string(), "it is a broken link");
   }
   std::string text;
   for (const std::string& sentence : passed_over) text += " " + sentence;
   if (recordings.size() == before) {
-    throw Error("The folder " + folder +
-                " holds neither bags nor room/image files (png, jpg, webp, bmp or tiff); put the "
-                "images of each room into a folder with the room's name." +
-                text);
+    throw Error(
+        "The folder " + folder +
+        " contains neither bags nor room/image files (png, jpg, webp, bmp or tiff); put the "
+        "images of each room into a folder with the room's name." +
+        text);
   }
   for (const std::string& sentence : passed_over) std::cerr << "warning: " << sentence << "\n";
 }
@@ -104,8 +106,7 @@ void findRecordingsOf(const std::string& input, std::vector<std::string>& record
   std::error_code failure;
   if (!fs::exists(input, failure)) {
     const bool is_link = fs::is_symlink(input, failure);
-    throw Error(input + (is_link ? " is a link that leads nowhere" : " does not exist") +
-                "; check the path.");
+    throw Error(input + (is_link ? " is a broken link" : " does not exist") + "; check the path.");
   }
   const std::string what = whyNoRecording(input);
   if (!what.empty()) throw Error(input + " is " + what + ".");
@@ -145,8 +146,9 @@ void InputOptions::addTo(Verb& verb) {
 std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string>& inputs) const {
   const std::vector<std::string> recordings = findRecordings(inputs);
   if (!bag.labels_file.empty() && std::count_if(recordings.begin(), recordings.end(), isBag) > 1) {
-    throw Error("--labels " + bag.labels_file +
-                " is for one bag; put a file RUN.labels.yaml beside each of several.");
+    throw Error(
+        "--labels " + bag.labels_file +
+        " applies to a single bag; for several bags, put a file RUN.labels.yaml beside each.");
   }
   const std::vector<std::string> carried = carriedLabels(recordings, bag);
   std::vector<RecordingOpener> openers;
@@ -184,8 +186,8 @@ Frame imageFrame(const std::string& path, const DepthExtent& depth) {
 cv::Mat readImage(const std::string& path) {
   const Frame frame = imageFrame(path, {});
   if (!frame.image.empty()) return frame.image;
-  throw Error("The image " + path + " is of no use: " + frame.problem +
-              "; remove it or put a good one in its place.");
+  throw Error("The image " + path + " cannot be used: " + frame.problem +
+              "; remove or replace it.");
 }
 
 }  // namespace place_recognition::tool

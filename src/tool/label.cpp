@@ -23,22 +23,23 @@ struct LabelOptions {
   InputOptions input;
 };
 
-/// The bags among the inputs, each of which can be read and labelled by a file beside it.
+/// The bags among the inputs; each can be read and labelled with a file beside it.
 std::vector<std::string> checkedBags(const LabelOptions& options) {
   const std::vector<std::string> bags = findRecordings(options.inputs);
   for (const std::string& bag : bags) {
     if (!isBag(bag)) {
-      throw Error(bag + " is a folder of images, whose labels are the folders; give bags.");
+      throw Error(bag + " is a folder of images, which are labelled by their folders; give bags.");
     }
     bagInfo(bag, options.input.bag);  // throws if it cannot be read
   }
   if (bags.size() > 1 && !options.input.bag.labels_file.empty()) {
-    throw Error("--labels " + options.input.bag.labels_file + " is for one bag; give one.");
+    throw Error("--labels " + options.input.bag.labels_file +
+                " applies to a single bag; give one.");
   }
   return bags;
 }
 
-/// Becomes the program with these arguments; throws if it cannot.
+/// Replaces this process by the program with these arguments; throws if that fails.
 [[noreturn]] void execute(std::vector<std::string> arguments) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -55,7 +56,7 @@ void label(const LabelOptions& options) {
                                      "--tool", program};
   const BagRecordingOptions& bag = options.input.bag;
   if (bag.image_topics.size() > 1) {
-    throw UsageError("--image-topic: the page shows one camera; name one");
+    throw UsageError("--image-topic: the page shows only one camera; name one");
   }
   const auto pass = [&arguments](const char* option, const std::string& value) {
     if (!value.empty()) arguments.push_back(std::string(option) + "=" + value);

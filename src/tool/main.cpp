@@ -20,9 +20,9 @@ using place_recognition::tool::UsageError;
 
 constexpr int kBadInput = 1;
 constexpr int kBadUsage = 2;
-constexpr int kStopped = 130;  // as a shell has it: 128 + SIGINT
+constexpr int kStopped = 130;  // as in shells: 128 + SIGINT
 
-/// One line on stderr, whatever the message holds.
+/// Prints one line on stderr, whatever the message contains.
 int fail(const CommandLine& tool, std::string message, int status) {
   std::replace_if(
       message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -37,14 +37,13 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
   try {
     tool.run(words);
     if (std::cout.flush()) return 0;
-    return fail(tool, "cannot write to the standard output; make room, or send it elsewhere.",
-                kBadInput);
+    return fail(tool, "cannot write to the standard output; make room, or redirect it.", kBadInput);
   } catch (const UsageError& e) {
     return fail(tool, std::string(e.what()) + "; see " + tool.name() + " --help.", kBadUsage);
   } catch (const Cancelled&) {
     return fail(tool, "stopped.", kStopped);
   } catch (const Error& e) {
-    // Ctrl-C reaches the programs that work for this one, too, and their end is no finding.
+    // Ctrl-C also reaches child processes, whose end is not an error then.
     if (place_recognition::tool::stopRequested()) return fail(tool, "stopped.", kStopped);
     return fail(tool, e.what(), kBadInput);
   } catch (const std::bad_alloc&) {
@@ -57,10 +56,10 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // What OpenCV and libpng find wrong with an image is told in one line by whoever reads it.
+  // The code that reads an image reports problems that OpenCV and libpng find with it.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   place_recognition::tool::stopOnSignals();
-  // A file that grows beyond what is allowed (ulimit -f) is an error like a full disk.
+  // A file that exceeds the permitted size (ulimit -f) is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
 
   CommandLine tool(

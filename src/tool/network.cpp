@@ -32,7 +32,7 @@ Json figures(const std::string& name, const NetworkFacts& facts) {
           {"height", facts.height}, {"layers", facts.layers},     {"dimension", facts.dimension}};
 }
 
-/// What `list` can tell of a network; a file that cannot be used is no reason not to list the
+/// The entry of a network in the list; a file that cannot be used must not prevent listing the
 /// others.
 Json describe(const std::string& name) {
   try {
@@ -42,7 +42,7 @@ Json describe(const std::string& name) {
   }
 }
 
-/// 0: it is left open.
+/// 0: not fixed.
 std::string sizeText(int width, int height) {
   return width > 0 && height > 0
              ? "images of " + std::to_string(width) + " x " + std::to_string(height)
@@ -66,10 +66,10 @@ void requireSha256(const std::string& bytes, const NetworkAddOptions& options) {
   const std::string found = sha256(bytes);
   if (strcasecmp(found.c_str(), options.sha256.c_str()) == 0) return;
   throw Error("The SHA-256 of " + options.source + " is " + found + ", not " + options.sha256 +
-              "; it is not the network that is meant, and was not installed.");
+              "; it is not the intended network and was not installed.");
 }
 
-/// A file on its way to networkFolder(), removed unless it arrives.
+/// A file on its way to networkFolder(); the destructor removes it unless it was installed.
 class StagedNetwork {
  public:
   StagedNetwork(const std::string& name, const std::string& bytes)
@@ -93,7 +93,7 @@ class StagedNetwork {
   std::string staged_;
 };
 
-/// Tries it under its staged name, of which a message knows nothing.
+/// Tries the network under its staged name, without showing that name in messages.
 NetworkFacts tryStaged(const StagedNetwork& staged, const NetworkAddOptions& options) {
   try {
     return tryNetwork(staged.path(), options.layer);

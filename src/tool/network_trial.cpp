@@ -18,7 +18,7 @@
 namespace place_recognition::tool {
 namespace {
 
-constexpr unsigned kMaxSeconds = 60;  // of processor time
+constexpr unsigned kMaxSeconds = 60;  // processor time
 
 struct TryOptions {
   std::string name;
@@ -42,7 +42,7 @@ NetworkFacts toFacts(const std::string& text) {
           json.at("height"), json.at("layers"), json.at("dimension")};
 }
 
-/// The work of the other process.
+/// The work of the child process.
 void tryHere(const TryOptions& options) {
   limitProcess(kMaxSeconds);
   if (options.yaml.empty()) {
@@ -54,8 +54,8 @@ void tryHere(const TryOptions& options) {
   loadNetwork(embedding);
 }
 
-/// What another place_tool prints for `network try` with these arguments. `name` and `layer` are
-/// for messages.
+/// Returns what another place_tool prints for `network try` with these arguments. `name` and
+/// `layer` are for messages.
 std::string runTrial(const std::vector<std::string>& arguments, const std::string& name,
                      const std::string& layer) {
   std::vector<std::string> command{findExecutable("place_tool"), "network", "try"};
@@ -76,7 +76,7 @@ std::string runTrial(const std::vector<std::string>& arguments, const std::strin
   throw Error("The network " + networkPath(name) + " cannot be used (" +
               (layer.empty() ? "its output" : "layer " + quoted(layer)) +
               ", OpenCV " CV_VERSION "): the process that tried it ended with " +
-              describeExit(status) + "; see doc/networks.md for some that can.");
+              describeExit(status) + "; doc/networks.md lists networks that can.");
 }
 
 }  // namespace

@@ -40,23 +40,23 @@ std::string flowText(const T& value) {
   return out.c_str();
 }
 
-/// The comment as a sentence of its own.
+/// The comment as a separate sentence.
 std::string sentence(std::string text) {
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text + ".";
 }
 
-/// A link to a section whose title is `path`, as GitHub makes anchors.
+/// A link to the section titled `path`, with GitHub's form of anchors.
 std::string linkTo(const std::string& path) {
   std::string anchor = path;
   anchor.erase(std::remove(anchor.begin(), anchor.end(), '.'), anchor.end());
   return "; see [" + path + "](#" + anchor + ")";
 }
 
-/// Collects a table of keys for each struct of options, in the order of their declaration.
+/// Collects one table of keys per struct of options, in the order of declaration.
 class Reference {
  public:
-  /// `path`: of keys, from the top; empty there.
+  /// `path`: the keys from the top level; empty there.
   template <typename Options>
   void add(const std::string& title, const std::string& path, const std::string& comment,
            const Options& options) {
@@ -94,7 +94,8 @@ class Reference {
                const std::vector<Element>& field, const std::string& meaning) {
     if constexpr (IsStruct<Element>::value) {
       const std::string value = flowText(field);
-      constexpr std::size_t kLongest = 100;  // else the table of the elements has to do
+      constexpr std::size_t kLongest =
+          100;  // longer defaults are left to the table of the elements
       addRow(own, key, value.size() <= kLongest ? value : "", meaning + linkTo(path));
       add(path, path, "A list: " + meaning + ".", Element());
     } else {
@@ -126,7 +127,7 @@ class Reference {
 
 void addDocument(CommandLine& tool) {
   Verb& verb = tool.verb("document", "Prints doc/configuration.md");
-  verb.hide();  // For those who change the options.
+  verb.hide();  // For developers of the options.
   verb.run([] {
     Reference reference;
     reference.add("Top level", "", "The options of `train`.", TrainingOptions());

@@ -51,12 +51,12 @@ void requireWritable(const std::string& path) {
   while (!fs::exists(folder, failure) && folder.has_relative_path()) folder = folder.parent_path();
   std::string reason;
   if (!fs::is_directory(folder, failure)) {
-    reason = folder.string() + " is no folder";
+    reason = folder.string() + " is not a folder";
   } else if (access(folder.c_str(), W_OK | X_OK) != 0) {
     reason = folder.string() + ": " + std::strerror(errno);
   }
   if (!reason.empty()) {
-    throw Error("Cannot write " + path + " (" + reason + "); choose a folder that can be written.");
+    throw Error("Cannot write " + path + " (" + reason + "); choose a writable folder.");
   }
 }
 
@@ -68,8 +68,8 @@ NewFolder::NewFolder(const std::string& path) {
   }
   fs::create_directories(path, failure);
   if (failure) {
-    throw Error("Cannot make the folder " + path + ": " + failure.message() +
-                "; choose a folder that can be written.");
+    throw Error("Cannot create the folder " + path + ": " + failure.message() +
+                "; choose a writable folder.");
   }
 }
 

@@ -20,7 +20,7 @@ using std::chrono::milliseconds;
 constexpr int kBarWidth = 24;
 constexpr milliseconds kBarInterval{100};
 constexpr milliseconds kLineInterval{3000};
-constexpr milliseconds kQuietStart{1000};  // of lines: quick work needs none
+constexpr milliseconds kQuietStart{1000};  // for lines: quick work needs none
 constexpr milliseconds kJsonInterval{200};
 
 int wholePercent(double fraction) { return static_cast<int>(100 * std::clamp(fraction, 0.0, 1.0)); }
@@ -59,7 +59,7 @@ bool ProgressDisplay::show(const std::string& stage, double fraction) {
   const milliseconds interval = style_ == Style::kBar    ? kBarInterval
                                 : style_ == Style::kJson ? kJsonInterval
                                                          : kLineInterval;
-  // Stages may follow each other faster than a person reads lines.
+  // Stages may follow each other faster than a person can read lines.
   const bool due = now >= next_print_ || (new_stage && style_ != Style::kLines);
   if (due && style_ != Style::kNone) {
     next_print_ = now + interval;

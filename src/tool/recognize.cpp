@@ -40,7 +40,7 @@ Json scores(const Model& model, const Recognition& answer) {
   return scores;
 }
 
-/// The answer in the light of the frames before and after, as `~smoothed` has it.
+/// The answer revised by the frames before and after, like `~smoothed`.
 Json overTime(const Model& model, const FilteredAnswer& answer) {
   const auto rooms = answer.probabilities.head(static_cast<Eigen::Index>(model.places.size()));
   Eigen::Index best = 0;
@@ -57,7 +57,7 @@ Json overTime(const Model& model, const FilteredAnswer& answer) {
           {"probabilities", probabilities}};
 }
 
-/// Names the place of one frame after the other: a line each for a person, an object each for a
+/// Names the place of one frame after another: one line each for a person, or one object each for a
 /// program.
 class Recognitions {
  public:
@@ -71,12 +71,12 @@ class Recognitions {
 
   const DepthExtent& depth() const { return recognizer_.model().images.depth; }
 
-  /// An image by itself.
+  /// A single image.
   void addImage(const Frame& frame) {
     if (isUsable(frame)) add(frame, recognizer_.recognizeImage(frame.image));
   }
 
-  /// Frames of `recording` follow. `in_time`: by their stamps they follow one another.
+  /// Begins the frames of `recording`. `in_time`: their stamps are in order of time.
   void startRecording(Recording& recording, bool in_time) {
     recognizer_.begin(recording);
     smooths_ = in_time;
@@ -92,7 +92,7 @@ class Recognitions {
     smooths_ = false;
   }
 
-  /// Throws Error if there was no image that could be used.
+  /// Throws Error if there was no usable image.
   void finish() {
     unusable_.requireOthers(frames_);
     unusable_.warn(std::cerr);
@@ -101,13 +101,13 @@ class Recognitions {
   }
 
  private:
-  /// An object, and whether its smoothed answer is to come.
+  /// An object, and whether its smoothed answer is still to come.
   struct Waiting {
     Json object;
     bool for_answer;
   };
 
-  /// Tells what is wrong with a frame; false if there is no image.
+  /// Reports what is wrong with a frame; false if there is no image.
   bool isUsable(const Frame& frame) {
     ++frames_;
     if (frame.image.empty()) {
@@ -149,7 +149,7 @@ class Recognitions {
            false});
   }
 
-  /// In the order of the frames, when what comes before is written.
+  /// Writes objects in the order of the frames, once the preceding ones are written.
   void write(Waiting waiting) {
     waiting_.push_back(std::move(waiting));
     writeSmoothed();
@@ -194,7 +194,7 @@ class Recognitions {
 
 void recognize(const RecognizeOptions& options) {
   Recognitions recognitions(options);
-  // On a terminal the lines of answers are the progress.
+  // On a terminal, the lines with answers show the progress.
   const bool answers_are_seen = options.output.progress == "auto" && isatty(STDOUT_FILENO);
   ProgressDisplay display(answers_are_seen ? "none" : options.output.progress);
   const Progress progress = display.callback();

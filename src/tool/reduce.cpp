@@ -28,7 +28,7 @@ struct ReduceOptions {
   OutputOptions output;
 };
 
-/// Reduces one model, by whichever method, and measures what that did.
+/// Reduces one model by any method, and measures the effect.
 class Reducer {
  public:
   Reducer(const ReduceOptions& options, const Progress& progress)
@@ -51,7 +51,7 @@ class Reducer {
     return figures;
   }
 
-  /// Saves the reduced model if `path` is not empty.
+  /// Saves the reduced model unless `path` is empty.
   ReductionFigures reduce(const std::string& method, const std::string& path) const {
     ReductionOptions chosen = options_.reduction;
     chosen.method = method;
@@ -68,7 +68,7 @@ class Reducer {
     std::optional<double> rate;
     if (rate_) rate = (*rate_)(machines);
 
-    // A model cannot be copied; its file can be read again.
+    // A model cannot be copied, but its file can be read again.
     const Model smaller =
         withMachines(loadModel(modelPath(options_.model)), std::move(machines), chosen);
     if (!path.empty()) saveModel(smaller, path);
@@ -82,7 +82,7 @@ class Reducer {
 
   std::string valuesOf() const {
     if (options_.train.empty()) {
-      return "the model's own support vectors, all that it has of its training (give --train for "
+      return "the model's own support vectors, the only images in the model (give --train for "
              "all images)";
     }
     return "the " + std::to_string(training_.origins.size()) + " images given by --train";
@@ -103,7 +103,7 @@ class Reducer {
     return figures;
   }
 
-  /// Features to measure time on, [cue][image].
+  /// Features for measuring time, [cue][image].
   std::vector<std::vector<Feature>> images() const {
     if (rate_) return validation_.features;
     if (!options_.train.empty()) return training_.features;

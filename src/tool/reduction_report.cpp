@@ -39,8 +39,8 @@ TextRows tableRows(const ReductionReport& report) {
 
 std::string notes(const ReductionReport& report) {
   return "Changes are those of the machines' decision values on " + report.values_of +
-         ". The time a frame is that of comparing it with the support vectors, without extracting "
-         "its features.";
+         ". The time per frame is that of comparing it with the support vectors, without "
+         "extracting its features.";
 }
 
 Json figuresJson(const ReductionFigures& figures) {

@@ -52,9 +52,8 @@ double Replacement::judge(const Model& model, const Progress& progress) const {
   const double rate = meanRate(rooms, old_rooms_).first;
   const auto [old_rate, error] = meanRate(old_rooms_, rooms);
   if (!old_rooms_.empty() && rate < old_rate - error) {
-    throw Error("The old model stays: " + path_ + " names " + percent(old_rate) +
-                " of the runs of --validate right (mean of the rooms), the new one " +
-                percent(rate) + ".");
+    throw Error("The old model is kept: on the runs of --validate, " + path_ + " is right for " +
+                percent(old_rate) + " (mean of the rooms), the new one for " + percent(rate) + ".");
   }
   return rate;
 }

@@ -20,7 +20,7 @@ struct RestoreOptions {
   OutputOptions output;
 };
 
-/// When a file was last written, in the time of this place.
+/// The local time at which a file was last written.
 std::string writtenAt(const std::string& path) {
   struct stat status;
   std::tm time{};
@@ -50,7 +50,8 @@ Json listModels(const std::string& path) {
     const std::string file = age == 0 ? path : backupPath(path, age);
     if (std::filesystem::exists(file)) models.push_back(describe(file, age));
   }
-  if (models.empty()) throw Error("There is no model " + path + ", nor a backup; check the name.");
+  if (models.empty())
+    throw Error("There is neither a model " + path + " nor a backup of it; check the name.");
   return models;
 }
 
@@ -79,8 +80,8 @@ void restore(const RestoreOptions& options) {
   }
   restoreModel(path, options.age);
   options.output.text() << "Backup " << options.age
-                        << " is in use again; what was there is backup 1 "
-                        << "now. Recognizers that run take it with ~reload_model." << std::endl;
+                        << " is in use again; the replaced model is now backup 1. "
+                        << "Running recognizers load it with ~reload_model." << std::endl;
   options.output.writeJson({{"models", listModels(path)}});
 }
 

@@ -18,7 +18,7 @@ void stopOnSignals() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   struct sigaction before = {};
-  sigaction(SIGHUP, &action, &before);                                    // the terminal closes
+  sigaction(SIGHUP, &action, &before);                                    // the terminal is closed
   if (before.sa_handler == SIG_IGN) sigaction(SIGHUP, &before, nullptr);  // nohup
 }
 

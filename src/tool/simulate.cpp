@@ -38,7 +38,7 @@ cv::Size parseSize(const std::string& text) {
   return size;
 }
 
-/// Images of each room.
+/// Number of images of each room.
 using Counts = std::map<std::string, int>;
 
 Counts renderBag(const SimulationOptions& options, const std::string& path,

@@ -11,11 +11,11 @@ namespace fs = std::filesystem;
 
 StagedFolder::StagedFolder(const std::string& target) : target_(target) {
   if (fs::exists(target_) && !(fs::is_directory(target_) && fs::is_empty(target_))) {
-    throw Error(target + " is there already; remove it or choose another folder.");
+    throw Error(target + " already exists; remove it or choose another folder.");
   }
   std::string pattern = target + ".tmp-XXXXXX";
   if (!mkdtemp(pattern.data())) {
-    throw Error("Cannot write " + target + "; choose a folder that can be written.");
+    throw Error("Cannot write " + target + "; choose a writable folder.");
   }
   path_ = pattern;
   fs::permissions(path_, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |

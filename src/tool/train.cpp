@@ -71,7 +71,7 @@ std::string textOf(const std::vector<std::string>& names) {
   return text;
 }
 
-/// What was held out to judge the model, and with what result.
+/// Describes the held-out images on which the model was validated, and the result.
 std::string heldOutText(const Model& model) {
   const std::vector<std::string> judged = model.validatedPlaces();
   if (judged.empty()) return "Not validated: too few images to hold any of them out.";
@@ -112,7 +112,7 @@ void printSummary(const Training& training, const std::string& path, std::uint64
       << std::endl;
 }
 
-/// From nothing, or on from a model, with another one or without.
+/// Trains from scratch, or continues from a model, with or without another one.
 Training learn(const TrainOptions& options, const std::vector<RecordingOpener>& recordings,
                const TrainingOptions& training_options, const Progress& progress) {
   if (options.add_to.empty()) {
@@ -130,13 +130,13 @@ Training learn(const TrainOptions& options, const std::vector<RecordingOpener>& 
                             options.threads, progress);
 }
 
-/// The runs that are to judge the new model against the one that it replaces or, if there is none,
-/// goes on from; nothing if the user names none.
+/// Judges the new model by the given runs against the model that it replaces or, if there is none,
+/// the one that it continues from; nothing if the user gives no runs.
 std::optional<Replacement> replacementOf(const TrainOptions& options, const std::string& path,
                                          const Progress& progress) {
   if (options.validate.empty()) return std::nullopt;
   const bool goes_on = !std::filesystem::exists(path) && !options.add_to.empty();
-  InputOptions input = options.input;  // --label and --labels are those of what is learned
+  InputOptions input = options.input;  // --label and --labels apply to the training runs
   input.bag.label.clear();
   input.bag.labels_file.clear();
   return Replacement(input.openers(options.validate), goes_on ? modelPath(options.add_to) : path,
@@ -145,11 +145,11 @@ std::optional<Replacement> replacementOf(const TrainOptions& options, const std:
 
 void train(const TrainOptions& options) {
   if (options.inputs.empty() && options.from_model.empty()) {
-    throw UsageError("INPUT is required, a run to learn from");
+    throw UsageError("INPUT is required: give a run to learn from");
   }
   const BagRecordingOptions& bag = options.input.bag;
   if (options.inputs.empty() && !(bag.label.empty() && bag.labels_file.empty())) {
-    throw UsageError("--label and --labels are of an INPUT; give one");
+    throw UsageError("--label and --labels apply to an INPUT; give one");
   }
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);

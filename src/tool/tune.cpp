@@ -47,8 +47,8 @@ SearchSpace readSpace(const std::string& path) {
   return space;
 }
 
-/// The cue of the preset `embedding` takes part if its network is installed, unless `base` has an
-/// embedding already.
+/// Adds the cue of the preset `embedding` if its network is installed, unless `base` already has an
+/// embedding.
 void addInstalledNetwork(const TrainingOptions& base, SearchSpace& space) {
   if (!embeddingsOf(base).empty()) return;
   for (const CueOptions& cue : readPreset("embedding").cues) {
@@ -75,7 +75,7 @@ std::vector<std::string> rowOf(const TuningTrial& trial) {
           percent(trial.changed_rate)};
 }
 
-/// The trials as a table, those for which `wanted` holds.
+/// The trials that satisfy `wanted`, as a table.
 template <typename Wanted>
 std::string table(const std::vector<TuningTrial>& trials, const Wanted& wanted) {
   std::vector<std::vector<std::string>> rows{

@@ -12,16 +12,16 @@ void UnusableImages::add(const std::string& name, const std::string& problem) {
 
 void UnusableImages::requireOthers(std::size_t images) const {
   if (count_ == 0 || count_ < images) return;
-  if (count_ == 1) throw Error("The image cannot be used (" + first_ + "); give a good one.");
-  throw Error("None of the " + std::to_string(count_) + " images can be used (the first, " +
-              first_ + "); give good ones.");
+  if (count_ == 1) throw Error("The image cannot be used (" + first_ + "); give another one.");
+  throw Error("None of the " + std::to_string(count_) +
+              " images can be used (the first: " + first_ + "); give other ones.");
 }
 
 void UnusableImages::warn(std::ostream& out) const {
   if (count_ == 0) return;
   out << "warning: " << count_
       << (count_ == 1 ? " image cannot be used and was" : " images cannot be used and were")
-      << " passed over (" << first_ << ").\n";
+      << " skipped (" << first_ << ").\n";
 }
 
 }  // namespace place_recognition::tool

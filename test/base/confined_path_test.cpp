@@ -103,9 +103,9 @@ TEST_F(ConfinedPaths, TheRefusalSaysWhatLiesBelowTheRootInstead) {
   expectSays(root_ + "/notes.txt", {"notes.txt' does not end in .bag"});
   ASSERT_EQ(mkfifo((root_ + "/pipe.bag").c_str(), 0666), 0);
   expectSays("pipe.bag", {"is a pipe or a device"});
-  expectSays("missing.bag", {"is no bag (*.bag) below " + root_});
-  expectSays("/etc", {"is no bag (*.bag) below " + root_});  // nothing of what lies elsewhere
-  expectSays("..", {"is no bag (*.bag) below " + root_});
+  expectSays("missing.bag", {"is not a bag (*.bag) below " + root_});
+  expectSays("/etc", {"is not a bag (*.bag) below " + root_});  // nothing of what lies elsewhere
+  expectSays("..", {"is not a bag (*.bag) below " + root_});
 }
 
 TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
@@ -126,8 +126,8 @@ TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
   expectSays("link.bag", {root_ + "/link.bag", "leads to " + elsewhere + "/d.bag", remedy});
   expectSays("dangling.bag", {root_ + "/dangling.bag", "leads to " + (scratch_ / "gone/d.bag")});
   // A way out by ".." or from outside is not explained.
-  expectSays("linked/../../elsewhere/d.bag", {"is no bag (*.bag) below " + root_});
-  expectSays(elsewhere + "/d.bag", {"is no bag (*.bag) below " + root_});
+  expectSays("linked/../../elsewhere/d.bag", {"is not a bag (*.bag) below " + root_});
+  expectSays(elsewhere + "/d.bag", {"is not a bag (*.bag) below " + root_});
 }
 
 TEST_F(ConfinedPaths, ALinkBetweenRootsIsFollowed) {

@@ -100,7 +100,7 @@ TEST(Options, RefuseUnknownTypesWrongKindsAndRepetitions) {
   EXPECT_EQ(messageFor("seed: [1]"),
             "Option 'seed' is a list or mapping; give a whole number from 0.");
   EXPECT_EQ(messageFor("parts: [{shape: {radius: .nan}}]"),
-            "Option 'parts[0].shape.radius' is not finite; give a number.");
+            "Option 'parts[0].shape.radius' is not finite; give a finite number.");
   EXPECT_NE(messageFor("{on: true, on: false}"), "");
   EXPECT_NE(messageFor("[on]"), "");
   EXPECT_NE(messageFor("on: {"), "");

@@ -31,7 +31,7 @@ TEST(YamlGuard, RefusesDepthBeforeGoingThere) {
   std::string blocks;
   for (int i = 0; i < 100000; ++i) blocks += "- ";
   for (const std::string& deep : {std::string(100000, '['), std::string(100000, '{'), blocks}) {
-    EXPECT_NE(errorOf(deep).find("a.yaml nests too deep"), std::string::npos);
+    EXPECT_NE(errorOf(deep).find("a.yaml is nested too deeply"), std::string::npos);
   }
 }
 

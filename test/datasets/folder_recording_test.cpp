@@ -73,7 +73,7 @@ TEST(FolderRecording, GoesOnBehindADamagedImage) {
   const std::vector<Frame> frames = framesOf(folder / "");
   ASSERT_EQ(frames.size(), 2u);
   EXPECT_TRUE(frames[0].image.empty());
-  EXPECT_EQ(frames[0].problem, "it is no image of a format that can be read");
+  EXPECT_EQ(frames[0].problem, "it is not an image in a readable format");
   EXPECT_FALSE(frames[1].image.empty());
   EXPECT_EQ(frames[1].problem, "");
 }
@@ -81,7 +81,7 @@ TEST(FolderRecording, GoesOnBehindADamagedImage) {
 TEST(FolderRecording, SaysWhatIsMissing) {
   const ScratchFolder folder;
   EXPECT_NE(complaint(folder / "nowhere").find("Cannot read"), std::string::npos);
-  EXPECT_NE(complaint(folder / "").find("holds no images"), std::string::npos);
+  EXPECT_NE(complaint(folder / "").find("contains no images"), std::string::npos);
   writeImage(folder / "kitchen/monday/1.png");  // a room may have sub-folders
   EXPECT_EQ(complaint(folder / ""), "");
 }
@@ -102,7 +102,7 @@ TEST(DecodeImage, TakesWhatCamerasSendOnly) {
   EXPECT_EQ(problemOf(encoded(".png")), "");
   EXPECT_EQ(problemOf(encoded(".jpg")), "");
   EXPECT_EQ(problemOf(encoded(".webp")), "");
-  EXPECT_EQ(problemOf(encoded(".bmp")), "it is no PNG, JPEG or WebP image");
+  EXPECT_EQ(problemOf(encoded(".bmp")), "it is not a PNG, JPEG or WebP image");
   EXPECT_EQ(problemOf({}), "it is empty");
 }
 

@@ -215,7 +215,7 @@ TEST(ImageFilesThatAreNone, AreNamedForWhatTheyAre) {
   EXPECT_NE(problem("version https://git-lfs.github.com/spec/v1\n").find("git lfs pull"),
             std::string::npos);
   EXPECT_NE(problem("<!DOCTYPE html><html>").find("web page"), std::string::npos);
-  EXPECT_NE(problem("notes").find("no image"), std::string::npos);
+  EXPECT_NE(problem("notes").find("not an image"), std::string::npos);
 }
 
 TEST(ImageFilesThatAreBombs, AreRefusedByTheirHeader) {

@@ -213,7 +213,7 @@ TEST(LoadNetwork, RefusesWhatWouldHarmOpenCv) {
   expectRefused(conv(kernel + SmallNetwork::ints("strides", {0, 0}), weights), "out of range");
   expectRefused(conv(kernel + SmallNetwork::ints("pads", {1 << 30, 0, 0, 0}), weights),
                 "out of range");
-  expectRefused(conv(kernel, ""), "takes 'w', which is not there");
+  expectRefused(conv(kernel, ""), "uses 'w', which nothing before it provides");
   // A shape that says more than there is.
   std::string longer = weights;
   const std::string six = SmallNetwork::number(1, 6);
@@ -231,7 +231,7 @@ TEST(LoadNetwork, RefusesWhatTakesNoSuchImages) {
   expectRefused(sound, "3 channels", grey);
   EmbeddingOptions absent;
   absent.layer = "absent";
-  expectRefused(sound, "its last ones are 'first' (Conv), 'rectified' (Relu), 'second' (Conv)",
+  expectRefused(sound, "its last layers are 'first' (Conv), 'rectified' (Relu), 'second' (Conv)",
                 absent);
 }
 

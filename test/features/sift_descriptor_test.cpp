@@ -135,7 +135,7 @@ TEST(SiftDescriptor, HasTheLengthOf512) {
 #if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 4)
 
 /// OpenCV's octaves have the first of every two pixels, ours lie symmetrically. They are the same
-/// where each octave has an odd number of pixels, but for the last one, which OpenCV lacks.
+/// where each octave has an odd number of pixels, except for the last one, which OpenCV lacks.
 cv::Mat1b cutToOddOctaves(const cv::Mat1b& image) {
   constexpr int kCoarsestPixel = 16;
   const auto cut = [](int side) { return (side - 1) / kCoarsestPixel * kCoarsestPixel + 1; };

@@ -1,4 +1,4 @@
-// Rows cut into lanes, against the definition pixel by pixel; and the ring of rows they stand in.
+// Rows divided into lanes, compared with the definition pixel by pixel; and the ring of rows.
 #include "features/striped_rows.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Any bytes as a model file, but for its header, which is made to fit: it would refuse them all.
+// Arbitrary bytes as a model file, with a matching header, which would otherwise reject them all.
 
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"

@@ -42,13 +42,13 @@ TEST_F(LabelLinesFile, SpansAreRefused) {
   for (const char* text :
        {"1000 1005 kitchen\n", "1000 1005.5 kitchen\n", "0.0 5.0 kitchen\n5.0 10.0 office\n",
         "1000 kitchen 1005.5\n", "1000 1700000005 kitchen\n"}) {
-    expectError(text, "line 1 may hold the time of an end too");
+    expectError(text, "line 1 may also contain an end time");
     expectError(text, "{from: ..., to: ..., place: ...}");
   }
   for (const char* text :
        {"1700000000 1700000005 kitchen\n", "1700000000 kitchen 1700000005\n",
         "1700000000 1700000005\n", "1700000000,1700000005\n", "1700000000;1700000005\n"}) {
-    expectError(text, "line 1 may hold the time of an end too", kToday);
+    expectError(text, "line 1 may also contain an end time", kToday);
   }
   for (const char* text : {"1000\t1005\tkitchen\n", "1000\tkitchen\t1005\n", "1000,1005,kitchen\n",
                            "1000;1005;kitchen\n", "1000, 1005, kitchen\n"}) {
@@ -58,7 +58,7 @@ TEST_F(LabelLinesFile, SpansAreRefused) {
 
 TEST_F(LabelLinesFile, NanosecondsApartAreRefused) {
   for (const char* text : {"1000 0 kitchen\n", "1000 000000000 kitchen\n"}) {
-    expectError(text, "line 1 may hold the nanoseconds of its timestamp");
+    expectError(text, "line 1 may have the nanoseconds of its timestamp");
   }
   EXPECT_EQ(labels("1000 \"0 kitchen\"\n").at(1001), "0 kitchen");
   EXPECT_EQ(labels("1000 0\n").at(1001), "0");
@@ -82,7 +82,7 @@ TEST_F(LabelLinesFile, WhatStandsBesideALabelIsRefused) {
        {"1000 | kitchen\n", "1000 - kitchen\n", "1000 - 1005 kitchen\n", "1000 = kitchen\n",
         "1000 -> kitchen\n", "1000 kitchen,\n", "1000 kitchen;\n", "1000 kitchen # the small one\n",
         "1000 kitchen // the small one\n", "1000 -\n"}) {
-    expectError(text, "line 1 may hold more than a label");
+    expectError(text, "line 1 may contain more than a label");
   }
   EXPECT_EQ(labels("1000 lab #3\n").at(1001), "lab #3");
   EXPECT_EQ(labels("1000 kitchen, small\n").at(1001), "kitchen, small");
@@ -114,13 +114,13 @@ TEST_F(LabelLinesFile, TimestampsAreOfOneUnitAndCountFrom1970) {
   for (const char* text : {"nan kitchen\n", "inf kitchen\n", "NaT,kitchen\n", ",kitchen\n"}) {
     expectError(text, "line 1 is not 'timestamp label'");
   }
-  expectError("0 kitchen\n5 office\n", "belong into RUN.labels.yaml", kToday);
+  expectError("0 kitchen\n5 office\n", "relative to the bag's start into RUN.labels.yaml", kToday);
 }
 
 TEST_F(LabelLinesFile, ALabelThatIsReplacedIsTold) {
   const std::string note = labels("1000 kitchen\n1000 office\n").note();
   EXPECT_NE(note.find("line 2 has the same timestamp"), std::string::npos) << note;
-  EXPECT_NE(note.find("'kitchen' does not count"), std::string::npos) << note;
+  EXPECT_NE(note.find("'kitchen' has no effect"), std::string::npos) << note;
   EXPECT_EQ(labels("1000 kitchen\n1000 kitchen\n").note(), "");
 }
 
@@ -131,7 +131,7 @@ TEST_F(LabelLinesFile, FilesOfOtherKindsAreNamed) {
   expectError(
       "1000 K\xfc"
       "che\n",
-      "save it in UTF-8");
+      "save it as UTF-8");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 class LabelFiles : public testing::Test {
  protected:
-  /// Labels of a bag that lasts from 1000 to 1100 s.
+  /// Labels of a bag that extends from 1000 to 1100 s.
   Labels read(const std::string& name, const std::string& text) {
     return Labels::fromFile(scratch_.write(name, text), 1000, 1100);
   }
@@ -89,9 +89,9 @@ TEST_F(LabelFiles, FaultsAreNamed) {
             std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "1000 a\nkitchen\n").find("line 2"), std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "1000\n").find("line 1"), std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "1000 a\x80\n").find("no place name"), std::string::npos);
+  EXPECT_NE(errorOf("labels.dat", "1000 a\x80\n").find("not a place name"), std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "1000 a\n1001 Unknown\n")
-                .find("line 2: the label 'Unknown' is the answer for places that are not known"),
+                .find("line 2: the label 'Unknown' is reserved for unknown places"),
             std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "").find("no label falls into the bag"), std::string::npos);
   EXPECT_NE(errorOf("labels.dat", "990 a\n").find("no label falls"), std::string::npos);
@@ -100,12 +100,13 @@ TEST_F(LabelFiles, FaultsAreNamed) {
   const auto yaml = [this](const std::string& text) { return errorOf("run.labels.yaml", text); };
   EXPECT_NE(yaml("labels: [{from: 0, to: 9, place: a}, {from: 8, place: b}]").find("overlap"),
             std::string::npos);
-  EXPECT_NE(yaml("labels: [{from: 9, to: 8, place: a}]").find("labels[0]: from must lie before"),
-            std::string::npos);
+  EXPECT_NE(
+      yaml("labels: [{from: 9, to: 8, place: a}]").find("labels[0]: 'from' must be less than 'to'"),
+      std::string::npos);
   EXPECT_NE(yaml("labels: [{from: .nan, to: 8, place: a}]"), "");
   EXPECT_NE(yaml("labels: [{from: 1, to: 8, place: \"a\\nb\"}]").find("'a?b'"), std::string::npos);
-  EXPECT_NE(yaml("labels: [{from: 1, to: 8}]").find("no place name"), std::string::npos);
-  EXPECT_NE(yaml("labels: [{from: 1, place: unknown}]").find("is the answer for places"),
+  EXPECT_NE(yaml("labels: [{from: 1, to: 8}]").find("not a place name"), std::string::npos);
+  EXPECT_NE(yaml("labels: [{from: 1, place: unknown}]").find("is reserved for unknown places"),
             std::string::npos);
   EXPECT_NE(yaml("labels: [{from: 1, until: 8, place: a}]").find("until"), std::string::npos);
   EXPECT_NE(yaml("times: bag\nlabels: [{from: 1, place: a}]").find("'bag'"), std::string::npos);

@@ -113,14 +113,16 @@ TEST(RoomPolygons, OfABadFileSayWhatIsWrong) {
   const auto expectError = [](const std::string& yaml, const std::string& reason) {
     EXPECT_NE(errorOf(yaml).find(reason), std::string::npos) << errorOf(yaml);
   };
-  expectError("places: []", "names no room");
+  expectError("places: []", "does not name a room");
   expectError("rooms: []", "places");
-  expectError("places: [{name: a, position: [[0, 0], [1, 0]]}]", "places[0]: a room has three");
+  expectError("places: [{name: a, position: [[0, 0], [1, 0]]}]",
+              "places[0]: a room needs at least three");
   expectError("places: [{name: a, position: [[0, 0], [1, 0], [1]]}]", "[x, y]");
   expectError("places: [{name: a, position: [[0, 0], [1, 0], [1, .nan]]}]", "finite");
-  expectError("places: [{name: '', position: [[0, 0], [1, 0], [1, 1]]}]", "no place name");
+  expectError("places: [{name: '', position: [[0, 0], [1, 0], [1, 1]]}]", "not a place name");
   expectError("places: [{name: unknown, position: [[0, 0], [1, 0], [1, 1]]}]", "unknown");
-  expectError("places: [{name: a, position: [[0, 0], [1, 1], [0, 0]]}]", "a room has three");
+  expectError("places: [{name: a, position: [[0, 0], [1, 1], [0, 0]]}]",
+              "a room needs at least three");
   expectError("places: [{name: a, position: [[0, 0], [1, 1], [2, 2]]}]", "enclose no area");
   expectError("places: [{name: a, position: [[0, 0], [4, 0], [0, 3], [4, 3]]}]",
               "places[0]: the wall from [4, 0] to [0, 3] crosses that from [4, 3] to [0, 0]; give");

@@ -27,7 +27,7 @@ TEST(Calibration, RecoversTheSlopeThatMadeTheData) {
 
 TEST(Calibration, IsTheSlopeOfGreatestLikelihood) {
   // Two places: p_0 = 1 / (1 + exp(-slope d)), d the difference of decision values. Three right
-  // frames with d = 1, one wrong, and one that tells nothing: the wanted probability of right
+  // frames with d = 1, one wrong, and one without information: the target probability of right
   // is 3.5 / 5.
   Eigen::MatrixXd decision_values(4, 2);
   decision_values << 0.5, -0.5, 0.5, -0.5, -0.5, 0.5, -0.5, 0.5;

@@ -227,7 +227,7 @@ TEST(TemporalFilterOfCameras, AFrameThatComesAfterALaterOneOfAnotherCounts) {
     filter.update(frame.stamp, seen(frame.place), std::nullopt, frame.camera);
   }
   EXPECT_TRUE(filter.answer().probabilities.isApprox(expected(frames), 1e-9));
-  // Before the last one of its own camera, or as far from all as after a pause: begins anew.
+  // Before the last one of its own camera, or as far from all as after a pause: restarts.
   const Eigen::RowVectorXd anew = filterOf(2, 0.5).update(0, seen(1)).probabilities;
   EXPECT_EQ(filter.update(10.1, seen(1)).probabilities, anew);
   EXPECT_EQ(filter.update(-10, seen(1), std::nullopt, 1).probabilities, anew);
@@ -257,7 +257,7 @@ TEST(TemporalFilterOfCameras, EachHasTheThresholdAndSharesOfItsModel) {
   const Model model = threeRooms();
   TemporalFilter both({&model, &other}, Eigen::Matrix2d::Identity(), Adjacency(3), {});
   TemporalFilter first(model, Adjacency(3), {}), second(other, Adjacency(3), {});
-  // Of a belief that holds all rooms alike the likelihoods can be read.
+  // If all rooms have the same belief, the likelihoods can be read from it.
   EXPECT_EQ(both.update(0, seen(0), std::nullopt, 0).probabilities,
             first.update(0, seen(0)).probabilities);
   both.reset();

@@ -93,7 +93,7 @@ TEST_F(CueBudgetTest, ACueThatNeverFitsIsSeldomTried) {
   frame(kAnyTime);
   int tried = 0;
   for (int i = 0; i < 1000; ++i) tried += frame(0.033).size() == 3 ? 1 : 0;
-  // It is expected to fit after so many frames without it.
+  // It is expected to fit after this many frames without it.
   const double frames = std::log(0.1 / 0.03) / -std::log(0.98);
   EXPECT_GT(tried, 0);
   EXPECT_LE(tried, 1000 / frames + 1);

@@ -30,7 +30,7 @@ Model modelOf(int places, double lead, double known) {
   return model;
 }
 
-/// Frames of all rooms in turn, one a second: decision values of `lead` before -1, familiarity
+/// Frames of all rooms in turn, one per second: decision values of `lead` before -1, familiarity
 /// `known`.
 class Stream {
  public:

@@ -270,9 +270,10 @@ TEST(TrainIncrementally, AModelOfOtherFeaturesCannotJoin) {
   };
   TrainingOptions options = quickOptions();
   EXPECT_EQ(problem(options, drawFrames(3, 8)), "");
-  EXPECT_EQ(problem(twoCueOptions(), drawFrames(2, 8)),
-            "The model 'theirs' cannot join 'ours': it has other cues; train both with the same "
-            "configuration.");
+  EXPECT_EQ(
+      problem(twoCueOptions(), drawFrames(2, 8)),
+      "The model 'theirs' cannot join 'ours': its cues are different; train both with the same "
+      "configuration.");
   std::get<CrfhOptions>(options.cues[0].feature).bins = {7};
   EXPECT_NE(problem(options, drawFrames(2, 8)).find("cue"), std::string::npos);
   options = quickOptions();

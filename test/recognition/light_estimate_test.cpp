@@ -25,7 +25,7 @@ ColourStatistics fourRooms() {
   return rooms;
 }
 
-/// Frames of the four rooms, one a second, a minute in each, whose light has changed by `gains`.
+/// Frames of the four rooms, one per second, a minute in each, whose light has changed by `gains`.
 class Stream {
  public:
   explicit Stream(const Eigen::RowVector3d& gains) : gains_(gains.array().log()) {}

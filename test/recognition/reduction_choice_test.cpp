@@ -27,7 +27,7 @@ ReductionOptions reduction(const std::string& method, double fraction) {
   return options;
 }
 
-/// The choice among reductions with so many wrong answers a place.
+/// The choice among reductions with these numbers of wrong answers per place.
 std::size_t choice(const std::vector<ReductionOptions>& reductions, const std::vector<int>& wrong) {
   std::vector<HeldOutValues> held_out;
   for (const int count : wrong) held_out.push_back(Answered(count).held_out);

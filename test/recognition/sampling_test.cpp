@@ -61,7 +61,7 @@ TEST(StratifiedSample, KeepsSomethingOfEveryGroupAndAllWhereThereAreFew) {
   EXPECT_TRUE(stratifiedSample({}, 5, 1).empty());
 }
 
-/// How many of `kept` stand at each of the twelve angles of a tripod that turns from mark to mark.
+/// Number of `kept` samples at each of the twelve angles of a tripod that turns at every marker.
 std::array<int, 12> angles(const std::vector<bool>& kept) {
   std::array<int, 12> count{};
   for (std::size_t i = 0; i < kept.size(); ++i) count[i % 12] += kept[i] ? 1 : 0;

@@ -89,9 +89,9 @@ TEST(Training, LeavesOutWhatItCannotUse) {
   EXPECT_EQ(training.model.provenance.skipped_images, 4u);
   EXPECT_EQ(training.model.provenance.place_images, (std::vector<std::uint64_t>{9, 11}));
   for (const std::string& sentence :
-       {std::string("drawn: left out are 2 images without label."),
-        std::string("drawn: left out are 2 images that cannot be used (frame5: it is "
-                    "damaged and cannot be decoded).")}) {
+       {std::string("drawn: 2 images without a label are left out."),
+        std::string("drawn: 2 images that cannot be used (frame5: it is damaged and cannot "
+                    "be decoded) are left out.")}) {
     EXPECT_EQ(std::count(training.warnings.begin(), training.warnings.end(), sentence), 1)
         << sentence;
   }
@@ -120,8 +120,8 @@ TEST(Training, LeavesOutImagesOfOneColour) {
   EXPECT_EQ(training.images, 24u);
   EXPECT_EQ(training.model.provenance.skipped_images, 5u);
   EXPECT_EQ(training.warnings,
-            std::vector<std::string>{"drawn: left out are 5 images of nothing but one colour, as "
-                                     "of a covered lens (the first is covered0)."});
+            std::vector<std::string>{"drawn: 5 images of a single colour, as from a covered "
+                                     "lens (the first: covered0) are left out."});
 
   for (Frame& frame : frames) {
     if (frame.place == "room1") frame.image = uniformImage(cv::Scalar::all(3), 7);

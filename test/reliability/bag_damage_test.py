@@ -77,7 +77,7 @@ class BagDamageTest(ToolCase):
         (self.folder / name).write_bytes(content)
 
     def write_labelled(self, name, labels):
-        """A bag of images, one a second, with (second, label) in the given order."""
+        """A bag with one image per second and with (second, label) in the given order."""
         with rosbag.Bag(str(self.folder / self.write_bag(name, [(room, None) for room in ROOMS])),
                         "a") as bag:
             for second, label in labels:

@@ -44,7 +44,8 @@ sensor_msgs::CompressedImage compress(const cv::Mat& image, const std_msgs::Head
   return message;
 }
 
-/// What comes of a recognizer; counts only, for a load of hours must not fill the memory.
+/// Receives the messages of a recognizer; only counts them, because hours of load must not fill the
+/// memory.
 class Answers {
  public:
   Answers(ros::NodeHandle& node, const std::string& name) {

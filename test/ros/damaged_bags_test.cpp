@@ -69,7 +69,7 @@ TEST_F(Bags, FilesThatAreNoBagAreRefused) {
   EXPECT_NE(errorOf(scratch_ / "."), "");
 }
 
-/// A bag as left by a recorder that was killed: the header has no index position yet.
+/// A bag left behind by a killed recorder: the header has no index position yet.
 std::string unindexed(std::string bytes) {
   const std::size_t field = bytes.find("index_pos=");
   EXPECT_NE(field, std::string::npos);
@@ -110,7 +110,7 @@ TEST_F(Bags, FilesOfOtherKindsAreNamed) {
   scratch_.write("folder.bag/x_0.db3", "SQLite format 3");
   EXPECT_NE(errorOf(scratch_ / "folder.bag").find("ROS 2"), std::string::npos);
   std::filesystem::create_symlink("nowhere", scratch_ / "link.bag");
-  EXPECT_NE(errorOf(scratch_ / "link.bag").find("leads nowhere"), std::string::npos);
+  EXPECT_NE(errorOf(scratch_ / "link.bag").find("is a broken link"), std::string::npos);
 }
 
 TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
@@ -125,7 +125,7 @@ TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
     if (i % 3 == 0) {
       bytes.resize(random() % good.size());
     } else {
-      // Where the structure of the bag is, rather than among the pixels.
+      // In the structure of the bag rather than in the pixels.
       const std::size_t end = i % 3 == 1 ? 4096 + 400 : good.size();
       const std::size_t begin = i % 3 == 1 ? 0 : good.size() - 2500;
       for (int k = 0; k < 4; ++k) {

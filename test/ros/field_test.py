@@ -125,7 +125,7 @@ class TrainerTest(FieldCase):
         both = ask(part, whole)
         self.assertEqual((both.success, both.images), (True, 23), both.message)
         self.assertIn("/run_1.bag has no labels.", node.output)
-        self.assertIn(f"{part} goes on where {whole} ends, and starts in 'office'", node.output)
+        self.assertIn(f"{part} continues where {whole} ends, and starts in 'office'", node.output)
         self.assertIn("is a folder; name the bags in it", ask(self.folder).message)
         self.assertEqual(node.interrupt(), 0)
 
@@ -212,7 +212,7 @@ class InfraredTest(FieldCase):
         self.addCleanup(publisher.unregister)
         self.wait_for(publisher.get_num_connections, "nobody listens")
         publisher.publish(infrared("kitchen", 1, .4))
-        self.expect(node, "Images of 16 bits are used in 8, 0 .. 1023 of 16 bits, as in training.")
+        self.expect(node, "Images with 16 bits are converted to 8: 0 .. 1023 of 16 bits, as in training.")
         self.assertEqual(node.interrupt(), 0)
 
 

@@ -34,7 +34,7 @@ TEST(ExplainSilence, NamesTheTopicsOfImagesThatThereAre) {
             "Nobody publishes /camera/image. Images are published on: /front/image_raw, "
             "/rear/image_raw/compressed.");
   expectSays(explain("/camera/image", "compressed", {{"/scan", "sensor_msgs/LaserScan"}}),
-             "Nobody publishes /camera/image/compressed. Nobody publishes images at all.");
+             "Nobody publishes /camera/image/compressed. Nobody publishes images.");
 }
 
 TEST(ExplainSilence, NamesTheOtherFormOfTheTopic) {
@@ -58,14 +58,14 @@ TEST(ExplainSilence, NamesTheOtherFormOfTheTopic) {
 
 TEST(ExplainSilence, OfATopicThatIsPublishedPointsAtTheCamera) {
   expectSays(explain("/camera/image", "raw", {{"/camera/image", kImage}}),
-             "/camera/image is published, but nothing comes");
+             "/camera/image is published, but no image arrives");
   expectSays(explain("/camera/image", "theora",
                      {{"/camera/image/theora", "theora_image_transport/Packet"}}),
-             "/camera/image/theora is published, but nothing comes");
+             "/camera/image/theora is published, but no image arrives");
   expectSays(explain("/scan", "raw", {{"/scan", "sensor_msgs/LaserScan"}}),
-             "published as sensor_msgs/LaserScan, which is no image");
+             "published as sensor_msgs/LaserScan, which is not an image");
   expectSays(explain("/depth/compressedDepth", "raw", {{"/depth/compressedDepth", kCompressed}}),
-             "holds distances");
+             "contains distances");
 }
 
 }  // namespace

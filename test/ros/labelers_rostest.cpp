@@ -1,5 +1,5 @@
 // Runs recorded by place_labeler and auto_labeler, from the first image to a model trained on them.
-// See labelers.test for the nodes; these tests stand in the order of a recording.
+// See labelers.test for the nodes; these tests are in the order of a recording.
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One for both tests: roscpp is slow to come back to a topic that ended and began anew.
+/// One for both tests: roscpp is slow to reconnect to a topic that ended and started again.
 std::unique_ptr<Camera> camera;
 
 std::string home() { return std::getenv("ROS_HOME"); }

@@ -48,9 +48,9 @@ class RoomHeld : public testing::Test {
 };
 
 TEST_F(RoomHeld, IsSureWhenItHasBeenLikelyForLongEnough) {
-  EXPECT_EQ(held_.whyNot(now_), "no answer of place_recognizer has come");
+  EXPECT_EQ(held_.whyNot(now_), "no answer of place_recognizer has arrived");
   EXPECT_EQ(add(beliefIn("kitchen", 0.95)), "");
-  EXPECT_EQ(held_.whyNot(now_), "'kitchen' has been sure for 0.00 s, less than ~hold");
+  EXPECT_EQ(held_.whyNot(now_), "'kitchen' has been certain for 0.00 s, less than ~hold");
   EXPECT_EQ(add(beliefIn("kitchen", 0.91)), "");
   EXPECT_EQ(add(beliefIn("kitchen", 0.95)), "kitchen");
   EXPECT_EQ(add(beliefIn("kitchen", 0.85)), "");
@@ -87,7 +87,7 @@ TEST_F(RoomHeld, IsNotSureWhenAnswersCease) {
   EXPECT_NEAR(held_.probabilityOf("kitchen", now_ + ros::Duration(1.9)), 0.95, 1e-12);
   now_ += ros::Duration(2.1);
   EXPECT_EQ(held_.sureRoom(now_), "");
-  EXPECT_EQ(held_.whyNot(now_), "the last answer of place_recognizer came 2.10 s ago");
+  EXPECT_EQ(held_.whyNot(now_), "the last answer of place_recognizer arrived 2.10 s ago");
   EXPECT_EQ(held_.probabilityOf("kitchen", now_), 0);
   EXPECT_EQ(add(beliefIn("kitchen", 0.95)), "");  // it may have been elsewhere in between
 }
@@ -95,7 +95,7 @@ TEST_F(RoomHeld, IsNotSureWhenAnswersCease) {
 TEST_F(RoomHeld, IsForgotten) {
   for (int i = 0; i < 3; ++i) add(beliefIn("kitchen", 0.95));
   held_.forget();
-  EXPECT_EQ(held_.whyNot(now_), "no answer of place_recognizer has come");
+  EXPECT_EQ(held_.whyNot(now_), "no answer of place_recognizer has arrived");
   EXPECT_EQ(held_.probabilityOf("kitchen", now_), 0);
   EXPECT_EQ(add(beliefIn("kitchen", 0.95)), "");
 }

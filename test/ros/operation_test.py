@@ -70,7 +70,7 @@ class OperationTest(NodeCase):
         # As if a person had labelled it carelessly.
         complaint = self.tool("train", bags[0], "--label", "kitchen", "--add-to", "home", "--model",
                               "home", "--validate", "tuesday", status=1)
-        self.assertIn("The old model stays", complaint)
+        self.assertIn("The old model is kept", complaint)
 
     def test_a_folder_that_cannot_be_written_ends_the_node_with_a_word(self):
         (self.folder / "file").write_text("")

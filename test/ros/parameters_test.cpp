@@ -188,7 +188,7 @@ TEST(Parameters, ThatNobodyKnowsAreNamedWithTheNearestThatIsKnown) {
   const Texts doubts = parameters.doubts();
   ASSERT_EQ(doubts.size(), 2u);
   expectSays(doubts[0], {"~colour of /node", "known are ~model, ~smoothing."});
-  expectSays(doubts[1], {"~smothing of /node", "is ~smoothing meant?"});
+  expectSays(doubts[1], {"~smothing of /node", "did you mean ~smoothing?"});
 }
 
 TEST(Parameters, ThatMayHaveBeenMeantForAListAreNamed) {
@@ -222,7 +222,7 @@ TEST(Parameters, IndentedTooFarAreNamed) {
   parameters.text("model");
   const Texts doubts = parameters.doubts();
   ASSERT_EQ(doubts.size(), 1u);
-  expectSays(doubts[0], {"~place_recognizer", "is ~model meant?"});
+  expectSays(doubts[0], {"~place_recognizer", "did you mean ~model?"});
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ class ParametersTest(NodeCase):
         say = rospy.ServiceProxy("/place_labeler/say", SayPlace)
         say.wait_for_service(60)
         self.assertEqual(say(" Ku\u0308che ").message, "In 'K\u00fcche'.")
-        self.assertEqual(say(" ").message, "The place: the label ' ' is no place name (1 to 128 bytes of "
-                         "UTF-8 without line breaks and the like); rename the place.")
+        self.assertEqual(say(" ").message, "The place: the label ' ' is not a place name (1 to 128 bytes "
+                         "of UTF-8 without control characters); rename the place.")
         node.interrupt()
 
     def test_typed_lists_are_read_as_they_are_meant(self):
@@ -55,8 +55,8 @@ class ParametersTest(NodeCase):
                 ("place_recognizer", "_threads:=2.5", "~threads is 2.5; give a whole number"),
                 ("place_recognizer", "_model:=true", "~model is the truth value true"),
                 ("place_recognizer", "_image_transport:=jpeg",
-                 "~image_transport is 'jpeg'; the transports that are installed are raw, compressed"),
-                ("place_labeler", "_image_transport:=compresed", "Is compressed meant?"),
+                 "~image_transport is 'jpeg'; the installed transports are raw, compressed"),
+                ("place_labeler", "_image_transport:=compresed", "Did you mean compressed?"),
                 ("place_labeler", "_image_transport:=7", "~image_transport is '7'"),
                 ("trainer", "_bag_roots:=false", "~bag_roots[0] is the truth value false")):
             with self.subTest(argument):
@@ -78,23 +78,23 @@ class ParametersTest(NodeCase):
     def test_misspelt_parameters_are_named(self):
         node = self.start_node("place_recognizer", "_modle:=rooms", "_image_transport:=raw",
                                "lazy:=false", "_diagnostic_period:=1")
-        self.expect(node, "~modle of /place_recognizer is not known", "is ~model meant?",
+        self.expect(node, "~modle of /place_recognizer is not known", "did you mean ~model?",
                     "The argument lazy:=false sets no parameter of /place_recognizer; write _lazy:=false.")
         self.assertNotIn("~image_transport", node.output)
         self.assertNotIn("~diagnostic_period", node.output)
         self.assertEqual(node.interrupt(), 0)
         node = self.start_node("place_recognizer", "_model:=rooms", "--lazy=false", "_lazy=false")
-        self.expect(node, "The argument --lazy=false changes nothing", "The argument _lazy=false changes")
+        self.expect(node, "The argument --lazy=false has no effect", "The argument _lazy=false has")
         node.interrupt()
         monitor = self.start(PROGRAMS / "place_monitor.py", "_recognizer:=/front", "--idle-exit", "0.1")
-        self.expect_end(monitor, 0, "The parameter ~recognizer changes nothing here")
+        self.expect_end(monitor, 0, "The parameter ~recognizer has no effect here")
         (self.folder / "rooms.yaml").write_text("places: [{name: a, position: [[0, 0], [1, 0], [1, 1]]}]")
         self.expect_end(self.start_node("auto_labeler", "_rooms:=rooms.yaml", "_pose_timeout:=1e30"), 1,
                         "~pose_timeout is 1e+30; give a number from 0 to 3600")
         self.expect_end(self.start_node("place_recognizer", "_model:=rooms", "image_timeout:=3"),
                         1, "The argument image_timeout:=3", "write _image_timeout:=3")
         node = self.start_node("trainer", "_bag_root:=/data")
-        self.expect(node, "is ~bag_roots meant?")
+        self.expect(node, "did you mean ~bag_roots?")
         node.interrupt()
 
     def test_a_nodelet_names_arguments_that_set_nothing(self):

@@ -55,7 +55,7 @@ class PathsTest(NodeCase):
         self.expect_end(node, 1, str(self.trip / "nowhere/run.bag"))
         (self.trip / "run.bag").touch()
         node = self.start_node("place_labeler", "_bag:=run.bag", cwd=self.trip)
-        self.expect_end(node, 1, f"There is a file {self.trip / 'run.bag'} already")
+        self.expect_end(node, 1, f"The file {self.trip / 'run.bag'} already exists")
         node = self.start_node("place_labeler", f"_bag:={self.trip}")
         self.expect_end(node, 1, f"{self.trip} is a folder")
         node = self.start_node("place_labeler", "_bag:=new/", cwd=self.trip)
@@ -67,8 +67,8 @@ class PathsTest(NodeCase):
 
     def test_bag_roots(self):
         node = self.launch("train.launch", "bag_roots:=[Monday's trip, ~/bags]")
-        self.expect(node, f"There is no folder {self.home}/bags")
-        self.assertEqual(node.output.count("There is no folder"), 1, node.output)
+        self.expect(node, f"The folder {self.home}/bags in ~bag_roots does not exist")
+        self.assertEqual(node.output.count("does not exist"), 1, node.output)
         node.interrupt()
 
     def test_adjacency(self):

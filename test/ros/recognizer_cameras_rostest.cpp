@@ -41,7 +41,7 @@ class RecognizerOfCameras : public RecognizerNode {
     return messages.empty() ? "" : messages.back().data;
   }
 
-  /// Of the last report named "NODE: WHAT" so far; empty: none.
+  /// From the last report named "NODE: WHAT" so far; empty if there is none.
   std::string reported(const std::string& what) const {
     std::string message;
     for (const diagnostic_msgs::DiagnosticArray& array : reports_.messages()) {
@@ -120,7 +120,7 @@ TEST_F(RecognizerOfCameras, TellHowTheirImagesDifferFromTheTraining) {
   ASSERT_TRUE(sendUntil(showing(0), showing(1), [&] {
     return !value("Images of front", "shift of the evidence").empty();
   }));
-  EXPECT_EQ(value("Images of front", "gain to the light of the training: red, green, blue"),
+  EXPECT_EQ(value("Images of front", "gains to the light of the training: red, green, blue"),
             "1.00, 1.00, 1.00");  // no cue of this model follows the light
 }
 
@@ -155,7 +155,7 @@ TEST_F(RecognizerOfModels, AnswerTheirCameraAndCountIfTheyKnowTheSamePlaces) {
                                  lastPlace() == "room0";
                         }))
       << modelOf("front") << " " << modelOf("rear/image") << " " << lastPlace();
-  const std::string why = "the places of its model two are not those of three";
+  const std::string why = "the places of its model two differ from those of three";
   EXPECT_TRUE(sendUntil(showing(0), showing(1), [&] {
     return reported("Images of rear/image").find(why) != std::string::npos;
   })) << reported("Images of rear/image");

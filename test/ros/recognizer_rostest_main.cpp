@@ -1,4 +1,4 @@
-// The program of recognizer.test: its tests stand in recognizer_*_rostest.cpp.
+// The program of recognizer.test: its tests are in recognizer_*_rostest.cpp.
 
 #include "recognition/network_options.h"
 #include "ros/recognizer_fixture.h"

@@ -19,7 +19,7 @@ ROOMS = "places: [{name: kitchen, position: [[0, 0], [4, 0], [4, 3]]}]"
 
 
 def size(path):
-    """Of a file that may not be there yet, in bytes."""
+    """The size in bytes of a file that may not exist yet."""
     try:
         return path.stat().st_size
     except FileNotFoundError:
@@ -36,17 +36,17 @@ class SilenceTest(NodeCase):
         self.camera("/front/image_raw")
         node = self.start_node("place_recognizer", "image:=/front/image_raw", "_lazy:=false",
                                "_image_timeout:=1")
-        self.expect(node, "No image has come on /front/image_raw for 1 s. "
+        self.expect(node, "No image has arrived on /front/image_raw for 1 s. "
                     "/front/image_raw/compressed is published", "set ~image_transport to compressed")
         rospy.sleep(2.5)
-        self.assertEqual(node.output.count("No image has come"), 1, node.output)
+        self.assertEqual(node.output.count("No image has arrived"), 1, node.output)
         node.interrupt()
 
     def test_a_lazy_recognizer_without_listeners_says_nothing(self):
         node = self.start_node("place_recognizer", IMAGE, "_image_timeout:=0.5")
         self.expect(node, "no model to recognize with")
         rospy.sleep(2)
-        self.assertNotIn("No image has come", node.output)
+        self.assertNotIn("No image has arrived", node.output)
         self.assertEqual(node.interrupt(), 0)
 
     def test_a_recorder_that_hears_nothing_names_the_topics_that_there_are(self):
@@ -54,7 +54,7 @@ class SilenceTest(NodeCase):
         node = self.start_node("place_labeler", "_bag:=run.bag", IMAGE)
         self.expect(node, "Nobody publishes /camera/image_raw.", "/front/image_raw")
         self.assertEqual(node.interrupt(), 1)
-        self.assertIn("No image has come on /camera/image_raw. Nothing was recorded.", node.output)
+        self.assertIn("No image has arrived on /camera/image_raw. Nothing was recorded.", node.output)
         self.assertFalse(list(self.folder.glob("run.bag*")))
 
 
@@ -70,7 +70,7 @@ class ClockTest(NodeCase):
                  self.start_node("place_labeler"), self.start_node("auto_labeler", "_rooms:=rooms.yaml"),
                  self.start_node("place_to_pose", "_rooms:=rooms.yaml")]
         for node in nodes:
-            self.expect(node, "/use_sim_time is true, but no /clock has come",
+            self.expect(node, "/use_sim_time is true, but no /clock has arrived",
                         "rosparam set /use_sim_time false")
             self.assertEqual(node.interrupt(), 0)
 
@@ -80,8 +80,8 @@ class ClockTest(NodeCase):
         node = self.start_node("place_labeler", "_bag:=run.bag", IMAGE, "_image_transport:=compressed")
         self.wait_for(camera.listeners, "nobody listens")
         camera.send()
-        self.expect(node, "1 images have come, but they cannot be recorded", "there is no /clock")
-        self.assertNotIn("No image has come", node.output)
+        self.expect(node, "1 images have arrived but cannot be recorded", "there is no /clock")
+        self.assertNotIn("No image has arrived", node.output)
         self.assertEqual(node.interrupt(), 1)
         self.assertIn("Nothing was recorded.", node.output)
 
@@ -104,7 +104,7 @@ class ClockTest(NodeCase):
                 camera.send()
                 rospy.rostime.wallsleep(.2)
         self.assertEqual(node.interrupt(), 0, node.output)
-        self.assertIn("Time has jumped back by 102.0 s; the recording goes on", node.output)
+        self.assertIn("Time has jumped back by 102.0 s; the recording continues", node.output)
         frames, place = [], None
         with rosbag.Bag(str(self.folder / "run.bag")) as bag:
             for topic, message, _ in bag.read_messages():
@@ -178,7 +178,7 @@ class PoselessTest(NodeCase):
         rospy.sleep(0.5)
         self.assertEqual(node.interrupt(), 0, node.output)
         self.assertIn("run.bag: 180 images", node.output)
-        self.assertIn("None of 180 images has a label. No label for want of a pose: nobody publishes tf",
+        self.assertIn("None of 180 images has a label. No label because there is no pose: nobody publishes tf",
                       node.output)
 
 

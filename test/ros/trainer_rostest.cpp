@@ -205,11 +205,11 @@ TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
     EXPECT_NE(response.message.find(reason), std::string::npos) << response.message;
   };
   expectRefused("model", [](Request& r) { r.model = "../home"; });
-  expectRefused("no bag", [](Request& r) { r.bags = {"/etc/passwd"}; });
-  expectRefused("no bag", [](Request& r) { r.bags = {"missing.bag"}; });
-  expectRefused("no bag", [](Request& r) { r.bags = {"../short.bag"}; });
-  expectRefused("no bag", [](Request& r) { r.bags = {std::string("short.bag\0.bag", 14)}; });
-  expectRefused("no bag", [](Request& r) { r.bags = {std::string(1 << 20, 'a') + ".bag"}; });
+  expectRefused("not a bag", [](Request& r) { r.bags = {"/etc/passwd"}; });
+  expectRefused("not a bag", [](Request& r) { r.bags = {"missing.bag"}; });
+  expectRefused("not a bag", [](Request& r) { r.bags = {"../short.bag"}; });
+  expectRefused("not a bag", [](Request& r) { r.bags = {std::string("short.bag\0.bag", 14)}; });
+  expectRefused("not a bag", [](Request& r) { r.bags = {std::string(1 << 20, 'a') + ".bag"}; });
   expectRefused("model", [](Request& r) { r.model = std::string("home\0", 5); });
   expectRefused("model", [](Request& r) { r.model = std::string(1 << 20, 'a'); });
   expectRefused("bags", [](Request& r) { r.bags.clear(); });

@@ -119,7 +119,7 @@ TEST_F(CommandLineTest, ValuesThatDoNotFitAreRefused) {
 TEST_F(CommandLineTest, RulesBetweenOptions) {
   EXPECT_EQ(problem({"bake", "rye", "--icing", "lemon"}), "--icing needs --shape");
   EXPECT_EQ(problem({"bake", "rye", "--icing", "lemon", "--shape", "round", "--plain"}),
-            "--icing does not go with --plain");
+            "--icing cannot be combined with --plain");
   EXPECT_EQ(problem({"bake", "rye", "--heat", "1", "--heat", "2"}), "--heat is given twice");
   EXPECT_EQ(problem({"bake"}), "FLOUR is required");
 }

@@ -60,7 +60,7 @@ class ConfigurationTest(ToolCase):
                 (("--config", "lbp", "--set", "cues.lbp.kernel.type=local-match"),
                  "linear, polynomial, gaussian, sigmoid, chi-squared, intersection"),
                 (("--config", "embedding", "--set", "cues.embedding.kernel.type=chi-squared"),
-                 "no meaning for negative elements; use one of: linear, polynomial, gaussian")):
+                 "not defined for negative elements; use one of: linear, polynomial, gaussian")):
             self.assertIn(words, self.refuse("train", "nowhere", "--model", "m", *arguments))
 
     def test_document_is_up_to_date(self):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Bags of the kinds that public reports tell of."""
+"""Bags of the kinds described in public reports."""
 import json
 import os
 import unittest
@@ -13,7 +13,7 @@ from tool_case import paint
 
 
 def unindexed(content):
-    """What a recorder that is killed leaves of a bag."""
+    """The bag that a killed recorder leaves behind."""
     content = bytearray(content)
     field = content.index(b"index_pos=") + 10
     content[field:field + 8] = bytes(8)
@@ -30,7 +30,7 @@ class BagTest(FieldCase):
         figures, said = self.train("run_0.bag", "run_1.bag", "run_2.bag", "late.bag")
         self.assertEqual({room: of["count"] for room, of in figures["rooms"].items()},
                          {"kitchen": 5, "office": 14, "corridor": 6})
-        self.assert_names(said, "run_1.bag goes on where run_0.bag ends, and starts in 'office'",
+        self.assert_names(said, "run_1.bag continues where run_0.bag ends, and starts in 'office'",
                           "late.bag has no labels", "--repeat-latched")
         figures, said = self.train("run_2.bag", "run_1.bag", "run_0.bag")  # in any order
         self.assertEqual(figures["rooms"]["office"]["count"], 14)
@@ -57,7 +57,7 @@ class BagTest(FieldCase):
         answers = [json.loads(line) for line in result.stdout.splitlines()]
         self.assertEqual(len(answers), 12)
         self.assertIn("empty", answers[10]["reason"])
-        self.assertIn("cut short", answers[11]["reason"])
+        self.assertIn("truncated", answers[11]["reason"])
         self.assertEqual((answers[11]["known"], answers[11]["place"]), (False, ""))
         self.assert_names(result.stderr, "2 images cannot be used")
         for verb in ("train", "evaluate"):
@@ -74,9 +74,9 @@ class BagTest(FieldCase):
                           rospy.Time(1000 + i))
         for verb in (("train", "film.bag", "--model", "./other.places"),
                      ("evaluate", "film.bag", *MODEL[:2])):
-            self.assert_names(self.refuse(*verb), "can be used", "#1", "no image")
+            self.assert_names(self.refuse(*verb), "can be used", "#1", "not an image")
         self.assert_names(self.run_tool("recognize", "film.bag", *MODEL[:2]).stderr, "#1",
-                          "no image")
+                          "not an image")
 
     def test_a_labels_file_may_end_in_yml_and_a_topic_in_a_slash(self):
         self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
@@ -119,7 +119,7 @@ class BagTest(FieldCase):
             bag.write("/place_label", String("kitchen"), rospy.Time(1000))
         damaged = {"unindexed": (unindexed(content), "rosbag reindex runs/unindexed.bag"),
                    "cut": (content[:-2000], "copy or record it again"),
-                   "text": (b"notes\n", "no ROS 1 bag")}
+                   "text": (b"notes\n", "not a ROS 1 bag")}
         for name, (data, _) in damaged.items():
             (self.folder / f"runs/{name}.bag").write_bytes(data)
         train = ("train", "runs", *MODEL)
@@ -127,9 +127,9 @@ class BagTest(FieldCase):
                      ("calibrate", "runs", *MODEL[:2])):
             result = self.run_tool(*verb)
             self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn("Nothing is taken from runs/laser.bag: it has no images", result.stderr)
+            self.assertIn("Nothing was read from runs/laser.bag: it has no images", result.stderr)
             for name, (_, words) in damaged.items():
-                self.assertEqual(result.stderr.count(f"Nothing is taken from runs/{name}.bag"), 1)
+                self.assertEqual(result.stderr.count(f"Nothing was read from runs/{name}.bag"), 1)
                 self.assertIn(words, result.stderr)
         self.assertEqual(self.train("runs")[0]["images"], 8)
         # One that was named by itself is an error, and so are labels that cannot be read.
@@ -144,7 +144,7 @@ class BagTest(FieldCase):
         (self.folder / "run.bag").rename(self.folder / "run.bag.active")
         figures, said = self.train("run.bag.active")
         self.assertEqual(figures["images"], 8)
-        self.assert_names(said, "run.bag.active is whole", "rename it")
+        self.assert_names(said, "run.bag.active is complete", "rename it")
         self.assert_names(self.run_tool("info", "run.bag.active").stderr, "rename it")
 
     def test_recordings_of_other_kinds_are_named(self):

@@ -106,7 +106,7 @@ class FullDiskTest(FieldCase):
         (self.folder / "folder").mkdir()
         (self.folder / "file").touch()
         for target, words in (("locked/x", "locked: Permission denied"), ("folder", "is a folder"),
-                              ("file/x", "file is no folder")):
+                              ("file/x", "file is not a folder")):
             for verb in (("train", "run", "--model", f"./{target}"),
                          ("train", "run", *MODEL, "--json", target),
                          ("evaluate", "run", *MODEL[:2], "--json", target),

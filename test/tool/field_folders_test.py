@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Folders of images of the kinds that public reports tell of."""
+"""Folders of images of the kinds described in public reports."""
 import os
 import unicodedata
 import unittest
@@ -79,7 +79,7 @@ class FolderTest(FieldCase):
         self.write_picture("runs/monday/map.png", paint("office", 1))
         figures, said = self.train("runs/monday")
         self.assertEqual(sorted(figures["rooms"]), sorted(ROOMS))
-        self.assertIn("1 image without label", said)
+        self.assertIn("1 image without a label", said)
 
     def test_folders_that_give_nothing_are_named(self):
         self.write_run("run")
@@ -90,8 +90,8 @@ class FolderTest(FieldCase):
         (self.folder / "run/loft/1.jpg").write_bytes(b"")
         for said in (self.train("run")[1],
                      self.run_tool("import", "run", "--out", "run.bag").stderr):
-            self.assert_names(said, "run/attic: it holds 1 .heic file", "run/cellar: it is empty",
-                              "run/loft/1.jpg: it is empty")
+            self.assert_names(said, "run/attic: it contains 1 .heic file",
+                              "run/cellar: it is empty", "run/loft/1.jpg: it is empty")
         self.assert_names(self.train("run")[1],
                           "'loft' is not learned: its 1 image cannot be used (run/loft/1.jpg: it")
         self.assert_names(self.run_tool("import", "run", "--out", "run2.bag").stderr,
@@ -106,10 +106,10 @@ class FolderTest(FieldCase):
             (kitchen / name).write_bytes(whole)
         for said in (self.train("run")[1],
                      self.run_tool("import", "run", "--out", "run.bag").stderr):
-            self.assertEqual(said.count("run/kitchen: left out are 1 .bak file, 1 .crdownload file, "
-                                        "1 .jpg~ file, 1 .part file, 1 .swp file and 2 .tmp files, by "
-                                        "their names unfinished or older copies of images; rename those "
-                                        "that are to count."), 1, said)
+            self.assertEqual(said.count("run/kitchen: skipped 1 .bak file, 1 .crdownload file, "
+                                        "1 .jpg~ file, 1 .part file, 1 .swp file and 2 .tmp files, whose "
+                                        "names indicate unfinished or older copies of images; rename those "
+                                        "that should be used."), 1, said)
 
     def test_a_model_of_any_name_is_told_from_other_files(self):
         self.write_run("run")
@@ -128,7 +128,7 @@ class FolderTest(FieldCase):
         self.assertEqual(self.rooms_of("run"), sorted(ROOMS))
         figures = self.figures("import", "run", "--out", "run.bag")
         self.assertEqual((figures["images"], figures["places"]), (24, sorted(ROOMS)))
-        self.assert_names(" ".join(figures["warnings"]), "run/old", "leads nowhere")
+        self.assert_names(" ".join(figures["warnings"]), "run/old", "a broken link")
 
     @unittest.skipUnless(os.geteuid() == 0, "to become somebody without rights")
     def test_a_folder_that_may_not_be_read(self):
@@ -152,7 +152,7 @@ class FolderTest(FieldCase):
         figures, said = self.train("run")
         self.assertEqual(sorted(figures["rooms"]), sorted([names[0], "Office_A", "office_a"]))
         self.assertEqual(figures["rooms"][names[0]]["count"], 20)
-        self.assert_names(said, "'Office_A' and 'office_a' differ in upper and lower case only")
+        self.assert_names(said, "'Office_A' and 'office_a' differ only in upper and lower case")
 
 
 if __name__ == "__main__":

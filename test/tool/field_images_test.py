@@ -17,7 +17,7 @@ class InfraredTest(FieldCase):
     """Images of 10 bits in 16."""
 
     def write_infrared(self, name, rooms, brightness, bits=10):
-        """mono16 images a second from 1000, `brightness` of 0..255 times the paint; of 8 bits mono8."""
+        """mono16 (or mono8) images, one per second from 1000 s, `brightness` (0..255) times the paint."""
         with rosbag.Bag(str(self.folder / name), "w") as bag:
             for i, room in enumerate(rooms):
                 grey = cv2.cvtColor(paint(room, i), cv2.COLOR_BGR2GRAY).astype(np.float64)

@@ -89,7 +89,7 @@ class SharedCasesTest(FieldCase):
     def test_trailing_blanks(self):
         figures, said = self.train(self.cases / "trailing.bag", self.cases / "base.bag")
         self.assertEqual(sorted(figures["rooms"]), ["Office_A", "corridor", "kitchen", "office_a"])
-        self.assertIn("differ in upper and lower case only", said)
+        self.assertIn("differ only in upper and lower case", said)
 
     def test_split(self):
         figures, said = self.train(self.cases / "split/run_0.bag", self.cases / "split/run_1.bag")

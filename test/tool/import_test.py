@@ -71,7 +71,7 @@ class ImportTest(ToolCase):
         labels = self.import_pictures([f"omni_cam/{name}" for name in names], "--layout", "cold", "--camera",
                                       "omni_cam")
         self.assertEqual(labels, [(1152886490.25, "CR-A"), (1152886491.5, "PA-A")])
-        self.assertIn("--camera goes with --layout cold alone",
+        self.assertIn("--camera requires --layout cold",
                       self.refuse("import", "data", "--out", "b.bag", "--camera", "omni_cam", status=2))
         places.write_text(f"{names[0]}\n")
         self.assertIn("places.lst line 1",

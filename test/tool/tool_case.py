@@ -70,11 +70,11 @@ class ToolCase(unittest.TestCase):
         return lines[0]
 
     def without_progress(self, said):
-        """The lines of stderr but for those of progress, which a busy machine shows, too."""
+        """The lines of stderr without those of progress, which a busy machine may add."""
         return [line for line in said.splitlines() if not re.search(r": \d+ %(, .* left)?$", line)]
 
     def files(self):
-        """All that lies in the scratch folder, but for what ROS keeps beside its logs."""
+        """Everything in the scratch folder except what ROS keeps beside its logs."""
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*")
                       if not path.match("ros_home") and not path.match("rospack_cache*"))
 
@@ -116,7 +116,7 @@ class ToolCase(unittest.TestCase):
         return name
 
     def write_bag(self, name, frames):
-        """A bag of JPEG images; `frames`: (room or None, label or None) one a second."""
+        """A bag of JPEG images; `frames`: (room or None, label or None), one per second."""
         import rosbag
         import rospy
         from sensor_msgs.msg import CompressedImage

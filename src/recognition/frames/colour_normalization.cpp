@@ -11,7 +11,7 @@
 namespace place_recognition {
 namespace {
 
-/// The mean that images are brought to: about that of a well exposed room.
+/// Target of the mean level, about that of a well exposed room.
 constexpr double kMeanLevel = 110;
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kFadingTime = 300;  // s
 constexpr double kViewsOfAPlace = 5;
-constexpr double kNewFrame = 1;  // s, from one frame to the next that counts in full
-constexpr double kTimeJump = 1;  // s, back: a new stream
+constexpr double kNewFrame = 1;  // s, spacing of frames that count in full
+constexpr double kTimeJump = 1;  // s; a larger step back begins a new stream
 
 }  // namespace
 

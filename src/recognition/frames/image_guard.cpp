@@ -9,16 +9,16 @@
 namespace place_recognition {
 namespace {
 
-/// The same pixels in so many images and for so long, s, are no camera that stands still: its noise
-/// would change them.
+/// The same pixels in this many images and for this time, s, cannot come from a static camera,
+/// whose noise would change them.
 constexpr int kFrozenRepeats = 9;
 constexpr double kFrozenTime = 3;
-/// Uniform images of such a brightness are called black and white.
+/// Limits of brightness for uniform images to be called black or white.
 constexpr double kBlackest = 10;
 constexpr double kWhitest = 245;
-/// Ratios of width to height that differ by less than this, relatively, are due to rounding.
+/// Relative differences between aspect ratios below this are due to rounding.
 constexpr double kSameRatio = 0.02;
-/// Images that are enlarged by more than this lack detail that the model goes by.
+/// Images enlarged by more than this lack detail that the model uses.
 constexpr double kHarmlessEnlargement = 1.1;
 
 std::string text(cv::Size size) {
@@ -40,7 +40,7 @@ std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
   if (trained_.known()) {
     judgeSize(image.size());
     if (trained_.colour && !statistics.colour && !isUniform(statistics)) {
-      fault(kGrey, "Images are grey, but the model was trained on colour",
+      fault(kGrey, "Images are grey, but the model was trained on colour images",
             "check the camera's encoding");
     }
   }
@@ -58,16 +58,16 @@ void ImageGuard::judgeSize(cv::Size size) {
     fault(kAspectRatio,
           "Images of " + text(size) + " have another aspect ratio than the " + text(trained) +
               " of the model",
-          "set the camera to that ratio, or train with it as it is");
+          "set the camera to that ratio, or train with its present one");
   } else if (used.width > kHarmlessEnlargement * size.width) {
     fault(
         kSize,
         "Images of " + text(size) + " are enlarged to " + text(used) +
-            ", the size that the model works at, and lack its finest detail",
+            ", the working size of the model, and lack its finest detail",
         "set the camera to that size, or train with image.max_width=" + std::to_string(size.width));
   } else if (size != trained && size != used) {
     say(kSize, "Images of " + text(size) + " are scaled to " + text(used) +
-                   ", the size that the model works at.");
+                   ", the working size of the model.");
   }
 }
 
@@ -81,7 +81,7 @@ void ImageGuard::judgeUniform(double brightness) {
   }
 }
 
-/// Two images are taken for the same if sampledRows() are.
+/// Two images count as equal if their sampledRows() are.
 bool ImageGuard::isFrozen(const cv::Mat& image, double stamp) {
   const cv::Mat rows = sampledRows(image);
   const bool same = rows.size() == last_rows_.size() && rows.type() == last_rows_.type() &&

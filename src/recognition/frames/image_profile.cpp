@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRows = 48;
 
-/// Whether some pixel of a CV_8UC3 image is not grey.
+/// Whether any pixel of a CV_8UC3 image is not grey.
 bool showsColour(const cv::Mat& image) {
   constexpr int kTolerance = 2;
   for (int y = 0; y < image.rows; ++y) {
@@ -36,7 +36,7 @@ cv::Size firstSize(Recording& recording) {
 }  // namespace
 
 cv::Mat sampledRows(const cv::Mat& image) {
-  // A view whose row step skips the rows in between.
+  // A view whose row step skips the rows between.
   const int step = std::max(1, image.rows / kRows);
   return {(image.rows + step - 1) / step, image.cols, image.type(),
           const_cast<std::uint8_t*>(image.data), image.step * static_cast<std::size_t>(step)};
@@ -58,7 +58,7 @@ ImageStatistics statisticsOf(const cv::Mat& image) {
 }
 
 bool isUniform(const ImageStatistics& image) {
-  // Sensors have a noise of 1 to 4; the flattest of 1114 images of rooms and floors has 11.
+  // Sensor noise has a deviation of 1 to 4; the flattest of 1114 images of rooms and floors has 11.
   constexpr double kNoise = 5;
   return image.contrast <= kNoise;
 }

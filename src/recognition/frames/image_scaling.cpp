@@ -21,17 +21,17 @@ cv::Size narrowed(cv::Size size, int max_width) {
 
 int longerSide(cv::Size size) { return std::max(size.width, size.height); }
 
-/// Quick, and a little smoother than the image would be if a camera of that size had taken it:
-/// good where the images of the training are scaled down like all others.
+/// Fast, and slightly smoother than an image taken by a camera of that size; suitable if the
+/// training images are scaled down in the same way.
 void scaleDown(const cv::Mat& image, cv::Size size, cv::Mat& result) {
   const bool by_half = image.cols >= 2 * size.width;
   cv::resize(image, result, size, 0, 0, by_half ? cv::INTER_AREA : cv::INTER_LINEAR);
 }
 
-/// Means over the areas of the new pixels.
+/// Averages over the areas of the new pixels.
 void shrink(const cv::Mat& image, cv::Size size, cv::Mat& result) {
-  // The border of a new pixel cuts old ones, which is as if they were blurred; that shows where the
-  // new ones are little larger than the old. So these are cut out of an enlarged image first.
+  // Borders of new pixels that cut old ones have a blurring effect, which is noticeable if the new
+  // pixels are only slightly larger. Therefore enlarge the image first.
   const bool cuts = size.width * (image.cols / size.width) != image.cols;
   const bool shows = image.cols < 2 * size.width;
   cv::resize(cuts && shows ? enlarged(image, size * 2) : image, result, size, 0, 0, cv::INTER_AREA);

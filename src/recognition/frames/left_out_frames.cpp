@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-bool LeftOutFrames::takes(const Frame& frame) {
+bool LeftOutFrames::leavesOut(const Frame& frame) {
   if (frame.place.empty()) {
     ++unlabelled_;
   } else if (frame.image.empty()) {
@@ -34,12 +34,11 @@ std::vector<std::string> LeftOutFrames::sentences(const std::string& recording) 
   std::vector<std::string> sentences;
   const auto say = [&](std::uint64_t count, const std::string& why) {
     if (count == 0) return;
-    sentences.push_back(recording + ": left out " + (count == 1 ? "is " : "are ") +
-                        counted(count, "image") + " " + why + ".");
+    sentences.push_back(recording + ": " + counted(count, "image") + " " + why +
+                        (count == 1 ? " is" : " are") + " left out.");
   };
-  say(unlabelled_, "without label");
-  say(uniform_,
-      "of nothing but one colour, as of a covered lens (the first is " + first_uniform_ + ")");
+  say(unlabelled_, "without a label");
+  say(uniform_, "of a single colour, as from a covered lens (the first: " + first_uniform_ + ")");
   say(unusable_, "that cannot be used (" + first_unusable_ + ")");
   return sentences;
 }

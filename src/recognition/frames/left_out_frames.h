@@ -13,7 +13,7 @@ namespace place_recognition {
 class LeftOutFrames {
  public:
   /// Counts `frame` and returns true if it has no label, no image, or a uniform image.
-  bool takes(const Frame& frame);
+  bool leavesOut(const Frame& frame);
 
   /// Counts a frame of `place` that cannot be used for another reason.
   void add(const std::string& place, const std::string& name, const std::string& problem);

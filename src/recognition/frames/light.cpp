@@ -10,7 +10,8 @@
 namespace place_recognition {
 namespace {
 
-/// A gain in 16 bits after the binary point; from 256 on every level but 0 is white.
+/// A gain as a fixed-point number with 16 fractional bits; from 256 on, every level except 0
+/// becomes white.
 std::uint32_t fixedPoint(double gain) {
   return static_cast<std::uint32_t>(std::lround(std::clamp(gain, 0.0, 256.0) * (1 << 16)));
 }
@@ -51,7 +52,7 @@ void changeLight(const cv::Mat& image, const Light& light, cv::Mat& changed) {
   assert(image.type() == CV_8UC3 || image.type() == CV_8UC1);
   std::vector<double> channels{light.blue, light.green, light.red};
   if (image.channels() == 1) channels = {(light.red + light.green + light.blue) / 3};
-  std::vector<std::uint32_t> gains;  // of each number in a row
+  std::vector<std::uint32_t> gains;  // for each number in a row
   for (int x = 0; x < image.cols; ++x) {
     for (double gain : channels) gains.push_back(fixedPoint(gain));
   }

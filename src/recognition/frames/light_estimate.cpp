@@ -11,10 +11,11 @@ namespace place_recognition {
 namespace {
 
 constexpr double kOddsOfChange = 1.0 / 3;
-constexpr double kKnownWithin = 0.15;  // standard deviation that halves the certainty
-constexpr double kNoise = 0.01;        // standard deviation of the same view from frame to frame
+constexpr double kKnownWithin = 0.15;  // standard deviation at which certainty is one half
+constexpr double kNoise = 0.01;        // standard deviation of the same view between frames
 
-/// G: brightness changes by half its logarithm, each channel apart by 15 %.
+/// G: brightness varies by a standard deviation of 0.5 in its logarithm, and each channel
+/// separately by 15 %.
 Eigen::Matrix3d changesOfLight() {
   return Eigen::Matrix3d::Constant(0.5 * 0.5) + 0.15 * 0.15 * Eigen::Matrix3d::Identity();
 }

@@ -11,20 +11,22 @@
 namespace place_recognition {
 namespace {
 
-/// Images of a run whose mean is looked at.
+/// Maximum number of images of a run to average.
 constexpr int kImages = 20;
-/// Side of the image that is searched first, px.
+/// Side of the image for the coarse search, px.
 constexpr int kCoarseSide = 160;
-/// Points on a circle; those beside the image do not count.
+/// Points on a circle; those outside of the image are ignored.
 constexpr int kPoints = 120;
-/// How far the rim's centre may be from the middle of the image, and its radius, in shorter sides.
+/// Maximum distance of the rim's centre from the middle of the image, and range of its radius, in
+/// shorter sides.
 constexpr double kMaxOffset = 0.1;
 constexpr double kMinRadius = 0.25;
 constexpr double kMaxRadius = 0.62;
-/// The least step of mean brightness at a rim, grey levels, and that at an inner circle.
+/// Minimum step of mean brightness at a rim, in grey levels, and at an inner circle.
 constexpr double kMinRimStep = 12;
 constexpr double kMinInnerStep = 6;
-/// Radius of the inner circle in radii of the rim: if it cannot be seen, and its limits.
+/// Radius of the inner circle in radii of the rim: the default if it is not visible, and its
+/// limits.
 constexpr double kUnseenInner = 0.25;
 constexpr double kMinInner = 0.08;
 constexpr double kMaxInner = 0.6;
@@ -45,7 +47,7 @@ class CircleSearch {
     }
   }
 
-  /// The circle whose `sign` times step is largest, of centres within `reach` px of `middle`, and
+  /// The circle with the largest step times `sign`, among centres within `reach` px of `middle` and
   /// radii from `least` to `most`, px.
   Circle strongest(cv::Point2d middle, double reach, double least, double most, double sign) const {
     Circle best;
@@ -61,8 +63,8 @@ class CircleSearch {
  private:
   Circle strongestAround(cv::Point2d center, double least, double most, double sign) const {
     Circle best;
-    // Means along circles a pixel apart; a step is between the two inside a radius and the two
-    // outside.
+    // Means along circles one pixel apart; a step is the difference between the two inside a radius
+    // and the two outside.
     std::array<double, 4> means{};
     int known = 0;
     for (double radius = least - 1.5; radius <= most + 1.5; ++radius) {
@@ -102,7 +104,8 @@ cv::Mat greyOf(const cv::Mat& image) {
   return result;
 }
 
-/// The mean of the first images of a run that have the size of its first one; empty: it has none.
+/// The mean of those first images of a run that have the size of the first one; empty if there are
+/// none.
 cv::Mat meanImage(Recording& recording) {
   cv::Mat sum;
   int count = 0;
@@ -121,8 +124,8 @@ PanoramaOptions requireMirror(const cv::Mat& image, const std::string& name) {
   if (const std::optional<MirrorRing> ring = findMirror(image)) {
     return optionsOf(*ring, image.size());
   }
-  throw Error("In the images of " + name +
-              " no mirror of an omnidirectional camera is found; give image.panorama.mirror=given "
+  throw Error("No mirror of an omnidirectional camera is found in the images of " + name +
+              "; give image.panorama.mirror=given "
               "with center_x, center_y, inner and outer, or none for an ordinary camera.");
 }
 
@@ -163,7 +166,7 @@ TrainingOptions withMirror(TrainingOptions options,
     options.image.panorama = requireMirror(mean, name);
     return options;
   }
-  throw Error("There is no image in " + name + " to find a mirror in.");
+  throw Error("There is no image in " + name + " to search for a mirror.");
 }
 
 TrainingOptions withMirror(TrainingOptions options, const cv::Mat& image, const std::string& name) {

@@ -22,7 +22,7 @@ int indexOf(const std::string& name, const std::string& where,
 
 std::string scalar(const YAML::Node& node, const std::string& where) {
   if (node.IsScalar()) return node.Scalar();
-  throw Error("A list or mapping stands for a room's name in '" + where + "'; " + kForm + ".");
+  throw Error("'" + where + "' has a list or mapping in place of a room's name; " + kForm + ".");
 }
 
 void joinAll(const std::string& name, const YAML::Node& neighbours, const std::string& where,
@@ -52,7 +52,7 @@ Adjacency fromYaml(const YAML::Node& root, const std::string& where,
   return adjacency;
 }
 
-/// The labelled frames at which a room is entered, the first frame included.
+/// The labelled frames at which a room is entered, including the first one.
 std::vector<std::size_t> entries(const std::vector<PlaceAt>& recording) {
   std::vector<std::size_t> found;
   int current = -1;

@@ -16,7 +16,7 @@ double meanOfPairs(const CameraCorrelation& learned) {
 Eigen::MatrixXd coefficientsFor(const std::vector<std::string>& cameras,
                                 const CameraCorrelation& learned) {
   const auto count = static_cast<Eigen::Index>(cameras.size());
-  std::vector<Eigen::Index> known;  // of each camera, its number in `learned`; -1: it is new
+  std::vector<Eigen::Index> known;  // by camera: its index in `learned`; -1: not in it
   for (const std::string& camera : cameras) {
     const auto found = std::find(learned.cameras.begin(), learned.cameras.end(), camera);
     known.push_back(found == learned.cameras.end() ? -1 : found - learned.cameras.begin());

@@ -18,7 +18,7 @@ bool allFinite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// The dimension of the dense vectors of an extractor; 0: it gives sparse ones.
+/// The dimension of an extractor's dense vectors; 0 if they are sparse.
 std::size_t dimensionOf(const FeatureOptions& options) {
   if (const auto* embedding = std::get_if<EmbeddingOptions>(&options)) {
     return embedding->loaded->dimension;
@@ -32,7 +32,7 @@ std::size_t dimensionOf(const FeatureOptions& options) {
   return dimension;
 }
 
-// One overload for each alternative of SupportSet::Index.
+// One overload per alternative of SupportSet::Index.
 void write(const InvertedIndex& index, ClassifierNumbers& numbers) {
   numbers.lists = index.lists();
 }
@@ -51,9 +51,9 @@ BinarySvms machinesOf(const ClassifierNumbers& numbers, const Model& model) {
   machines.one_against_one = model.options.svm.multiclass == "one-against-one";
   const std::size_t vectors = numbers.vector_origins.size();
   const std::size_t count = machineCount(machines.places, machines.one_against_one);
-  require(numbers.biases.size() == count, "the number of machines is not that of the places");
+  require(numbers.biases.size() == count, "the number of machines does not match the places");
   require(numbers.weights.size() == vectors * count,
-          "there are not as many weights as support vectors and machines");
+          "the number of weights does not match the support vectors and machines");
   require(allFinite(numbers.weights), "a weight is not finite");
   require(allFinite(numbers.biases), "a bias is not finite");
   machines.weights = Eigen::Map<const RowMajor>(
@@ -81,13 +81,13 @@ std::vector<VectorOrigin> originsOf(const ClassifierNumbers& numbers, const Mode
   std::vector<VectorOrigin> origins;
   for (const std::uint32_t number : numbers.vector_origins) {
     const std::uint32_t place = number & kLargest;
-    require(place < model.places.size(), "a support vector is of a place that there is not");
+    require(place < model.places.size(), "a support vector belongs to a place that does not exist");
     origins.push_back({static_cast<int>(place), static_cast<int>(number >> kAgeBits)});
   }
   return origins;
 }
 
-/// The sizes must add up before anything is allocated for the sets.
+/// The sizes must be consistent before anything is allocated for the sets.
 std::vector<Feature> descriptorSets(const ClassifierNumbers& numbers) {
   std::uint64_t total = 0;
   for (const std::uint32_t size : numbers.set_sizes) {
@@ -113,11 +113,11 @@ SupportSet supportSetOf(ClassifierNumbers& numbers, const CueOptions& cue) {
   const bool no_lists = lists.totals.empty() && lists.bins.empty() && lists.counts.empty() &&
                         lists.rows.empty() && lists.values.empty() && lists.numbers.empty();
   require(local ? no_lists : numbers.set_sizes.empty() && numbers.descriptors.empty(),
-          "the support vectors are not what the extractor gives");
+          "the support vectors are not of the extractor's kind");
   const Kernel kernel(cue.kernel);
   if (local) return SupportSet(kernel, descriptorSets(numbers));
   require(lists.vectors() == numbers.vector_origins.size(),
-          "there are not as many totals as support vectors");
+          "the number of totals does not match the support vectors");
   numbers.lists.dimension = dimensionOf(cue.feature);
   return SupportSet(kernel, std::move(numbers.lists));
 }

@@ -14,10 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes the file at `path` also its newest backup, and the backups one older. Renames and a hard
-/// link: whenever this is cut off, `path` itself has not been touched, and each backup is whole.
-/// Where it is its own newest backup already, because a writer was killed after this, there is
-/// nothing to do. What fails here is not worth losing a training for.
+/// Makes the file at `path` its newest backup as well, and moves the older backups on by one, with
+/// renames and a hard link: if this is interrupted at any point, `path` is untouched and each
+/// backup is complete. If the newest backup is already the same file, because a writer was killed
+/// after this step, there is nothing to do. Failures are ignored, because none is worth losing a
+/// training for.
 void keepBackup(const std::string& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored) || fs::equivalent(path, backupPath(path, 1), ignored)) return;

@@ -13,8 +13,7 @@
 namespace place_recognition {
 namespace {
 
-static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
-              "numbers are stored as they are in memory");
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "numbers are stored as in memory");
 
 struct Header {
   char magic[8];
@@ -22,15 +21,15 @@ struct Header {
   std::uint32_t message_bytes;
   std::uint64_t numbers_bytes;
   std::uint32_t numbers_checksum;
-  std::uint32_t checksum;  ///< of the header up to here, and of the message
+  std::uint32_t checksum;  ///< of the preceding part of the header, and of the message
 };
 static_assert(sizeof(Header) == 32, "without gaps");
 
-// The line end shows at once if a transfer "as text" changed the file.
+// The line break reveals a transfer in text mode, which alters it.
 constexpr char kMagic[] = "PLACES\r\n";
 constexpr std::uint32_t kFormat = 3;
 
-/// CRC-32 of bytes that follow others of the checksum `before`.
+/// CRC-32 of bytes that follow bytes with the checksum `before`.
 std::uint32_t checksum(std::uint32_t before, const void* data, std::size_t size) {
   return static_cast<std::uint32_t>(crc32_z(before, static_cast<const unsigned char*>(data), size));
 }
@@ -42,7 +41,7 @@ std::uint32_t checksumOf(const Header& header, std::string_view message) {
 
 void readBytes(std::istream& file, void* data, std::size_t size) {
   file.read(static_cast<char*>(data), static_cast<std::streamsize>(size));
-  require(!file.fail(), "it cannot be read to its end");
+  require(!file.fail(), "it cannot be read completely");
 }
 
 std::uint64_t sizeOf(std::istream& file) {
@@ -84,16 +83,16 @@ ContainerReader::ContainerReader(std::istream& file) : file_(file) {
   readBytes(file, &header, std::min<std::size_t>(size, sizeof(header)));
   require(std::memcmp(header.magic, kMagic, sizeof(header.magic)) == 0,
           "it is not a place_recognition model");
-  require(size >= sizeof(header), "it is cut short after " + std::to_string(size) + " bytes");
+  require(size >= sizeof(header), "it is truncated after " + std::to_string(size) + " bytes");
   require(header.format == kFormat, "its format version is " + std::to_string(header.format) +
-                                        " where this program reads " + std::to_string(kFormat));
+                                        ", but this program reads " + std::to_string(kFormat));
   bytes_left_ = size - sizeof(header);
   require(size <= kMaxModelBytes && header.message_bytes <= bytes_left_ &&
               header.numbers_bytes == bytes_left_ - header.message_bytes,
           "its length does not match its header");
   message_.resize(header.message_bytes);
   readBytes(file, message_.data(), message_.size());
-  require(header.checksum == checksumOf(header, message_), "its checksum does not fit");
+  require(header.checksum == checksumOf(header, message_), "its checksum does not match");
   version_ = header.checksum;
   numbers_checksum_ = header.numbers_checksum;
   bytes_left_ = header.numbers_bytes;
@@ -108,13 +107,13 @@ std::string ContainerReader::version() const {
 std::size_t ContainerReader::nextCount(std::size_t element_bytes) {
   std::uint64_t count = 0;
   read(&count, sizeof(count));
-  require(count <= bytes_left_ / element_bytes, "its numbers are cut short");
+  require(count <= bytes_left_ / element_bytes, "its numbers are truncated");
   return count;
 }
 
 void ContainerReader::read(void* data, std::size_t size) {
-  require(size <= bytes_left_, "its numbers are cut short");
-  // Piece by piece, so that the checksum finds the bytes in the cache.
+  require(size <= bytes_left_, "its numbers are truncated");
+  // In pieces, so that the checksum finds the bytes in the cache.
   constexpr std::size_t kPiece = std::size_t{1} << 18;
   for (auto* bytes = static_cast<char*>(data); size > 0;) {
     const std::size_t piece = std::min(size, kPiece);
@@ -127,8 +126,8 @@ void ContainerReader::read(void* data, std::size_t size) {
 }
 
 void ContainerReader::finish() const {
-  require(bytes_left_ == 0, "it holds more numbers than it should");
-  require(checksum_ == numbers_checksum_, "its checksum does not fit");
+  require(bytes_left_ == 0, "it contains more numbers than it should");
+  require(checksum_ == numbers_checksum_, "its checksum does not match");
 }
 
 }  // namespace place_recognition

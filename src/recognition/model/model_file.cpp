@@ -32,12 +32,12 @@ void readNetworks(ContainerReader& reader, Model& model) {
   }
 }
 
-/// Throws Error that says what is wrong, without saying where.
+/// Throws Error saying what is wrong, but not where.
 Model readModel(std::istream& file) {
   ContainerReader reader(file);
   proto::Model message;
   if (!message.ParseFromString(reader.message())) {
-    throw Error("it is not of the form that this program writes");
+    throw Error("it does not have the form that this program writes");
   }
   Model model = fromMessage(message);
   std::vector<ClassifierNumbers> numbers(model.options.cues.size());
@@ -63,7 +63,7 @@ Model readModel(std::istream& file, const std::string& where) {
   }
 }
 
-/// Something other than a file, as a named pipe, must not even be opened.
+/// Anything other than a file, such as a named pipe, must not even be opened.
 bool isOther(const std::string& path) {
   std::error_code ignored;
   return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
@@ -78,14 +78,14 @@ std::ifstream openFile(const std::string& path) {
   return file;
 }
 
-/// A model that cannot be loaded is not to replace one that can.
+/// A model that cannot be loaded must not replace one that can.
 void requireLoadable(const std::string& bytes, const std::string& path) {
   try {
     std::istringstream file(bytes);
     readModel(file);
   } catch (const Error& e) {
-    throw Error("The model was not saved to " + path + ", because it could not be used (" +
-                e.what() + "); check its options, above all those of the kernels.");
+    throw Error("The model was not saved to " + path + " because it could not be used (" +
+                e.what() + "); check its options, especially those of the kernels.");
   }
 }
 
@@ -112,8 +112,8 @@ std::uint64_t saveModel(const Model& model, const std::string& path) {
   std::error_code failure;
   if (!folder.empty()) fs::create_directories(folder, failure);
   if (failure) {
-    throw Error("Cannot make the folder " + folder.string() + ": " + failure.message() +
-                "; choose one that can be written.");
+    throw Error("Cannot create the folder " + folder.string() + ": " + failure.message() +
+                "; choose a writable one.");
   }
   replaceKeepingBackups(path, bytes);
   return bytes.size();

@@ -21,7 +21,7 @@ struct Moments {
   double varianceOfMean() const { return std::max(0.0, squares / count - mean() * mean()) / count; }
 };
 
-/// One where the answer is right, zero elsewhere.
+/// One if the answer is right, else zero.
 std::vector<double> hits(const std::vector<int>& truth, const std::vector<int>& answers) {
   assert(truth.size() == answers.size());
   std::vector<double> values(truth.size());
@@ -89,7 +89,7 @@ std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct) {
   assert(confidences.size() == correct.size());
   constexpr int kBins = 10;
-  std::array<double, kBins> surplus{};  // correct answers less expected ones
+  std::array<double, kBins> surplus{};  // correct answers minus expected ones
   for (std::size_t i = 0; i < confidences.size(); ++i) {
     const int bin = std::clamp(static_cast<int>(confidences[i] * kBins), 0, kBins - 1);
     surplus[bin] += (correct[i] ? 1 : 0) - confidences[i];

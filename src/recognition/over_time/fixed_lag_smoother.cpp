@@ -22,7 +22,7 @@ void FixedLagSmoother::add(const TemporalFilter& filter) {
   finished_ = false;
 }
 
-/// One past the last frame that tells of the oldest one.
+/// One past the last frame that provides information about the oldest one.
 std::size_t FixedLagSmoother::windowEnd() const {
   const std::size_t last = std::min(seen_.size(), kMaxFrames);
   std::size_t end = 1;

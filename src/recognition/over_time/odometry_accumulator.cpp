@@ -5,9 +5,9 @@
 namespace place_recognition {
 namespace {
 
-/// Odometry further from an image than this, s, tells nothing about it.
+/// Odometry further from an image than this, s, is not used for it.
 constexpr double kNear = 0.5;
-/// A faster step, m/s, is an odometry that was set to another pose.
+/// A faster step, m/s, means that odometry was set to another pose.
 constexpr double kMaxSpeed = 10;
 
 bool isFinite(const OdometryPose& pose) {

@@ -10,8 +10,9 @@
 namespace place_recognition {
 namespace {
 
-/// The fraction of each place among the training images, equal ones if the model does not tell.
-/// Counting one image more for each keeps a place without any from counting infinitely.
+/// The fraction of each place among the training images; equal fractions if the model does not
+/// state them. Counting one additional image of each keeps a place without any from having infinite
+/// weight.
 Eigen::RowVectorXd trainingFractions(const Model& model) {
   const std::vector<std::uint64_t>& images = model.provenance.place_images;
   Eigen::RowVectorXd fractions = Eigen::RowVectorXd::Ones(static_cast<int>(model.places.size()));
@@ -100,7 +101,7 @@ void TemporalFilter::move(double elapsed, const std::optional<Motion>& motion) {
     camera.new_fraction = std::min(1.0, camera.new_fraction + new_fraction);
 }
 
-/// The fraction of what a camera says that no other one says at the same moment.
+/// The fraction of a camera's information that no other camera provides at the same moment.
 double TemporalFilter::independentFraction(std::size_t camera) const {
   double sum = 1;
   for (std::size_t other = 0; other < cameras_.size(); ++other) {
@@ -113,7 +114,7 @@ double TemporalFilter::independentFraction(std::size_t camera) const {
 
 void TemporalFilter::weigh(const Recognition& recognition, std::size_t number) {
   Eigen::RowVectorXd& likelihoods = step_.likelihoods;
-  if (recognition.place < 0) {  // no feature, nothing seen: what is new waits for the next
+  if (recognition.place < 0) {  // no feature, nothing seen: the new part is left to the next frame
     likelihoods.setOnes();
     return;
   }

@@ -8,11 +8,11 @@
 namespace place_recognition {
 namespace {
 
-/// Where a change from `room` leads, over the rooms.
+/// Distribution over the rooms after a change from `room`.
 Eigen::RowVectorXd changesFrom(int room, const Adjacency& adjacency, double jump_share) {
   const int rooms = static_cast<int>(adjacency.places());
   Eigen::RowVectorXd anywhere = Eigen::RowVectorXd::Ones(rooms);
-  anywhere[room] = rooms == 1 ? 1 : 0;  // a single room has nothing but itself
+  anywhere[room] = rooms == 1 ? 1 : 0;  // a single room can only change to itself
   Eigen::RowVectorXd next_door(rooms);
   for (int other = 0; other < rooms; ++other) next_door[other] = adjacency.adjoin(room, other);
   if (next_door.sum() == 0) next_door = anywhere;
@@ -27,7 +27,7 @@ TransitionModel::TransitionModel(const Adjacency& adjacency, double unknown_shar
   prior_.setConstant(rooms + 1, (1 - unknown_share) / rooms);
   prior_[rooms] = unknown_share;
 
-  // In equilibrium as many changes lead to 'unknown' as away from it, where every change does.
+  // In equilibrium, as many changes lead to 'unknown' as away from it, where every change leads.
   const double to_unknown = unknown_share / (1 - unknown_share);
   jump_.setZero(rooms + 1, rooms + 1);
   for (int room = 0; room < rooms; ++room) {
@@ -46,10 +46,10 @@ void TransitionModel::goBack(double changes, Eigen::RowVectorXd& likelihood) {
   step(changes, jump_.transpose(), likelihood);
 }
 
-/// weights exp(changes (jump - I)), to the sum 1.
+/// weights exp(changes (jump - I)), normalized to sum 1.
 template <typename Matrix>
 void TransitionModel::step(double changes, const Matrix& jump, Eigen::RowVectorXd& weights) {
-  constexpr double kMany = 100;  // so many rooms on, it no longer matters where it all began
+  constexpr double kMany = 100;  // after this many changes, the start no longer matters
   constexpr double kNegligible = 1e-15;
   const double mean = std::min(changes, kMany);
   double weight = std::exp(-mean);

@@ -10,9 +10,9 @@
 namespace place_recognition {
 namespace {
 
-constexpr double kViewsBefore = 1;  // of the training, that the drop starts from
+constexpr double kViewsBefore = 1;  // from the training, the prior of the drop
 constexpr double kLargestShift = 4;
-constexpr double kViewsOfStrangers = 2;  // that the ratio starts from
+constexpr double kViewsOfStrangers = 2;  // prior of the ratio
 constexpr double kStrangeRatio = 0.5;
 constexpr double kKnownRatio = 0.6;
 

@@ -86,7 +86,7 @@ void Recognizer::beginStreamFrame(double stamp) {
   stamp_ = stamp;
 }
 
-/// The answer to the image that extraction has begun.
+/// Answers the image that extraction_ has begun.
 void Recognizer::askCue(std::size_t cue, double stamp, CueAnswer& answer) {
   Feature& feature = features_[cue];
   answer.missing = !extraction_->extractCue(cue, feature) || model_->cue_weights[cue] == 0;
@@ -96,7 +96,7 @@ void Recognizer::askCue(std::size_t cue, double stamp, CueAnswer& answer) {
   answer.familiarity = kernel_values_.size() > 0 ? kernel_values_.maxCoeff() : 0;
 }
 
-/// Those cues that are due and for which there is time; the others are held.
+/// Computes the cues that are due and fit into the time; the others are held.
 void Recognizer::askCuesInTime(double stamp) {
   const bool embeddings_are_due = embedding_limit_->admits(stamp, embedding_rate_);
   bool answered = false;
@@ -159,7 +159,7 @@ const Recognition& Recognizer::answerNothing(const std::string& reason) {
   recognition_.confidence = 0;
   recognition_.evidence = 0;
   recognition_.known = false;
-  recognition_.reason = reason.empty() ? "the image has no feature of a cue that counts" : reason;
+  recognition_.reason = reason.empty() ? "the image has no feature of a cue in use" : reason;
   return recognition_;
 }
 

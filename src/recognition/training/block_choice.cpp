@@ -11,7 +11,7 @@
 namespace place_recognition {
 namespace {
 
-/// Frames of a recording that are compared with all others of their rooms, about.
+/// Approximate number of frames of a recording that are compared with all others of their rooms.
 constexpr std::size_t kComparedFrames = 100;
 
 /// Sums over frames and lags.
@@ -21,19 +21,19 @@ struct Sums {
   double next_is_nearest = 0;
 };
 
-/// `count` places in 0..size-1, evenly spread.
+/// `count` indices in 0..size-1, evenly spread.
 std::vector<std::size_t> spread(std::size_t count, std::size_t size) {
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < count; ++k) places.push_back((2 * k + 1) * size / (2 * count));
   return places;
 }
 
-/// Distances of the frames of a sequence (rows) to those `compared` (columns) by one cue, in units
-/// of their mean; -1 if one of them lacks the cue.
+/// Distances by one cue between the frames of a sequence (rows) and the frames `compared`
+/// (columns), in units of their mean; -1 if one of them lacks the cue.
 Eigen::MatrixXd cueDistances(const Sequence& sequence, const std::vector<std::size_t>& compared,
                              const std::vector<Feature>& features, const CueOptions& cue,
                              unsigned threads) {
-  std::vector<std::size_t> order;  // those compared first
+  std::vector<std::size_t> order;  // the compared ones first
   std::vector<std::size_t> columns;
   const auto has = [&](std::size_t i) { return !isMissing(features[sequence.samples[i]]); };
   for (std::size_t k = 0; k < compared.size(); ++k) {

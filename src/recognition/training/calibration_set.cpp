@@ -9,8 +9,8 @@
 namespace place_recognition {
 namespace {
 
-/// Mean held-out decision values of the first samples: a row per place that they show, a column a
-/// place that is answered; -1 if no sample shows it.
+/// Mean held-out decision values of the first samples: one row per true place, one column per
+/// answered place; -1 if no sample shows the true place.
 Eigen::MatrixXd meanValues(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                            std::size_t count) {
   const Eigen::Index places = held_out.decision_values.cols();
@@ -79,8 +79,8 @@ void keep(const HeldOutValues& held_out, const std::vector<int>& samples, HeldOu
   frames.familiarity.push_back(std::move(familiarity));
 }
 
-/// Which samples, of these places, a model keeps. stratifiedSample() rounds the fraction of each
-/// place up, so that it may have to be asked for less than there is room for.
+/// The samples, given their places, that a model keeps. stratifiedSample() rounds the fraction of
+/// each place up, so the request may have to be smaller than the available room.
 std::vector<bool> keptOf(const std::vector<int>& places, std::uint64_t seed) {
   std::size_t most = kMaxHeldOutFrames;
   std::vector<bool> kept = stratifiedSample(places, most, seed);

@@ -9,26 +9,28 @@
 namespace place_recognition {
 namespace {
 
-/// Frames no further apart, s, show the same moment.
+/// Frames at most this far apart, s, show the same moment.
 constexpr double kSameMoment = 0.1;
-/// So few moments tell nothing about a pair of cameras.
+/// Minimum number of moments that determine a pair of cameras.
 constexpr std::size_t kLeastMoments = 30;
-/// Odds beyond this say no more of an error, and would let single frames decide.
+/// Clamps the log odds, because larger ones say no more about an error and would let single frames
+/// decide.
 constexpr double kLargestLogOdds = 4;
 
-/// What one camera said at a moment.
-struct Said {
+/// The answer of one camera at one moment.
+struct CameraAnswer {
   int recording;
   double stamp;
   double log_odds;  // of the true place
 };
 
 /// In order of run and time.
-using Sayings = std::vector<Said>;
+using CameraAnswers = std::vector<CameraAnswer>;
 
-std::vector<Sayings> sayingsOf(std::size_t cameras, const std::vector<SampleOrigin>& samples,
-                               const HeldOutValues& held_out, const Calibration& calibration) {
-  std::vector<Sayings> sayings(cameras);
+std::vector<CameraAnswers> answersOf(std::size_t cameras, const std::vector<SampleOrigin>& samples,
+                                     const HeldOutValues& held_out,
+                                     const Calibration& calibration) {
+  std::vector<CameraAnswers> answers(cameras);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!held_out.valid[i]) continue;
     const SampleOrigin& sample = samples[i];
@@ -37,36 +39,37 @@ std::vector<Sayings> sayingsOf(std::size_t cameras, const std::vector<SampleOrig
     const double p = calibration.probabilities(decision_values)[sample.place];
     const double log_odds =
         std::clamp(std::log(p) - std::log1p(-p), -kLargestLogOdds, kLargestLogOdds);
-    sayings[static_cast<std::size_t>(sample.camera)].push_back(
+    answers[static_cast<std::size_t>(sample.camera)].push_back(
         {sample.recording, sample.stamp, std::isnan(log_odds) ? kLargestLogOdds : log_odds});
   }
-  for (Sayings& of_camera : sayings) {
-    std::stable_sort(of_camera.begin(), of_camera.end(), [](const Said& a, const Said& b) {
-      return std::tie(a.recording, a.stamp) < std::tie(b.recording, b.stamp);
-    });
+  for (CameraAnswers& of_camera : answers) {
+    std::stable_sort(of_camera.begin(), of_camera.end(),
+                     [](const CameraAnswer& a, const CameraAnswer& b) {
+                       return std::tie(a.recording, a.stamp) < std::tie(b.recording, b.stamp);
+                     });
   }
-  return sayings;
+  return answers;
 }
 
-/// The first column by `a`, the second by `b`: a row for each moment of `a` that `b` saw too.
-Eigen::MatrixX2d commonMoments(const Sayings& a, const Sayings& b) {
+/// The log odds of `a` and `b` (columns) at the moments of `a` that `b` also saw (rows).
+Eigen::MatrixX2d commonMoments(const CameraAnswers& a, const CameraAnswers& b) {
   Eigen::MatrixX2d moments(static_cast<Eigen::Index>(a.size()), 2);
   Eigen::Index count = 0;
   auto next = b.begin();
-  for (const Said& said : a) {
-    const auto isBefore = [&said](const Said& other) {
+  for (const CameraAnswer& answer : a) {
+    const auto isBefore = [&answer](const CameraAnswer& other) {
       return std::tuple(other.recording, other.stamp) <
-             std::tuple(said.recording, said.stamp - kSameMoment);
+             std::tuple(answer.recording, answer.stamp - kSameMoment);
     };
     while (next != b.end() && isBefore(*next)) ++next;
     if (next == b.end()) break;
-    if (next->recording != said.recording || next->stamp > said.stamp + kSameMoment) continue;
-    moments.row(count++) << said.log_odds, next->log_odds;
+    if (next->recording != answer.recording || next->stamp > answer.stamp + kSameMoment) continue;
+    moments.row(count++) << answer.log_odds, next->log_odds;
   }
   return moments.topRows(count);
 }
 
-/// Pearson's, 0 to 1; nothing if the moments are too few.
+/// Pearson's coefficient, clamped to 0..1; nothing if there are too few moments.
 std::optional<double> correlationOver(const Eigen::MatrixX2d& moments) {
   if (moments.rows() < static_cast<Eigen::Index>(kLeastMoments)) return std::nullopt;
   const Eigen::MatrixX2d centered = moments.rowwise() - moments.colwise().mean();
@@ -82,7 +85,8 @@ CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras
                                          const HeldOutValues& held_out,
                                          const Calibration& calibration) {
   if (cameras.size() < 2 || cameras.size() > kMaxCameras) return {};
-  const std::vector<Sayings> sayings = sayingsOf(cameras.size(), samples, held_out, calibration);
+  const std::vector<CameraAnswers> answers =
+      answersOf(cameras.size(), samples, held_out, calibration);
   std::vector<std::size_t> order(cameras.size());  // ascending by topic
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
@@ -97,8 +101,8 @@ CameraCorrelation learnCameraCorrelation(const std::vector<std::string>& cameras
     learned.coefficients(a, a) = 1;
     for (Eigen::Index b = 0; b < a; ++b) {
       const std::optional<double> correlation =
-          correlationOver(commonMoments(sayings[order[static_cast<std::size_t>(a)]],
-                                        sayings[order[static_cast<std::size_t>(b)]]));
+          correlationOver(commonMoments(answers[order[static_cast<std::size_t>(a)]],
+                                        answers[order[static_cast<std::size_t>(b)]]));
       if (!correlation) continue;
       learned.coefficients(a, b) = learned.coefficients(b, a) = *correlation;
       found.push_back(*correlation);

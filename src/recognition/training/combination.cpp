@@ -10,7 +10,7 @@
 namespace place_recognition {
 namespace {
 
-/// Calls `visit` with every vector of `count` non-negative integers of the sum `total`.
+/// Calls `visit` with every vector of `count` non-negative integers with the sum `total`.
 void forEachComposition(std::size_t count, int total, std::vector<int>& parts,
                         const std::function<void()>& visit) {
   if (parts.size() + 1 == count) {
@@ -26,10 +26,10 @@ void forEachComposition(std::size_t count, int total, std::vector<int>& parts,
   }
 }
 
-/// Steps of the grid that keep it below about a thousand points.
+/// Steps that keep the grid below about a thousand points.
 int stepsFor(std::size_t cues) { return cues <= 3 ? 10 : cues == 4 ? 8 : 4; }
 
-/// Parts of the cues, each of which sums to 1: even ones, and all of a grid.
+/// Shares of the cues, each vector with sum 1: equal shares, and all of a grid.
 std::vector<std::vector<double>> gridOfParts(std::size_t cues) {
   std::vector<std::vector<double>> grid{std::vector<double>(cues, 1 / static_cast<double>(cues))};
   const int steps = stepsFor(cues);
@@ -41,7 +41,7 @@ std::vector<std::vector<double>> gridOfParts(std::size_t cues) {
   return grid;
 }
 
-/// The prior weights, each times its part; they sum to 1.
+/// The prior weights multiplied by the shares, with sum 1.
 std::vector<double> scaled(const std::vector<double>& prior, const std::vector<double>& parts) {
   std::vector<double> weights(prior.size());
   std::transform(prior.begin(), prior.end(), parts.begin(), weights.begin(),
@@ -51,16 +51,16 @@ std::vector<double> scaled(const std::vector<double>& prior, const std::vector<d
   return weights;
 }
 
-/// How right the answers are with these parts of the cues, and the standard error of that rate.
+/// The rate with given shares of the cues, and its standard error.
 struct Trial {
   std::vector<double> parts;
   double rate, error;
 };
 
-/// The sum of all parts that are as good as the best; zero for a cue that has hardly any.
+/// The sum of all shares that are as good as the best; zero for a cue with hardly any share.
 std::vector<double> sumOfTheBest(const std::vector<Trial>& trials) {
   constexpr double kAsGood = 2;     // standard errors
-  constexpr double kNothing = 0.2;  // of an even part
+  constexpr double kNothing = 0.2;  // of an equal share
   const Trial& best = *std::max_element(
       trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.rate < b.rate; });
   const std::size_t cues = best.parts.size();
@@ -120,7 +120,7 @@ std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
   std::vector<Trial> trials;
   for (const std::vector<double>& parts : gridOfParts(cues.size())) trials.push_back(judge(parts));
   std::vector<double> weights = scaled(prior, sumOfTheBest(trials));
-  // Cues that tell the same have the same weight, whatever the rounding errors of the sums.
+  // Cues with the same information get the same weight, regardless of rounding errors of the sums.
   for (double& weight : weights) weight = std::round(1e12 * weight) / 1e12;
   return weights;
 }

@@ -23,7 +23,7 @@ Eigen::MatrixXd rows(const Eigen::MatrixXd& matrix, const std::vector<int>& indi
   return part;
 }
 
-/// The numbers at some places of a list.
+/// The elements of `list` at `places`.
 std::vector<int> pick(const std::vector<int>& list, const std::vector<int>& places) {
   std::vector<int> picked;
   for (const int place : places) picked.push_back(list[static_cast<std::size_t>(place)]);
@@ -39,7 +39,7 @@ std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>
   return kept;
 }
 
-/// True places of the valid samples, and those of their largest decision values.
+/// True places of the valid samples, and the places with their largest decision values.
 struct Answers {
   std::vector<int> truth, places;
 };
@@ -61,7 +61,7 @@ Eigen::VectorXd largestValues(const Eigen::MatrixXd& kernel_values,
   return columns(kernel_values, vectors).rowwise().maxCoeff();
 }
 
-/// Room for the decision values of every sample.
+/// Allocates the decision values of every sample.
 HeldOutValues noneHeldOut(const TrainingTask& task) {
   return {Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(task.samples.size()),
                                 static_cast<Eigen::Index>(task.places)),
@@ -69,8 +69,8 @@ HeldOutValues noneHeldOut(const TrainingTask& task) {
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.samples.size()))};
 }
 
-/// How much the decision values of each sample count in a reduction: the less, the more often its
-/// place has been learned again.
+/// Weights of the samples' decision values in a reduction: they decrease each time a sample's place
+/// is learned again.
 Eigen::VectorXd importanceOf(const std::vector<int>& samples, const TrainingTask& task) {
   Eigen::VectorXd importance(static_cast<Eigen::Index>(samples.size()));
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -80,7 +80,8 @@ Eigen::VectorXd importanceOf(const std::vector<int>& samples, const TrainingTask
   return importance;
 }
 
-/// Machines trained on the rows `train_rows`, of `samples`, of a Gram matrix, or extended by them.
+/// Machines trained on (or extended by) the rows `train_rows` of a Gram matrix, which belong to
+/// `samples`.
 BinarySvms trainMachinesOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
                            const PackedGram& gram, const TrainingTask& task) {
   if (task.learned) {
@@ -95,8 +96,8 @@ BinarySvms trainMachinesOn(const std::vector<int>& train_rows, const std::vector
   return trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
 }
 
-/// trainReduced() on the rows `train_rows`, of `samples`, of a Gram matrix; the vectors are
-/// numbered among these.
+/// trainReduced() on the rows `train_rows` of a Gram matrix, which belong to `samples`; the
+/// resulting vectors are indices among these.
 ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
                                const PackedGram& gram, const TrainingTask& task,
                                const std::vector<ReductionOptions>& reductions) {

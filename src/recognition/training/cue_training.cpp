@@ -10,12 +10,12 @@
 namespace place_recognition {
 namespace {
 
-/// Gamma is searched on about this many samples at most: the plateau that it is chosen from does
-/// not move with more. Fewer where every gamma needs a matrix of measures of its own.
+/// Maximum number of samples, approximately, for the search of gamma: more do not move the plateau
+/// from which it is chosen. Fewer are used if every gamma needs its own matrix of measures.
 constexpr std::size_t kSamplesForSearch = 2000;
 constexpr std::size_t kSamplesForCostlySearch = 120;
 
-/// The features of about `count` samples, the others missing.
+/// The features of about `count` samples; the others become missing.
 std::vector<Feature> thinnedOut(std::vector<Feature> features, const TrainingTask& task,
                                 std::size_t count) {
   std::vector<int> places;
@@ -27,7 +27,7 @@ std::vector<Feature> thinnedOut(std::vector<Feature> features, const TrainingTas
   return features;
 }
 
-/// The samples of one cue and how they compare.
+/// The samples of one cue and their comparisons.
 class CueTrainer {
  public:
   CueTrainer(std::vector<Feature> features, const CueOptions& cue, const TrainingTask& task)
@@ -84,7 +84,7 @@ class CueTrainer {
   }
 
  private:
-  /// Throws Error if the kernel has values that no machine can be trained on.
+  /// Throws Error if the kernel has values on which no machine can be trained.
   void requireBounded(const PackedGram& gram) const {
     constexpr double kLargest = 1e30;  // its square is far from overflow
     for (Eigen::Index i = 0; i < gram.rows(); ++i) {
@@ -92,13 +92,13 @@ class CueTrainer {
         if (std::abs(gram(i, j)) <= kLargest) continue;
         throw Error("The kernel of cue '" + cue_.name + "' (" + cue_.kernel.type +
                     ") has values beyond 1e30 on these images; choose smaller parameters, for "
-                    "the polynomial one cues." +
+                    "the polynomial kernel cues." +
                     cue_.name + ".kernel.p and d.");
       }
     }
   }
 
-  /// Measures of the kernel as it is now; those at hand serve again unless gamma is part of them.
+  /// Measures of the current kernel; existing ones are reused unless they depend on gamma.
   void compare() {
     const Kernel kernel(cue_.kernel);
     const bool at_hand = measures_.size() > 0 &&
@@ -110,7 +110,7 @@ class CueTrainer {
 
   CueOptions cue_;
   const TrainingTask& task_;
-  std::vector<int> rows_;          // of each sample among the features; -1: it lacks the cue
+  std::vector<int> rows_;          // by sample: index among the features; -1: it lacks the cue
   std::vector<Feature> features_;  // none missing
   std::vector<int> samples_;       // of the features
   Eigen::MatrixXd measures_;

@@ -70,7 +70,7 @@ class Collector {
     std::vector<std::string>& cameras = collected_.cameras;
     for (const std::string& camera : recording.cameras()) {
       if (!isUtf8(camera)) {
-        throw Error("A topic of images in " + recording.name() + " is not UTF-8 text.");
+        throw Error("A topic of images in " + recording.name() + " is not UTF-8 text; rename it.");
       }
       const auto known = std::find(cameras.begin(), cameras.end(), camera);
       streams.push_back({static_cast<int>(known - cameras.begin()),
@@ -85,7 +85,7 @@ class Collector {
     ++collected_.images;
     collected_.seen.back().push_back({frame.stamp, frame.place});
     requirePlaceName(frame);
-    if (collected_.left_out.back().takes(frame)) return;
+    if (collected_.left_out.back().leavesOut(frame)) return;
     if (!camera.rate.admits(frame.stamp)) {
       ++collected_.passed_over;
       return;
@@ -112,7 +112,7 @@ class Collector {
     pool_.submit(changed.image, added.changed, light * changed.correction);
   }
 
-  /// So that memory stays bounded.
+  /// Keeps memory bounded.
   void dropHalf() {
     pool_.finish();
     dropFeatureless();
@@ -144,7 +144,7 @@ class Collector {
   const ImageChange change_;
   const std::size_t most_;
   FrameCollection collected_;
-  ExtractionPool pool_;  // the last member: its threads end first
+  ExtractionPool pool_;  // the last member, so that its threads end first
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace place_recognition {
 namespace {
 
-/// Mean off the diagonal; 1 where all features are equal.
+/// Mean off the diagonal; 1 if all features are equal.
 double typicalMeasure(const Eigen::MatrixXd& measures) {
   const double n = static_cast<double>(measures.rows());
   const double mean = (measures.sum() - measures.trace()) / std::max(1.0, n * (n - 1));

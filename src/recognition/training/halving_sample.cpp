@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// A random bit of `seed` for each pair of a round of a tournament.
+/// A random bit from `seed` for each pair in a round of a tournament.
 bool drawnBit(std::uint64_t seed, int round, std::uint64_t pair) {
   std::seed_seq words{seed, seed >> 32, pair, pair >> 32, static_cast<std::uint64_t>(round)};
   return std::mt19937(words)() & 1;

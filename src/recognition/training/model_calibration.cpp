@@ -51,7 +51,7 @@ struct Answers {
   }
 };
 
-/// The valid samples that are tested in `fold` (inside) or in another one; all if there is no such.
+/// The valid samples that are tested in `fold` (inside) or in another one; all if there are none.
 std::vector<int> validSamples(const HeldOutValues& held_out, const std::vector<int>& fold_of,
                               int fold, bool inside) {
   std::vector<int> chosen;
@@ -92,7 +92,7 @@ Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
   calibrated.calibration =
       fit(held_out, set, validSamples(held_out, fold_of, fold_count, false), false_alarm_rate);
   calibrated.unknown_threshold = quantile(answers.evidence, false_alarm_rate);
-  constexpr double kLimit = 0.5;  // of evidence, where it was fitted
+  constexpr double kLimit = 0.5;  // of evidence, by the definition of its fit
   if (!answers.evidence.empty()) {
     calibrated.unknown =
         static_cast<double>(std::count_if(answers.evidence.begin(), answers.evidence.end(),

@@ -16,7 +16,7 @@ namespace {
 Eigen::MatrixXd kernelValues(const std::vector<const Feature*>& features,
                              const SupportSet& support_set, const Progress& progress) {
   Eigen::MatrixXd transposed(support_set.size(), features.size());
-  constexpr std::size_t kBlock = 64;  // between two reports
+  constexpr std::size_t kBlock = 64;  // between two reports of progress
   for (std::size_t begin = 0; begin < features.size(); begin += kBlock) {
     report(progress, "Comparing vectors", static_cast<double>(begin) / features.size());
     const std::size_t count = std::min(kBlock, features.size() - begin);
@@ -44,7 +44,7 @@ std::vector<int> rowsWithFeature(const std::vector<Feature>& features) {
   return rows;
 }
 
-/// Mean over all support vectors of the largest kernel value against another one of `kept`.
+/// Mean over all support vectors of the largest kernel value against another one in `kept`.
 double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<int>& kept) {
   double sum = 0;
   for (Eigen::Index i = 0; i < kernel_values.rows(); ++i) {
@@ -57,7 +57,7 @@ double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<i
   return kernel_values.rows() > 0 ? sum / static_cast<double>(kernel_values.rows()) : 0;
 }
 
-/// How much less familiar frames look to the vectors that `machines` use than to all.
+/// By how much frames look less familiar to the vectors that `machines` use than to all vectors.
 double familiarityLost(const Classifier& classifier, const BinarySvms& machines) {
   const auto& [used, support_set, origins] = ClassifierParts::of(classifier);
   const Eigen::MatrixXd values =
@@ -123,7 +123,7 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
     const auto found = std::lower_bound(model.places.begin(), model.places.end(), place);
     if (found == model.places.end() || *found != place) {
       throw Error("The model does not know the place '" + place +
-                  "' that the runs for --validate show; give runs of the places it knows.");
+                  "' in the runs for --validate; give runs of the places that it knows.");
     }
     index_in_model.push_back(static_cast<int>(found - model.places.begin()));
   }

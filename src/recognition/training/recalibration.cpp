@@ -18,7 +18,7 @@
 namespace place_recognition {
 namespace {
 
-/// The frames of places that `model` knows, numbered as there.
+/// The frames of places that `model` knows, with the model's indices of places.
 struct KnownFrames {
   std::vector<SampleOrigin> origins;
   std::vector<std::vector<Feature>> features;  // [cue]
@@ -32,8 +32,8 @@ KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::st
     const bool known = place != model.places.end() && *place == samples.places[k];
     place_of.push_back(known ? static_cast<int>(place - model.places.begin()) : -1);
     if (known) continue;
-    warnings.push_back("The model does not know the place '" + samples.places[k] + "', of which " +
-                       counted(samples.images[k], "image") + " are left out.");
+    warnings.push_back("The model does not know the place '" + samples.places[k] +
+                       "': " + counted(samples.images[k], "image") + " left out.");
   }
   KnownFrames known;
   known.features.resize(samples.features.size());
@@ -49,7 +49,7 @@ KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::st
   return known;
 }
 
-/// The evidence of the valid frames as a recognizer finds it, which follows each run.
+/// The evidence of the valid frames as found by a recognizer that follows each run.
 std::vector<double> evidenceOfStreams(const Model& model, const HeldOutValues& combined,
                                       const std::vector<SampleOrigin>& origins) {
   std::vector<std::size_t> order;

@@ -10,7 +10,7 @@ constexpr const char* kMethods[] = {"shared-greedy", "shared-qr", "qr"};
 constexpr std::size_t kMaxSamplesForAuto = 4000;
 constexpr double kFractions[] = {0.70, 0.50, 0.35, 0.25, 0.15};
 
-/// Log losses of the held-out samples with one reduction, against those with another.
+/// Compares the log losses of held-out samples between two reductions.
 class LossComparison {
  public:
   LossComparison(const HeldOutValues& reference, const std::vector<SampleOrigin>& samples,
@@ -26,7 +26,7 @@ class LossComparison {
 
   bool empty() const { return valid_.empty(); }
 
-  /// Mean of the rooms' mean differences: what `reduced` loses.
+  /// Mean of the rooms' mean differences: the loss of `reduced`.
   RoomMean loss(const HeldOutValues& reduced) const {
     std::vector<double> differences = logLosses(reduced, samples_, valid_);
     for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= reference_[i];

@@ -13,7 +13,7 @@ int mostVectors(const Model& model) {
   return static_cast<int>(most);
 }
 
-/// Options whose only limit is the number of vectors that there are.
+/// Options limited only by the number of existing vectors.
 ReductionOptions unlimited(ReductionOptions options) {
   options.share = 1;
   options.support_vectors = 0;

@@ -17,7 +17,7 @@
 namespace place_recognition {
 namespace {
 
-/// Where each of `names` stands in `all`, which holds them, ascending.
+/// Indices of `names` in `all`, which contains them in ascending order.
 std::vector<int> positions(const std::vector<std::string>& names,
                            const std::vector<std::string>& all) {
   std::vector<int> found;
@@ -27,7 +27,7 @@ std::vector<int> positions(const std::vector<std::string>& names,
   return found;
 }
 
-/// Numbers places and runs as `samples` does, and appends `part` to it.
+/// Renumbers the places and runs of `part` like those of `samples`, and appends it.
 void append(Samples part, int first_recording, Samples& samples) {
   const std::vector<int> places = positions(part.places, samples.places);
   const int first_sample = static_cast<int>(samples.origins.size());
@@ -72,7 +72,7 @@ int recordingCount(const Samples& samples) {
   return count;
 }
 
-/// Remembered samples of places that the fresh ones show again.
+/// Increments the age of remembered samples of places that the new ones show.
 void growOlder(Samples& samples) {
   std::set<int> seen;
   for (std::size_t i = samples.remembered; i < samples.origins.size(); ++i) {
@@ -83,7 +83,8 @@ void growOlder(Samples& samples) {
   }
 }
 
-/// What a cue's features depend on, and the kernel but for what was found within the runs.
+/// Everything on which a cue's features depend, and the kernel without the parameters found within
+/// the runs.
 std::string featuresOf(CueOptions cue) {
   cue.weight = 1;
   cue.kernel.gamma = 0;
@@ -98,8 +99,7 @@ std::vector<std::string> networksOf(const Model& model) {
   return checksums;
 }
 
-/// The size to which `model` brings the images that `camera` was trained on, and what a mirror
-/// does to them.
+/// The size to which `model` scales the training images of `camera`, and the handling of a mirror.
 std::string workingSize(const Model& model, const Model& camera) {
   if (!camera.images.known()) return "unknown";
   const cv::Size recorded(camera.images.width, camera.images.height);
@@ -163,19 +163,18 @@ void requireJoinable(const Model& model, const Model& other) {
                 "; train both with the same configuration.");
   };
   const std::vector<CueOptions>& cues = model.options.cues;
-  if (cues.size() != other.options.cues.size()) refuse("it has other cues");
+  if (cues.size() != other.options.cues.size()) refuse("its cues are different");
   for (std::size_t c = 0; c < cues.size(); ++c) {
     if (featuresOf(cues[c]) != featuresOf(other.options.cues[c])) {
-      refuse("its cue '" + other.options.cues[c].name + "' is another one than '" + cues[c].name +
-             "'");
+      refuse("its cue '" + other.options.cues[c].name + "' differs from '" + cues[c].name + "'");
     }
   }
-  if (networksOf(model) != networksOf(other)) refuse("it has another network");
+  if (networksOf(model) != networksOf(other)) refuse("its network is different");
   const std::string size = workingSize(other, other), here = workingSize(model, other);
-  if (size != here) refuse("its images were worked at " + size + " pixels, not at " + here);
+  if (size != here) refuse("its images were scaled to " + size + " pixels, not at " + here);
   const ImageProfile &images = model.images, &others = other.images;
   if (images.depth.low != others.depth.low || images.depth.high != others.depth.high) {
-    refuse("images of 16 bits were brought to 8 bits in another way");
+    refuse("images with 16 bits were converted to 8 bits in another way");
   }
 }
 

@@ -16,7 +16,7 @@
 namespace place_recognition {
 namespace {
 
-/// Other light, if that is to be learned.
+/// Other light, if it is to be learned.
 ImageChange changeOfLight(const TrainingOptions& options) {
   if (!options.augmentation.other_light) return {};
   const auto draw = std::make_shared<LightDraw>(options.seed);
@@ -25,29 +25,29 @@ ImageChange changeOfLight(const TrainingOptions& options) {
   };
 }
 
-/// Why the frames that can be learned show fewer places than are needed.
+/// Why the usable frames show fewer places than needed.
 std::string whyTooFewPlaces(const FrameCollection& collected) {
   std::string recordings;
   for (const std::string& input : collected.inputs) {
     recordings += (recordings.empty() ? "" : ", ") + input;
   }
   if (collected.images == 0) {
-    return "There are no images in " + recordings + "; give a run that has some.";
+    return "There are no images in " + recordings + "; give a run with images.";
   }
   if (!collected.frames.empty()) {
     return "All images in " + recordings + " show one place, '" + collected.frames.front().place +
-           "'; a model needs two places or more to tell apart.";
+           "'; a model needs at least two places.";
   }
   for (const LeftOutFrames& recording : collected.left_out) {
     if (recording.firstProblem().empty()) continue;
     return "None of the images in " + recordings + " can be used (" + recording.firstProblem() +
-           "); give a run that has some.";
+           "); give a run with usable ones.";
   }
   return "None of the " + std::to_string(collected.images) + " images in " + recordings +
-         " has a label; say which place each of them shows.";
+         " has a label; label them with their places.";
 }
 
-/// Places of the frames that can be learned, ascending.
+/// Places of the usable frames, in ascending order.
 std::vector<std::string> placesOf(const FrameCollection& collected, std::size_t least_places) {
   std::set<std::string> places;
   for (const CollectedFrame& frame : collected.frames) places.insert(frame.place);
@@ -59,14 +59,14 @@ std::vector<std::string> placesOf(const FrameCollection& collected, std::size_t 
   return {places.begin(), places.end()};
 }
 
-/// Index of a name among `places`; -1 if it is none of them.
+/// Index of a name among `places`; -1 if it is not one of them.
 int indexOf(const std::string& name, const std::vector<std::string>& places) {
   const auto found = std::lower_bound(places.begin(), places.end(), name);
   return found != places.end() && *found == name ? static_cast<int>(found - places.begin()) : -1;
 }
 
-/// Which frames are learned: of each place the same fraction of all its frames, those that were
-/// dropped while reading included, `most` together.
+/// The frames to learn: the same fraction of each place's frames, including those dropped during
+/// reading, and `most` in total.
 std::vector<bool> choose(const FrameCollection& collected, const std::vector<std::string>& places,
                          std::size_t most, std::uint64_t seed) {
   std::vector<std::size_t> frames;
@@ -79,7 +79,7 @@ std::vector<bool> choose(const FrameCollection& collected, const std::vector<std
   return stratifiedSample(rooms, equalShares(frames, most), seed);
 }
 
-/// Leaves no more frames than may be learned.
+/// Reduces the frames to the number that may be learned.
 void thinOut(FrameCollection& collected, std::size_t most, std::uint64_t seed, Samples& samples) {
   const std::vector<bool> kept = choose(collected, samples.places, most, seed);
   std::size_t next = 0;
@@ -95,8 +95,8 @@ void thinOut(FrameCollection& collected, std::size_t most, std::uint64_t seed, S
   if (left_out == 0) return;
   samples.warnings.push_back(
       "Of " + std::to_string(left_out + next) + " images " + std::to_string(next) +
-      " are learned, the same fraction of each room (sampling.most); of a fast "
-      "camera sampling.rate=5 passes over more as it is read.");
+      " are learned, the same fraction of each room (sampling.most); for a fast "
+      "camera, sampling.rate=5 skips more while reading.");
 }
 
 void append(SampleOrigin origin, int source, ExtractedFeatures& extracted, Samples& samples) {
@@ -107,7 +107,7 @@ void append(SampleOrigin origin, int source, ExtractedFeatures& extracted, Sampl
   }
 }
 
-/// Turns the frames into samples of `cues` features.
+/// Converts the frames to samples with `cues` features.
 void fill(FrameCollection& collected, std::size_t cues, Samples& samples) {
   samples.images.assign(samples.places.size(), 0);
   samples.colours.assign(samples.places.size(), {});
@@ -145,7 +145,7 @@ std::string firstProblemOf(const std::string& place, const FrameCollection& coll
   return "";
 }
 
-/// Names the places that were labelled but have no image that can be used.
+/// Warns of places that were labelled but have no usable image.
 void warnOfPlaces(const FrameCollection& collected, Samples& samples) {
   std::map<std::string, std::uint64_t> labelled;
   for (const std::vector<SeenLabel>& recording : collected.seen) {
@@ -161,7 +161,7 @@ void warnOfPlaces(const FrameCollection& collected, Samples& samples) {
   }
 }
 
-/// Says what was left out and why.
+/// Reports what was left out and why.
 void warn(const FrameCollection& collected, Samples& samples) {
   samples.warnings.insert(samples.warnings.end(), collected.warnings.begin(),
                           collected.warnings.end());

@@ -32,14 +32,15 @@ Provenance provenanceOf(const Samples& samples) {
   return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION};
 }
 
-/// Whether the light of a recording is to be held against that of the training.
+/// Whether the light of a recording is compared with that of the training.
 bool followsLight(const TrainingOptions& options) {
   return std::any_of(options.cues.begin(), options.cues.end(), [](const CueOptions& cue) {
     return colourNormalization(cue.normalize) == ColourNormalization::kRun;
   });
 }
 
-/// Held-out decision values of the samples, and of the frames that judged the model that they join.
+/// Held-out decision values of the samples, and of the frames on which earlier models of the
+/// remembered samples were validated.
 CalibrationSet calibrationSetOf(const Samples& samples, const std::vector<Fold>& folds,
                                 std::vector<TrainedCue>& cues, std::size_t reductions) {
   CalibrationSet calibration_set{
@@ -52,7 +53,7 @@ CalibrationSet calibrationSetOf(const Samples& samples, const std::vector<Fold>&
   for (const JudgedBefore& before : samples.judged_before) {
     calibration_set.add(before.frames, before.place_of, samples.remembered);
   }
-  // Support vectors are the hard cases of a recording: they do not judge.
+  // Support vectors are the hard cases of a recording, so they are not used for validation.
   for (std::vector<HeldOutValues>& held_out : calibration_set.reductions) {
     for (HeldOutValues& cue : held_out) std::fill_n(cue.valid.begin(), samples.remembered, false);
   }
@@ -79,7 +80,7 @@ void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>
     if (samples.images[k] >= enough) continue;
     warnings.push_back("The place '" + samples.places[k] + "' has only " +
                        counted(samples.images[k], "image") +
-                       "; its answers and their confidence will be poor.");
+                       "; its answers and their confidence will be poor. Record more of it.");
   }
 }
 
@@ -92,11 +93,11 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
     warnings.push_back("'" + places[static_cast<std::size_t>(pair.a)] + "' and '" +
                        places[static_cast<std::size_t>(pair.b)] +
                        "' look alike: " + percent(pair.rate, 0) +
-                       " of their held-out images are taken for the other place.");
+                       " of their held-out images are mistaken for the other place.");
   }
 }
 
-/// The blocks of time that stand for those of all recordings: the one of median length.
+/// The blocks of time that represent those of all recordings: the ones of median length.
 TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
   const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);
   std::nth_element(blocks.begin(), middle, blocks.end(),
@@ -104,8 +105,8 @@ TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
   return *middle;
 }
 
-/// Blocks of time, which are trained on and tested in every light that there is of them. Sets
-/// their length and gap in `options` if they were not asked for.
+/// Blocks of time, which are trained on and tested in every available light. Sets their length and
+/// gap in `options` unless they were given.
 std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, TrainingOptions& options) {
   const std::vector<SampleOrigin> origins = samples.recordedOrigins();
   std::vector<TimeBlocks> blocks(1);
@@ -119,7 +120,7 @@ std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, Training
                     true);
 }
 
-/// What was learned before is trained on in every fold, and judged in none.
+/// Remembered samples are trained on in every fold, and tested in none.
 std::vector<Fold> withRemembered(std::vector<Fold> folds, std::size_t remembered) {
   const auto isFresh = [remembered](int sample) {
     return static_cast<std::size_t>(sample) >= remembered;
@@ -135,8 +136,8 @@ std::vector<Fold> withRemembered(std::vector<Fold> folds, std::size_t remembered
   return folds;
 }
 
-/// The road from samples to a model, whose options are those asked for and what was found.
-/// `learned`: what to learn on from, if anything.
+/// The steps from samples to a model, whose options are the requested ones and those found.
+/// `learned`: what to extend, if anything.
 Training learn(Samples samples, TrainingOptions options, double forgetting, unsigned threads,
                const Progress& progress, const std::optional<LearnedBefore>& learned = {}) {
   const std::size_t places = samples.places.size();
@@ -208,7 +209,7 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
   return training;
 }
 
-/// `work()`, with the time that it took.
+/// Calls `work()` and adds the time it took.
 template <typename Work>
 Training timed(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -218,10 +219,10 @@ Training timed(const Work& work) {
   return training;
 }
 
-/// Whether the machines of `model` learn on: not if they are one-against-one, nor with those of
-/// another model, nor within a limit, which takes vectors from them again. The time that learnOn()
-/// takes grows with the third power of the number of vectors and samples. Else support vectors and
-/// samples are trained on together.
+/// Whether the machines of `model` are extended. They are not if they are one-against-one, when
+/// joined with another model, nor with a vector limit, which would remove vectors from them again.
+/// The time that learnOn() takes grows with the third power of the number of vectors and samples.
+/// Otherwise support vectors and samples are trained on together.
 bool canLearnOn(const Model& model, const Samples& samples, const IncrementalOptions& options) {
   constexpr std::size_t kMaxRows = 3000;
   const std::size_t fresh = samples.origins.size() - samples.remembered;
@@ -233,8 +234,8 @@ bool canLearnOn(const Model& model, const Samples& samples, const IncrementalOpt
                      });
 }
 
-/// A fraction would be taken of what is left of earlier runs again and again, and the few new
-/// frames cannot choose one.
+/// A fraction would be taken of the remainder of earlier runs again and again, and the few new
+/// frames cannot determine one.
 ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
   if (vector_limit > 0) {
     asked.method = "shared-greedy";
@@ -276,7 +277,7 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
       samples = joinSamples(std::move(samples), rememberedSamples(*incremental.other));
     }
     if (recordings.empty()) {
-      options.validation = model.options.validation;  // nothing that is new judges
+      options.validation = model.options.validation;  // there are no new frames for validation
     } else {
       samples = joinSamples(std::move(samples),
                             collectSamplesFor(model, recordings, options, threads, progress, 1));

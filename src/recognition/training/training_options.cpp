@@ -12,7 +12,7 @@
 namespace place_recognition {
 namespace {
 
-/// Runs the checks of a cue's parts, adding the cue's name to what they say.
+/// Runs the checks of a cue's parts, and adds the cue's name to their messages.
 void checkCue(const CueOptions& cue) {
   if (!isPlainName(cue.name)) {
     throw Error("Option 'cues.name' is '" + cue.name +
@@ -40,7 +40,7 @@ std::string notSeconds(const char* key, double value) {
          "; give 0 to 1000000 seconds.";
 }
 
-/// A cue of a composed receptive field histogram and the chi-squared kernel.
+/// A cue with a composed receptive field histogram and the chi-squared kernel.
 CueOptions histogramCue(const std::string& name, const std::string& normalize,
                         const std::vector<std::string>& descriptors,
                         const std::vector<double>& scales, int bins, const std::string& levels) {
@@ -93,10 +93,10 @@ void ImageOptions::check() const {
 void SamplingOptions::check() const {
   if (!(rate >= 0 && rate <= 1000)) {
     throw Error("Option 'sampling.rate' is " + std::to_string(rate) +
-                "; give 0 to 1000 images a second.");
+                "; give 0 to 1000 images per second.");
   }
   if (most < 10) {
-    throw Error("Option 'sampling.most' is " + std::to_string(most) + "; give 10 images or more.");
+    throw Error("Option 'sampling.most' is " + std::to_string(most) + "; give at least 10 images.");
   }
 }
 

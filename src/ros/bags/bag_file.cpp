@@ -26,7 +26,7 @@ bool endsWith(const std::string& path, const std::string& ending) {
              [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/// The first bytes of a file; fewer if it is shorter, none if it cannot be read.
+/// The first bytes of a file; fewer if it is shorter, and none if it cannot be read.
 std::string startOf(const std::string& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return "";
@@ -45,7 +45,7 @@ bool isActiveBag(const std::string& path) { return endsWith(path, ".bag.active")
 
 std::string whyActive(const std::string& path) {
   const std::string name = path.substr(0, path.size() - std::string(".active").size());
-  return "it is being recorded, or was left by a recorder that was killed; in the latter case run: "
+  return "it is being recorded, or was left behind by a killed recorder; in the latter case run: "
          "rosbag reindex " +
          path + ", and rename it to " + name;
 }
@@ -70,7 +70,7 @@ bool isRos2Bag(const std::string& folder) {
 
 std::string whyNoRecording(const std::string& path) {
   std::error_code ignored;
-  if (isRos2Bag(path)) return std::string("a bag of ROS 2; ") + kRos2Remedy;
+  if (isRos2Bag(path)) return std::string("a ROS 2 bag; ") + kRos2Remedy;
   if (fs::is_directory(path, ignored)) return "";
   const std::string start = startOf(path);
   if (start.empty() && fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) == 0) {
@@ -85,24 +85,24 @@ void requireBag(const std::string& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) {
     if (fs::is_symlink(path, ignored)) {
-      throw Error(path + " is a link that leads nowhere; check " +
-                  fs::read_symlink(path, ignored).string() + ".");
+      throw Error(path + " is a broken link; check " + fs::read_symlink(path, ignored).string() +
+                  ".");
     }
     throw Error("There is no bag " + path + "; check the path.");
   }
   const std::string why_not = whyNoRecording(path);
   if (!why_not.empty()) throw Error(path + " is " + why_not + ".");
   if (!fs::is_regular_file(path, ignored)) {
-    throw Error(path + " is a folder or a device, not a bag; give the file of a bag.");
+    throw Error(path + " is a folder or a device, not a bag; give a bag file.");
   }
   errno = 0;
   if (!std::ifstream(path, std::ios::binary)) {
     throw Error("Cannot read " + path + ": " + std::strerror(errno) +
-                "; make it readable, as with chmod.");
+                "; make it readable, for example with chmod.");
   }
   if (startsAsBag(path)) return;
   throw Error("Cannot read " + path +
-              ": it is damaged or no ROS 1 bag, for it does not start with '" + kStart +
+              ": it is damaged or not a ROS 1 bag, because it does not start with '" + kStart +
               "'; copy or record it again.");
 }
 

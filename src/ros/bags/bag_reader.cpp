@@ -34,7 +34,7 @@ namespace {
 
 void send(const BagRecord& record) {
   restartWorkLimit();
-  // The reader of the pipe has gone, so nobody is left to tell.
+  // The reader of the pipe has gone, so there is nobody to report to.
   if (!writeRecord(STDOUT_FILENO, record)) std::exit(1);
 }
 
@@ -48,8 +48,8 @@ void decode(const rosbag::MessageInstance& instance, cv::Mat& image, BagRecord& 
   owner = message;
 }
 
-/// The image of a message; `record` tells of it, or of the problem with it. `owner` keeps the
-/// memory of the image.
+/// The image of a message; `record` describes it, or the problem with it. `owner` keeps the memory
+/// of the image alive.
 cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
                   boost::shared_ptr<void>& owner) {
   record.time = instance.getTime().toSec();
@@ -109,7 +109,7 @@ void sendLabels(const rosbag::Bag& bag, const RecordedTopics& topics,
   }
 }
 
-/// Tells the extent of images of 16 bits, by some from all of the topics.
+/// Sends the extent of images with 16 bits, determined from some images of all the topics.
 void sendDepth(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
   DepthExtent extent;
   constexpr std::uint32_t kSamples = 16;
@@ -175,15 +175,15 @@ void sendAll(const rosbag::Bag& bag, bool images, const std::string& label_topic
   send(BagRecord());
 }
 
-/// Sends all of a bag; `failed_at` tells how far that came, for once the bag is closed its
-/// position is gone.
+/// Sends everything in a bag. `failed_at` is set to the position of a failure, because that is lost
+/// when the bag is closed.
 void readBag(bool images, const std::string& path, const std::string& label_topic,
              const std::vector<std::string>& image_topics, std::uint64_t& failed_at) {
   rosbag::Bag bag(path, rosbag::bagmode::Read);
   try {
     sendAll(bag, images, label_topic, image_topics);
   } catch (const Error&) {
-    throw;  // of what was asked for, not of a place in the bag
+    throw;  // the error concerns the request, not a position in the bag
   } catch (...) {
     failed_at = bagOffset();
     throw;
@@ -192,10 +192,10 @@ void readBag(bool images, const std::string& path, const std::string& label_topi
 
 std::string whyUnindexed(const std::string& path) {
   if (isActiveBag(path)) return whyActive(path);
-  return "it has no index, as when recording was cut short; run: rosbag reindex " + path;
+  return "it has no index because its recording was interrupted; run: rosbag reindex " + path;
 }
 
-/// readBag() with every error told to the other end of the pipe.
+/// readBag() with every error reported to the other end of the pipe.
 int run(bool images, const std::string& path, const std::string& label_topic,
         const std::vector<std::string>& image_topics) {
   BagRecord record;
@@ -212,7 +212,7 @@ int run(bool images, const std::string& path, const std::string& label_topic,
   } catch (const Error& e) {
     record.detail = e.what();
   } catch (const std::exception& e) {
-    record.detail = std::string("it is damaged or cut short (") + e.what() + ")";
+    record.detail = std::string("it is damaged or truncated (") + e.what() + ")";
     record.text = "copy or record it again, or try: rosbag reindex " + path;
   }
   send(record);

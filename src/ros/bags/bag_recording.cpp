@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of labels for the bag at `path`; empty: none.
+/// The file of labels for the bag at `path`; empty if there is none.
 std::string findLabelsFile(const std::string& path, const BagRecordingOptions& options) {
   if (!options.labels_file.empty()) return options.labels_file;
   const fs::path yaml = fs::path(path).replace_extension(".labels.yaml");
@@ -34,7 +34,7 @@ std::string findLabelsFile(const std::string& path, const BagRecordingOptions& o
   return "";
 }
 
-/// The records that bag_reader writes about one bag, checked one by one.
+/// The records that bag_reader writes about one bag, each of them checked.
 class BagRecords {
  public:
   BagRecords(const std::string& path, const std::string& mode, const std::string& label_topic,
@@ -84,7 +84,7 @@ class BagRecords {
     return words;
   }
 
-  /// How far the reader got; nothing while it has not read any image.
+  /// The position that the reader reached; empty if it has not read any image yet.
   std::string position(std::uint64_t offset) const {
     if (images_ == 0 && offset == 0) return "";
     return " (after " + std::to_string(images_) + " images, near byte " + std::to_string(offset) +
@@ -92,11 +92,11 @@ class BagRecords {
   }
 
   [[noreturn]] void throwCrash(const std::optional<BagRecord>& crash) {
-    if (!crash) reader_.kill();  // it may still run; else it is about to end with its own signal
+    if (!crash) reader_.kill();  // it may still run; else it ends by its own signal
     const std::string how = describeExit(reader_.wait());
     throw Error("Cannot read " + path_ +
-                ": it is damaged, the library that reads bags ended with " + how +
-                position(crash ? crash->number : 0) + "; try: rosbag reindex " + path_ +
+                ": it is damaged (the library that reads bags ended with " + how +
+                position(crash ? crash->number : 0) + "); try: rosbag reindex " + path_ +
                 ", or record it again.");
   }
 
@@ -128,7 +128,7 @@ Labels readLabels(BagRecords& records, const BagInfo& info, const BagRecordingOp
   return labels;
 }
 
-/// Starts a reader and reads up to the images.
+/// Starts a reader and reads everything before the images.
 struct OpenBag {
   OpenBag(const std::string& path, const std::string& mode, const BagRecordingOptions& options)
       : labels_file(findLabelsFile(path, options)),
@@ -155,7 +155,7 @@ struct OpenBag {
   BagRecords records;
   BagInfo info;
   Labels labels;
-  DepthExtent depth;  ///< of images of 16 bits
+  DepthExtent depth;  ///< of images with 16 bits
   std::vector<std::string> cameras;
   BagRecord following;  ///< the first record after these
 };
@@ -166,7 +166,7 @@ class BagRecording : public Recording {
       : Recording(path), bag_(path, "images", options) {
     if (isActiveBag(path)) {
       warnings_.push_back(path +
-                          " is whole, though named as one that is being recorded; rename it.");
+                          " is complete but has the name of an active recording; rename it.");
     }
     if (!bag_.labels.note().empty()) warnings_.push_back(bag_.labels.note());
     if (bag_.depth.known()) scale_.see(bag_.depth);
@@ -178,7 +178,8 @@ class BagRecording : public Recording {
       time_ = bag_.info.start + bag_.info.duration;
       warnOfUnseenPlaces();
       if (is_deep_) {
-        warnings_.push_back(name() + ": images of 16 bits are shown in 8, " + scale_.text() + ".");
+        warnings_.push_back(name() + ": images with 16 bits are converted to 8: " + scale_.text() +
+                            ".");
       }
       return false;
     }
@@ -212,19 +213,20 @@ class BagRecording : public Recording {
 
  private:
   void warnOfUnseenPlaces() {
-    bag_.labels.forEach(bag_.info.start, std::numeric_limits<double>::infinity(),
-                        [this](double, double, const std::string& place) {
-                          if (!seen_.insert(place).second) return;
-                          warnings_.push_back(name() + ": the label '" + place +
-                                              "' is of no use, for no image came while it held.");
-                        });
+    bag_.labels.forEach(
+        bag_.info.start, std::numeric_limits<double>::infinity(),
+        [this](double, double, const std::string& place) {
+          if (!seen_.insert(place).second) return;
+          warnings_.push_back(name() + ": the label '" + place +
+                              "' is not used, because no image was recorded while it was valid.");
+        });
   }
 
   OpenBag bag_;
   DepthScale scale_;
-  bool is_deep_ = false;        // an image of 16 bits was read
+  bool is_deep_ = false;        // an image with 16 bits was read
   double time_ = 0;             // bag time of the last frame, s
-  std::set<std::string> seen_;  // places of frames
+  std::set<std::string> seen_;  // places of the frames
 };
 
 }  // namespace

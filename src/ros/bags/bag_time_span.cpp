@@ -7,8 +7,8 @@
 namespace place_recognition {
 namespace {
 
-/// The first and the last of most images: those that no gap of more than a day sets apart, as a
-/// clock does that was not set.
+/// The times of the first and last image in the largest group of images. A gap of more than a day,
+/// caused by a clock that was not set, separates groups.
 std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
   constexpr double kGap = 24 * 60 * 60;  // s
   std::pair<ros::Time, ros::Time> span;

@@ -14,14 +14,14 @@ namespace {
 
 const std::string kLabelType = "std_msgs/String";
 
-/// A name without the slashes at its start, which old recorders leave out, and at its end.
+/// A name without leading slashes, which old recorders omit, and without trailing ones.
 std::string bareName(const std::string& topic) {
   const std::size_t start = topic.find_first_not_of('/');
   return start == std::string::npos ? ""
                                     : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
 }
 
-/// Whether the images are distances, which no camera's image can be taken for.
+/// Whether the images are distances, which cannot be used as a camera's images.
 bool isCompressedDepth(const std::string& topic) {
   const std::string ending = "compressedDepth";
   return topic.size() >= ending.size() &&
@@ -38,8 +38,8 @@ std::string listed(const RecordedTopics& topics, bool images_only) {
   return text.empty() ? "none" : text;
 }
 
-/// The topic that is meant by `wanted`, also by its name without "/compressed" or slashes at its
-/// start; the only camera's if it is empty.
+/// The topic that `wanted` refers to, possibly without "/compressed" or leading slashes; if it is
+/// empty, the topic of the only camera.
 std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wanted) {
   std::vector<std::string> candidates;  // in order of name, so that compressed ones follow raw ones
   for (const auto& [name, topic] : topics) {
@@ -64,8 +64,8 @@ std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wa
       [&first](const std::string& name) { return name == first || name == first + "/compressed"; });
   if (!one_camera) {
     throw Error(
-        "it has several topics of images; name one with --image-topic, or those of several cameras "
-        "of one robot with commas between them: " +
+        "it has several topics of images; select one with --image-topic, or, for several cameras "
+        "of one robot, several separated by commas: " +
         listed(topics, true));
   }
   return first;
@@ -95,7 +95,7 @@ std::string chooseLabelTopic(const RecordedTopics& topics, const std::string& wa
                 listed(topics, false));
   }
   if (found->second.type != kLabelType) {
-    throw Error("the label topic " + wanted + " is of " + found->second.type + ", not of " +
+    throw Error("the label topic " + wanted + " has the type " + found->second.type + ", not " +
                 kLabelType);
   }
   return found->first;
@@ -105,8 +105,8 @@ std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
                                            const std::vector<std::string>& wanted) {
   std::vector<std::string> chosen;
   if (wanted.size() > kMaxCameras) {
-    throw Error("a robot has at most " + std::to_string(kMaxCameras) +
-                " cameras here; name fewer topics of images");
+    throw Error("at most " + std::to_string(kMaxCameras) +
+                " cameras of a robot are supported; name fewer topics of images");
   }
   if (wanted.empty()) chosen.push_back(chooseImageTopic(topics, ""));
   for (const std::string& one : wanted) {
@@ -114,7 +114,8 @@ std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
     const bool again = std::any_of(chosen.begin(), chosen.end(), [&](const std::string& other) {
       return cameraOf(other) == cameraOf(topic);
     });
-    if (again) throw Error("its camera " + cameraOf(topic) + " is named twice; name each once");
+    if (again)
+      throw Error("its camera " + cameraOf(topic) + " is named twice; name each only once");
     chosen.push_back(topic);
   }
   return chosen;

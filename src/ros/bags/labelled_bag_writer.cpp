@@ -47,7 +47,7 @@ struct LabelledBagWriter::Bag {
 
   StagedBag file;
   LabelledBagOptions options;
-  std::optional<std::string> place;  // the label last written
+  std::optional<std::string> place;  // the last label written
   std::uint32_t images = 0;
   bool complete = false;
 };

@@ -1,4 +1,4 @@
-// What stands for bag_run.cpp and labelled_bag_writer.cpp in a build without ROS.
+// Replaces bag_recording.cpp and labelled_bag_writer.cpp in a build without ROS.
 #include "place_recognition/error.h"
 #include "ros/bags/bag_recording.h"
 #include "ros/bags/labelled_bag_writer.h"
@@ -8,8 +8,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& path) {
   throw Error(path +
-              " is a bag, and this program was built without ROS; build it with "
-              "-DPLACE_RECOGNITION_ROS=ON, or take folders of room/image files.");
+              " is a bag, but this program was built without ROS; build it with "
+              "-DPLACE_RECOGNITION_ROS=ON, or use folders of room/image files.");
 }
 
 }  // namespace

@@ -31,13 +31,13 @@ StagedBag::StagedBag(const std::string& path, const std::string& suffix)
 
 StagedBag::~StagedBag() { abandon(); }
 
-/// Closes the file as it is; its name tells that it is not complete.
+/// Closes the file as it is; its name shows that it is incomplete.
 void StagedBag::abandon() {
   try {
     bag_->close();
   } catch (const rosbag::BagException&) {
-    // A bag that cannot be closed tries again in its destructor, and throws from there. It is left
-    // to the end of the process.
+    // A bag that cannot be closed tries again in its destructor, which then throws. It is therefore
+    // left to the end of the process.
     static_cast<void>(bag_.release());
     bag_ = std::make_unique<rosbag::Bag>();
   }
@@ -47,7 +47,7 @@ void StagedBag::complete() {
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
     bag_->close();
-    // Closing does not tell whether the last bytes reached the disk; the index is among them.
+    // Closing does not show whether the last bytes, which include the index, reached the disk.
     rosbag::Bag(staged_path_, rosbag::bagmode::Read);
   } catch (const rosbag::BagException& e) {
     throwCannotWrite(e.what());
@@ -63,7 +63,7 @@ void StagedBag::discard() {
 
 void StagedBag::throwCannotWrite(const std::string& reason) const {
   throw Error("Cannot write " + path_ + ": " + reason +
-              "; make room, or choose a folder that can be written.");
+              "; make room, or choose a writable folder.");
 }
 
 }  // namespace place_recognition

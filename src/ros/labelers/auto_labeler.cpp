@@ -13,9 +13,9 @@
 namespace place_recognition {
 namespace {
 
-/// How long the pose of an image may take to come at most, s.
+/// Maximum time that the pose of an image may take to arrive, s.
 constexpr double kMaxPatience = 3600;
-/// How often poses are looked up for the images that wait, s.
+/// Interval at which poses are looked up for waiting images, s.
 constexpr double kPosePoll = 0.02;
 
 RoomPolygons roomsOf(Parameters& parameters) {
@@ -89,21 +89,21 @@ void AutoLabeler::labelWaiting() {
 
 bool AutoLabeler::mayStillCome(const Waiting& image) const {
   const ros::Duration age = ros::Time::now() - image.arrival;
-  // Time may have jumped back, as in a looped bag.
+  // Time may have jumped back, for example in a looped bag.
   return !image.stamp.isZero() && age >= ros::Duration(0) && age < patience_;
 }
 
 void AutoLabeler::label(const Waiting& image, const std::optional<Eigen::Vector2d>& position) {
   if (!position) ROS_WARN_THROTTLE(10, "%s", problem_.c_str());
-  const bool sure = position && deviation_ <= max_deviation_;  // false if it is NaN
+  const bool sure = position && deviation_ <= max_deviation_;  // false for NaN
   const std::string room = sure ? rooms_.at(*position, margin_) : "";
   ++(room.empty() ? unlabelled_ : labelled_);
   recording_.say(room, image.time);
 }
 
 std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
-  if (stamp.isZero()) {  // tf would take it for "the latest"
-    problem_ = "The images have no stamp; they cannot be labelled by the pose.";
+  if (stamp.isZero()) {  // tf would interpret it as "the latest"
+    problem_ = "The images have no stamps, so they cannot be labelled by the pose.";
     return std::nullopt;
   }
   try {
@@ -112,7 +112,7 @@ std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
     return Eigen::Vector2d(position.x, position.y);
   } catch (const tf2::TransformException& e) {
     const std::string missing = missingFrame();
-    problem_ = "No label for want of a pose: " + (missing.empty() ? e.what() : missing);
+    problem_ = "No label because there is no pose: " + (missing.empty() ? e.what() : missing);
     return std::nullopt;
   }
 }
@@ -127,7 +127,7 @@ std::string AutoLabeler::missingFrame() const {
   for (const std::string& frame : {map_frame_, robot_frame_}) {
     if (transforms_._frameExists(frame)) continue;
     return "tf has no frame '" + frame + "', only " + list +
-           "; start what publishes it, or set ~map_frame and ~robot_frame.";
+           "; start its publisher, or set ~map_frame and ~robot_frame.";
   }
   return "";
 }

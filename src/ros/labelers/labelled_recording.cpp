@@ -18,23 +18,23 @@ namespace {
 
 constexpr const char* kActive = StagedBag::kActive;
 constexpr double kReportPeriod = 5;  // s
-constexpr double kTick = 1e-6;       // s, between what a clock gives one time
-constexpr double kTimeJump = 0.5;    // s back that are worth a word
+constexpr double kTick = 1e-6;       // s, between entries at the same time of the clock
+constexpr double kTimeJump = 0.5;    // s; larger steps back are logged
 
 std::unique_ptr<StagedBag> openBag(std::string path) {
   if (path.empty()) return nullptr;
   if (std::filesystem::is_directory(path) || path.back() == '/') {
-    throw Error(path + " is a folder; name a file in it by ~bag, as in monday.bag.");
+    throw Error(path + " is a folder; set ~bag to a file in it, such as monday.bag.");
   }
-  if (std::filesystem::path(path).extension() != ".bag") path += ".bag";  // as rosbag record does
+  if (std::filesystem::path(path).extension() != ".bag") path += ".bag";  // like rosbag record
   path = behindLinks(path);
   if (std::filesystem::exists(path)) {
-    throw Error("There is a file " + path + " already; give ~bag another name.");
+    throw Error("The file " + path + " already exists; set ~bag to another name.");
   }
   if (std::filesystem::exists(path + kActive)) {
     throw Error(path + kActive +
-                " is being recorded, or was left by a recorder that was killed; remove it, or "
-                "rescue it with: rosbag reindex " +
+                " is being recorded, or was left behind by a killed recorder; remove it, or "
+                "repair it with: rosbag reindex " +
                 path + kActive);
   }
   return std::make_unique<StagedBag>(path, kActive);
@@ -48,7 +48,7 @@ std_msgs::String labelMessage(const std::string& place) {
 
 std::string noClock(std::uint64_t images) {
   return std::to_string(images) +
-         " images have come, but they cannot be recorded: /use_sim_time is true and there is no "
+         " images have arrived but cannot be recorded: /use_sim_time is true and there is no "
          "/clock.";
 }
 
@@ -88,12 +88,13 @@ void LabelledRecording::finish() {
   if (images_ == 0) {
     bag->discard();
     throw Error(
-        (timeless_ > 0 ? noClock(timeless_) : "No image has come on " + image_topic_ + ".") +
+        (timeless_ > 0 ? noClock(timeless_) : "No image has arrived on " + image_topic_ + ".") +
         " Nothing was recorded.");
   }
-  const std::string rescue = " What was recorded is in " + bag->path() + kActive +
-                             "; when there is room, run: rosbag reindex " + bag->path() + kActive;
-  if (failed_) throw Error("The recording is not whole." + rescue);
+  const std::string rescue = " The recorded part is in " + bag->path() + kActive +
+                             "; when there is room on the disk, run: rosbag reindex " +
+                             bag->path() + kActive;
+  if (failed_) throw Error("The recording is incomplete." + rescue);
   try {
     bag->complete();
   } catch (const Error& e) {
@@ -104,10 +105,10 @@ void LabelledRecording::finish() {
 
 ros::Time LabelledRecording::nextTime() {
   const ros::Time now = ros::Time::now();
-  if (now < ros::TIME_MIN) return {};  // a simulated clock that has not come yet
+  if (now < ros::TIME_MIN) return {};  // a simulated clock that has not started
   const ros::Duration back = last_time_ - (now + ahead_);
   if (back > ros::Duration(kTimeJump)) {
-    ROS_WARN("Time has jumped back by %.1f s; the recording goes on as if it had not.",
+    ROS_WARN("Time has jumped back by %.1f s; the recording continues as if it had not.",
              back.toSec());
   }
   if (back >= ros::Duration(0)) ahead_ += back + ros::Duration(kTick);
@@ -156,7 +157,7 @@ void LabelledRecording::recordLabel(const ros::Time& time) {
   recorded_place_ = place_;
 }
 
-/// A disk that refuses ends the node: somebody drives the robot for this recording.
+/// A failure to write ends the node, because somebody is driving the robot for this recording.
 template <typename Message>
 void LabelledRecording::record(const std::string& topic, const ros::Time& time,
                                const Message& message) {
@@ -179,15 +180,15 @@ void LabelledRecording::reportProgress() {
     const ros::Time now = ros::Time::now();
     if (now == reported_time_) {
       ROS_WARN(
-          "/clock stands still: images and labels are recorded in their order, but without their "
+          "/clock stands still: images and labels are recorded in order, but without their "
           "times.");
     }
     reported_time_ = now;
   } else if (images_ == 0 && timeless_ > 0) {
     ROS_WARN("%s", noClock(timeless_).c_str());
   } else {
-    lock.unlock();  // the master takes its time
-    ROS_WARN("No image has come on %s for %.0f s. %s", image_topic_.c_str(), kReportPeriod,
+    lock.unlock();  // asking the master takes time
+    ROS_WARN("No image has arrived on %s for %.0f s. %s", image_topic_.c_str(), kReportPeriod,
              explainSilence(image_topic_, image_transport_).c_str());
   }
 }

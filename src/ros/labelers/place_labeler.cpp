@@ -48,7 +48,7 @@ PlaceLabeler::PlaceLabeler(const ros::NodeHandle& node, const ros::NodeHandle& p
     keyboard_ = std::make_unique<Keyboard>(STDIN_FILENO, [this](char key) { onKey(key); });
     ROS_INFO("Press: %s, %c end.", keys_.help().c_str(), kEndKey);
   } else {
-    ROS_INFO("There is no terminal for keys; say a room by a button or on %s. Rooms: %s.",
+    ROS_INFO("There is no terminal for keys; state the room by a button or on %s. Rooms: %s.",
              say_server_.getService().c_str(), keys_.help().c_str());
   }
 }

@@ -1,4 +1,4 @@
-// place_labeler: a person says which room it is; records a labelled run. See launch/record.launch.
+// place_labeler: records a run while a person states the rooms. See launch/record.launch.
 
 #include "ros/labelers/place_labeler.h"
 

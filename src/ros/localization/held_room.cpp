@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// The probability of the room that is named, against the others and 'unknown'.
+/// The probability of the named room, against the other rooms and 'unknown'.
 double probabilityOfPlace(const PlaceRecognition& belief) {
   return belief.confidence * belief.evidence;
 }
@@ -35,9 +35,9 @@ std::string HeldRoom::sureRoom(const ros::Time& now) const {
 }
 
 std::string HeldRoom::whyNot(const ros::Time& now) const {
-  if (!belief_) return "no answer of place_recognizer has come";
+  if (!belief_) return "no answer of place_recognizer has arrived";
   if (isMissing(now)) {
-    return "the last answer of place_recognizer came " + fixed((now - arrival_).toSec(), 2) +
+    return "the last answer of place_recognizer arrived " + fixed((now - arrival_).toSec(), 2) +
            " s ago";
   }
   if (!belief_->known) return "the answer is 'unknown'";
@@ -47,7 +47,8 @@ std::string HeldRoom::whyNot(const ros::Time& now) const {
   }
   const double held = (now - since_).toSec();
   if (held < options_.hold) {
-    return "'" + belief_->place + "' has been sure for " + fixed(held, 2) + " s, less than ~hold";
+    return "'" + belief_->place + "' has been certain for " + fixed(held, 2) +
+           " s, less than ~hold";
   }
   return "";
 }

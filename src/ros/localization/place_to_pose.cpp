@@ -14,7 +14,7 @@
 namespace place_recognition {
 namespace {
 
-/// Between two looks at what is to be shown and said, s of wall time.
+/// Interval at which markers and warnings are updated, s of wall time.
 constexpr double kPeriod = 0.2;
 
 std::string fileOf(Parameters& parameters) {
@@ -35,7 +35,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Those that `other` lacks, each once, in quotes and with commas between them.
+/// The names missing in `other`, each once, in quotes and separated by commas.
 std::string missingIn(const std::vector<std::string>& other,
                       const std::vector<std::string>& names) {
   std::vector<std::string> missing;
@@ -105,7 +105,7 @@ void PlaceToPose::compareRooms(const PlaceRecognition& belief) {
   const std::string without_polygon = missingIn(rooms_.names(), known);
   if (!without_polygon.empty()) {
     ROS_WARN(
-        "The model '%s' knows %s, for which %s has no polygon: there is no pose for them. Its "
+        "The model '%s' knows %s, for which %s has no polygon, so there is no pose for them. Its "
         "rooms are %s.",
         belief.model_name.c_str(), without_polygon.c_str(), file_.c_str(), roomsText().c_str());
   }
@@ -120,7 +120,7 @@ bool PlaceToPose::onRoomPose(RoomPose::Request& request, RoomPose::Response& res
   const ros::Time now = followClock();
   response.place = request.place.empty() ? held_.sureRoom(now) : placeName(request.place);
   if (response.place.empty()) {
-    response.message = "The room is not sure: " + held_.whyNot(now) + ".";
+    response.message = "The room is not certain: " + held_.whyNot(now) + ".";
     return true;
   }
   const auto area = rooms_.anywhereIn(response.place);
@@ -153,7 +153,7 @@ void PlaceToPose::publishMarkers(const ros::Time& now) {
   }
   if (percents == shown_) return;
   visualization_msgs::MarkerArray array = markers_.at(probabilityOf);
-  if (shown_.empty()) {  // rviz may still show those of a node before, of another file
+  if (shown_.empty()) {  // rviz may still show those of an earlier node, from another file
     visualization_msgs::Marker all;
     all.header.frame_id = map_frame_;
     all.action = visualization_msgs::Marker::DELETEALL;

@@ -1,4 +1,4 @@
-// place_to_pose: from the room to a pose on the map. See launch/relocalize.launch.
+// place_to_pose: converts the room to a pose on the map. See launch/relocalize.launch.
 
 #include "ros/localization/place_to_pose.h"
 

@@ -9,13 +9,13 @@
 namespace place_recognition {
 namespace {
 
-/// How long amcl's latched pose may take to come before it counts as having none, s.
+/// Time for amcl's latched pose to arrive before amcl counts as having none, s.
 constexpr double kFirstPosePatience = 1;
-/// How long amcl may take to answer what it was told, s; it does with the next scan.
+/// Time for amcl to answer a pose, s; it answers with the next scan.
 constexpr double kAnswerPatience = 5;
-/// amcl knows the room if its mean is within the squared Mahalanobis distance that the corners of a
-/// rectangle have from its middle, and its deviation at most that many times the room's: particles
-/// that were drawn from a room deviate a little more or less than the room.
+/// amcl knows the room if the squared Mahalanobis distance of its mean is at most that of a
+/// rectangle's corners from its centre, and its deviation is at most this many times the room's.
+/// The deviation of particles drawn from a room varies a little around that of the room.
 constexpr double kSameRoomDistance = 6;
 constexpr double kSameRoomDeviation = 1.5;
 
@@ -45,14 +45,14 @@ void Relocalizer::onAmclPose(const geometry_msgs::PoseWithCovarianceStampedConst
   if (frame == map_frame_ || warned_of_frame_) return;
   warned_of_frame_ = true;
   ROS_WARN(
-      "%s is in the frame '%s', but the rooms are in '%s'; amcl will be told no pose. Set "
+      "%s is in the frame '%s', but the rooms are in '%s'; no pose will be sent to amcl. Set "
       "~map_frame to '%s' if the rooms are on that map.",
       subscriber_.getTopic().c_str(), frame.c_str(), map_frame_.c_str(), frame.c_str());
 }
 
 bool Relocalizer::isLost(const ros::Time& now) const {
   if (!amcl_pose_) return (now - *first_time_).toSec() >= kFirstPosePatience;
-  // Not `>`: what is no number says nothing of the position either.
+  // Not `>`, because NaN does not determine the position either.
   return !(largestDeviation(positionCovariance(amcl_pose_->pose)) <= lost_deviation_);
 }
 
@@ -67,7 +67,7 @@ bool Relocalizer::knows(const UniformDistribution& area) const {
 bool Relocalizer::isHeard() {
   const bool heard = publisher_.getNumSubscribers() > 0;
   if (!heard && !warned_of_silence_) {
-    ROS_WARN("%s, but nobody listens to %s; is amcl running, and is that its topic?",
+    ROS_WARN("%s, but nobody subscribes to %s; check that amcl is running and uses that topic.",
              stateText().c_str(), publisher_.getTopic().c_str());
   }
   warned_of_silence_ = !heard;
@@ -75,7 +75,7 @@ bool Relocalizer::isHeard() {
 }
 
 std::string Relocalizer::stateText() const {
-  if (!amcl_pose_) return "No pose has come on " + subscriber_.getTopic();
+  if (!amcl_pose_) return "No pose has arrived on " + subscriber_.getTopic();
   return "amcl is lost (its position deviates by " +
          fixed(largestDeviation(positionCovariance(amcl_pose_->pose)), 2) + " m)";
 }
@@ -95,16 +95,16 @@ void Relocalizer::robotIsIn(const std::string& room, const UniformDistribution& 
   publisher_.publish(message);
   told_ = now;
   answered_ = false;
-  ROS_INFO("%s; it starts anew in '%s', around (%.2f, %.2f).", stateText().c_str(), room.c_str(),
+  ROS_INFO("%s; restarting it in '%s', around (%.2f, %.2f).", stateText().c_str(), room.c_str(),
            area.mean.x(), area.mean.y());
 }
 
 void Relocalizer::watch(const ros::Time& now) {
   if (answered_ || (now - *told_).toSec() < kAnswerPatience) return;
-  answered_ = true;  // so that it is said once
+  answered_ = true;  // so that this is reported only once
   ROS_WARN(
-      "No pose has come on %s for %.0f s after one was published on %s; does amcl get scans, and "
-      "is its map in the frame '%s'?",
+      "No pose has arrived on %s for %.0f s after one was published on %s; check that amcl gets "
+      "scans and that its map is in the frame '%s'.",
       subscriber_.getTopic().c_str(), kAnswerPatience, publisher_.getTopic().c_str(),
       map_frame_.c_str());
 }

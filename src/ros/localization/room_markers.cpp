@@ -12,12 +12,12 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Above the map, so that neither hides the other, m.
+/// m above the map, so that neither hides the other.
 constexpr double kAreaHeight = 0.01;
 constexpr double kOutlineHeight = 0.02;
 constexpr double kNameHeight = 0.1;
 constexpr double kOutlineWidth = 0.04;  // m
-/// Alpha of a room of probability 0, and what 1 adds to it.
+/// Alpha of a room with probability 0, and its increase up to probability 1.
 constexpr double kEmptyAlpha = 0.05;
 constexpr double kFullAlpha = 0.75;
 
@@ -38,7 +38,7 @@ geometry_msgs::Point pointAt(const Eigen::Vector2d& position, double height) {
   return point;
 }
 
-/// Without a stamp, so that rviz shows it wherever the map is now.
+/// Without a stamp, so that rviz shows it at the current position of the map.
 Marker markerOf(std::size_t polygon, const std::string& frame, const std::string& kind,
                 std::int32_t type) {
   Marker marker;
@@ -75,7 +75,7 @@ Marker areaMarker(const std::vector<Triangle>& triangles, std::size_t polygon,
   return marker;
 }
 
-/// In the middle of the polygon or, where that is outside, of its largest triangle.
+/// The middle of the polygon or, if that is outside of it, of its largest triangle.
 Eigen::Vector2d middleOf(const Polygon& corners, const std::vector<Triangle>& triangles) {
   const Eigen::Vector2d mean = uniformDistribution(corners).mean;
   if (contains(corners, mean) || triangles.empty()) return mean;

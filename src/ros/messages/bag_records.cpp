@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-/// What goes through the pipe before the texts.
+/// The data sent before the texts.
 struct RecordHeader {
   std::uint32_t magic = kMagic;
   std::uint16_t text_size = 0;

@@ -15,8 +15,8 @@ namespace {
 
 namespace encodings = sensor_msgs::image_encodings;
 
-/// The encoding of the pixels as they were decoded, if that is neither BGR nor grey; else empty.
-/// The rules are those of compressed_image_transport's subscriber.
+/// The encoding of the decoded pixels if it is neither BGR nor grey, else empty. Follows the rules
+/// of compressed_image_transport's subscriber.
 std::string encodingOf(std::string format, const cv::Mat& image) {
   format = lowerCase(format.substr(std::min(format.find_first_not_of(' '), format.size())));
   const std::size_t end = format.find(';');

@@ -14,7 +14,7 @@ namespace {
 
 namespace encodings = sensor_msgs::image_encodings;
 
-/// YUYV, which UVC cameras send. cv_bridge and sensor_msgs know it in some releases only.
+/// YUYV, which UVC cameras send. Only some releases of cv_bridge and sensor_msgs support it.
 const char* const kYuy2 = "yuv422_yuy2";
 
 bool isGrey(const std::string& encoding) {
@@ -27,7 +27,7 @@ bool isColor(const std::string& encoding) {
          encoding == encodings::TYPE_8UC3 || encoding == encodings::YUV422;
 }
 
-/// How the pixels of an encoding lie in memory.
+/// Layout of the pixels of an encoding in memory.
 struct PixelLayout {
   std::uint64_t channels;
   std::uint64_t bytes;  ///< per channel
@@ -36,9 +36,10 @@ struct PixelLayout {
 PixelLayout layoutOf(const std::string& encoding) {
   if (encoding == kYuy2) return {2, 1};
   if (!isGrey(encoding) && !isColor(encoding)) {
-    throw Error("Images of encoding '" + encoding.substr(0, 40) +
-                "' cannot be used; known are rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, "
-                "yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1.");
+    throw Error(
+        "Images of encoding '" + encoding.substr(0, 40) +
+        "' cannot be used; supported are rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, "
+        "yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1.");
   }
   return {static_cast<std::uint64_t>(encodings::numChannels(encoding)),
           static_cast<std::uint64_t>(encodings::bitDepth(encoding)) / 8};
@@ -53,8 +54,8 @@ std::uint64_t rowBytes(const sensor_msgs::Image& message, const PixelLayout& lay
   return message.width * layout.channels * layout.bytes;
 }
 
-/// Throws unless the message holds what it claims; in 64 bits, for step * height wraps in 32, which
-/// cv_bridge does not notice.
+/// Throws unless the message contains the data that it claims. Uses 64 bits, because step * height
+/// can overflow in 32, which cv_bridge does not check.
 void checkData(const sensor_msgs::Image& message, const PixelLayout& layout) {
   const std::uint64_t row_bytes = rowBytes(message, layout);
   if (message.step < row_bytes) {
@@ -63,19 +64,19 @@ void checkData(const sensor_msgs::Image& message, const PixelLayout& layout) {
                 message.encoding + ".");
   }
   if (layout.channels == 2 && message.width % 2 != 0) {
-    throw Error("The image of " + message.encoding + " has an odd width, though two pixels share " +
-                "their colour.");
+    throw Error("The image of " + message.encoding +
+                " has an odd width, although two pixels share " + "their colour.");
   }
   const std::uint64_t needed = std::uint64_t{message.step} * (message.height - 1) + row_bytes;
   if (message.data.size() < needed) {
-    throw Error("The image has " + std::to_string(message.data.size()) + " bytes where " +
+    throw Error("The image has " + std::to_string(message.data.size()) + " bytes, but " +
                 sizeText(message.width, message.height) + " pixels of " + message.encoding +
                 " need " + std::to_string(needed) + ".");
   }
 }
 
-/// The image without padding: cv_bridge wants step * height bytes, where cameras leave the padding
-/// of the last row out or send more.
+/// The image without padding: cv_bridge requires step * height bytes, but cameras omit the padding
+/// of the last row or send more bytes.
 sensor_msgs::Image packed(const sensor_msgs::Image& message, std::uint64_t row_bytes) {
   sensor_msgs::Image copy;
   copy.header = message.header;
@@ -92,7 +93,7 @@ sensor_msgs::Image packed(const sensor_msgs::Image& message, std::uint64_t row_b
   return copy;
 }
 
-/// cv_bridge 1.16.2 makes two channels of 8 bits of each big-endian one of 16.
+/// cv_bridge 1.16.2 converts each big-endian channel of 16 bits to two of 8 bits.
 sensor_msgs::Image littleEndian(sensor_msgs::Image message) {
   for (std::size_t i = 0; i + 1 < message.data.size(); i += 2) {
     std::swap(message.data[i], message.data[i + 1]);

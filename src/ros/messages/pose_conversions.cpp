@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// Where an element stands in the covariance of x, y, z and the rotations around them.
+/// Index of an element in the covariance of x, y, z and the rotations about them.
 constexpr std::size_t at(std::size_t row, std::size_t column) { return 6 * row + column; }
 constexpr std::size_t kYaw = 5;
 

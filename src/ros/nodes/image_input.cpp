@@ -42,20 +42,20 @@ void ImageInput::requireTransport() const {
   if (std::count(known.begin(), known.end(), transport_name_) > 0) return;
   std::string list = "raw, compressed";
   for (const std::string& plugin : transport_.getLoadableTransports()) {
-    const std::string name = plugin.substr(plugin.find('/') + 1);  // behind its package
+    const std::string name = plugin.substr(plugin.find('/') + 1);  // after its package
     if (name == transport_name_) return;
     if (std::count(known.begin(), known.end(), name) == 0) list += ", " + name;
     known.push_back(name);
   }
   const std::string meant = nearestName(transport_name_, known);
   throw Error("The parameter ~image_transport is '" + transport_name_ +
-              "'; the transports that are installed are " + list + "." +
-              (meant.empty() ? "" : " Is " + meant + " meant?"));
+              "'; the installed transports are " + list + "." +
+              (meant.empty() ? "" : " Did you mean " + meant + "?"));
 }
 
 void ImageInput::subscribe() {
   if (transport_name_ == "compressed") {
-    // As image_transport does: a remapping of `image` holds for what is appended to it.
+    // Like image_transport: a remapping of `image` also applies to its suffixes.
     compressed_subscriber_ = node_.subscribe(topic() + names::kCompressedSuffix, queue_,
                                              &ImageInput::onCompressed, this);
   } else {

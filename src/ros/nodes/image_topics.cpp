@@ -18,7 +18,7 @@ constexpr const char* kCompressedImage = "sensor_msgs/CompressedImage";
 constexpr const char* kPlaceRecognition = "place_recognition/PlaceRecognition";
 const std::string kCompressed = "/compressed";
 
-/// Their types by their names.
+/// Types of topics by name.
 using Topics = std::map<std::string, std::string>;
 
 bool endsWith(const std::string& text, const std::string& end) {
@@ -31,15 +31,15 @@ bool isImages(const std::string& topic, const std::string& type) {
   return (type == kImage || type == kCompressedImage) && !isDepth(topic);
 }
 
-/// Whether a topic of this type is what the transport listens to; those of plugins have their own.
+/// Whether the transport subscribes to topics of this type; plugins have their own types.
 bool fits(const std::string& transport, const std::string& type) {
   if (transport == "raw") return type == kImage;
   return transport != "compressed" || type == kCompressedImage;
 }
 
-/// How to take the images that `topic` holds.
+/// How to receive the images on `topic`.
 std::string otherForm(const std::string& topic, const std::string& type) {
-  const std::string is = topic + " is published, as " + type + "; ";
+  const std::string is = topic + " is published as " + type + "; ";
   if (type == kImage) return is + "set ~image_transport to raw and remap image to " + topic + ".";
   if (!endsWith(topic, kCompressed)) {
     return is + "such a topic must end in /compressed: relay it to " + topic + kCompressed + ".";
@@ -48,7 +48,7 @@ std::string otherForm(const std::string& topic, const std::string& type) {
          topic.substr(0, topic.size() - kCompressed.size()) + ".";
 }
 
-/// The names of all recognizers, whose debug images are no camera's.
+/// The names of all recognizers, whose debug images do not come from a camera.
 std::vector<std::string> recognizersOf(const ros::master::V_TopicInfo& published) {
   const std::string ending = std::string("/") + names::kRecognition;
   std::vector<std::string> recognizers;
@@ -64,8 +64,7 @@ std::string listOfImageTopics(const Topics& topics) {
   for (const auto& [name, type] : topics) {
     if (isImages(name, type)) list += (list.empty() ? "" : ", ") + name;
   }
-  return list.empty() ? "Nobody publishes images at all."
-                      : "Images are published on: " + list + ".";
+  return list.empty() ? "Nobody publishes images." : "Images are published on: " + list + ".";
 }
 
 }  // namespace
@@ -87,12 +86,12 @@ std::string explainSilence(const std::string& topic, const std::string& transpor
     const std::string& type = found->second;
     if (fits(transport, type)) {
       return heard +
-             " is published, but nothing comes; see whether the camera sends: rostopic hz " +
+             " is published, but no image arrives; check whether the camera sends: rostopic hz " +
              heard + ".";
     }
     if (isImages(heard, type)) return otherForm(heard, type);
-    return heard + (isDepth(heard) ? " holds distances, which are no image."
-                                   : " is published as " + type + ", which is no image.");
+    return heard + (isDepth(heard) ? " contains distances, not images."
+                                   : " is published as " + type + ", which is not an image.");
   }
   for (const std::string& name : {topic, topic + kCompressed}) {
     const auto form = topics.find(name);

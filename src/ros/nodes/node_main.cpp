@@ -18,16 +18,17 @@
 namespace place_recognition {
 namespace {
 
-/// How often spinUntilEnd() looks whether it is to end, s.
+/// Interval at which spinUntilEnd() checks whether to end, s.
 constexpr double kPoll = 0.05;
-/// How long simulated time may take to start, s of wall time; afterwards, between two warnings.
+/// Time for simulated time to start, s of wall time; afterwards, the interval between warnings.
 constexpr double kClockPatience = 5;
 constexpr double kClockWarningPeriod = 60;
 
 std::atomic<bool> end_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set by signal handlers");
 
-/// rosnode kill, and a new node of the same name. As roscpp has it, but logging goes on.
+/// Handles rosnode kill, and a new node with the same name. Does what roscpp does, except that
+/// logging continues.
 void onShutdownCall(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) {
   if (params.getType() == XmlRpc::XmlRpcValue::TypeArray && params.size() > 1 &&
       params[1].getType() == XmlRpc::XmlRpcValue::TypeString) {
@@ -37,32 +38,33 @@ void onShutdownCall(XmlRpc::XmlRpcValue& params, XmlRpc::XmlRpcValue& result) {
   result = ros::xmlrpc::responseInt(1, "", 0);
 }
 
-/// Instead of roscpp's handlers, which end logging and connections before anything else.
+/// Replaces roscpp's handlers, which shut down logging and connections first.
 void endOnRequest() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const auto before = std::signal(number, [](int) {
-      // The second time at once, for a node may wait for a master that is gone.
+      // The second request ends the node at once, because it may be waiting for a master that is
+      // gone.
       if (end_requested.exchange(true)) ros::requestShutdown();
     });
     if (number == SIGHUP && before == SIG_IGN) std::signal(number, SIG_IGN);  // nohup
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a write that a limit stops fails like one on a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a write stopped by a limit fails as on a full disk
   ros::XMLRPCManager::instance()->unbind("shutdown");
   ros::XMLRPCManager::instance()->bind("shutdown", onShutdownCall);
 }
 
-/// roscpp takes anything but the truth value for false, and other nodes may not.
+/// roscpp treats anything but the Boolean value as false; other nodes may not.
 void warnOfBadClockParameter() {
   XmlRpc::XmlRpcValue value;
   if (ros::param::get("/use_sim_time", value) &&
       value.getType() != XmlRpc::XmlRpcValue::TypeBoolean) {
     ROS_WARN(
-        "/use_sim_time is neither true nor false, so this node takes it for false; correct it: "
+        "/use_sim_time is neither true nor false, so this node assumes false; correct it: "
         "rosparam set /use_sim_time false.");
   }
 }
 
-/// Warns now and then while simulated time is wanted but does not come.
+/// Warns from time to time while simulated time is required but does not start.
 class ClockWatch {
  public:
   void look() {
@@ -71,11 +73,9 @@ class ClockWatch {
       next_warning_ = now + ros::WallDuration(kClockPatience);
     } else if (now >= next_warning_) {
       ROS_WARN(
-          "/use_sim_time is true, but no /clock has come: ROS' time stands still, and this node "
-          "waits. "
-          "Start what publishes /clock (rosbag play --clock, a simulator), or, if the parameter "
-          "was "
-          "left over: rosparam set /use_sim_time false, and start this node again.");
+          "/use_sim_time is true, but no /clock has arrived: ROS time stands still, and this node "
+          "waits. Start a publisher of /clock (rosbag play --clock, a simulator). If the parameter "
+          "is left over, run: rosparam set /use_sim_time false, and start this node again.");
       next_warning_ = now + ros::WallDuration(kClockWarningPeriod);
     }
   }
@@ -84,7 +84,8 @@ class ClockWatch {
   ros::WallTime next_warning_ = ros::WallTime::now() + ros::WallDuration(kClockPatience);
 };
 
-/// Starts ROS; returns the arguments that mean nothing to it. Throws Error if one cannot be meant.
+/// Starts ROS; returns the arguments that have no meaning to it. Throws Error for an argument that
+/// must be a mistake.
 std::vector<std::string> initialize(int argc, char** argv, const char* name) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {
@@ -99,7 +100,7 @@ std::vector<std::string> initialize(int argc, char** argv, const char* name) {
         continue;
       }
       throw Error("The argument " + argument +
-                  " is no remapping of one name to another; if it is a "
+                  " does not remap one name to another; if it is a "
                   "parameter, write _" +
                   argument + ".");
     }
@@ -111,7 +112,7 @@ std::vector<std::string> initialize(int argc, char** argv, const char* name) {
 }  // namespace
 
 int runNode(int argc, char** argv, const char* name, const std::function<void()>& work) {
-  // Names of rooms are UTF-8; without it log4cxx writes '?' for all that is not ASCII.
+  // Names of rooms are UTF-8; without this, log4cxx writes '?' for all non-ASCII characters.
   std::setlocale(LC_CTYPE, "C.UTF-8");
   std::vector<std::string> strange;
   try {
@@ -120,11 +121,10 @@ int runNode(int argc, char** argv, const char* name, const std::function<void()>
     std::cerr << name << ": " << e.what() << "\n";
     return EXIT_FAILURE;
   }
-  ros::start();  // else the last NodeHandle to go would end ROS, and logging with it
+  ros::start();  // else the end of the last NodeHandle would shut down ROS, with logging
   endOnRequest();
   for (const std::string& argument : strange) {
-    ROS_WARN("The argument %s changes nothing; a parameter is written _name:=value.",
-             argument.c_str());
+    ROS_WARN("The argument %s has no effect; write a parameter as _name:=value.", argument.c_str());
   }
   int status = EXIT_SUCCESS;
   try {

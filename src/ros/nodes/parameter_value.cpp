@@ -52,7 +52,7 @@ std::string describe(const XmlRpcValue& value) {
   throw Error(where + " is " + describe(value) + "; give " + wanted + ".");
 }
 
-/// Reads text that is a T from its first character to its last.
+/// Reads text that is entirely a T.
 template <typename T>
 bool parse(const XmlRpcValue& value, T& parsed) {
   if (value.getType() != XmlRpcValue::TypeString) return false;
@@ -72,7 +72,7 @@ std::vector<XmlRpcValue> elementsOf(const std::string& text, const std::string& 
     if (!element.IsScalar()) {
       throw Error(where + " has an element that is " +
                   (element.IsNull() ? "empty" : "a list or a mapping") + ": " + inQuotes(text) +
-                  "; put each element that is no plain word into quotes.");
+                  "; put each element that is not a plain word into quotes.");
     }
     elements.emplace_back(element.Scalar());
   }
@@ -101,7 +101,7 @@ int toInteger(const XmlRpcValue& value, const std::string& where) {
     refuse(value, where, "a whole number");
   }
   constexpr double kMax = std::numeric_limits<int>::max();
-  if (number != std::nearbyint(number) || std::abs(number) > kMax) {  // true if it is NaN, too
+  if (number != std::nearbyint(number) || std::abs(number) > kMax) {  // also true for NaN
     refuse(value, where, "a whole number");
   }
   return static_cast<int>(number);
@@ -125,12 +125,12 @@ std::string toText(const XmlRpcValue& value, const std::string& where) {
   if (value.getType() == XmlRpcValue::TypeBoolean) {
     throw Error(where + " is " + describe(value) +
                 ", as YAML reads true, yes and on, or false, no and off; put the word into quotes, "
-                "as in \"'on'\".");
+                "such as \"'on'\".");
   }
   const bool is_number =
       value.getType() == XmlRpcValue::TypeInt || (value.getType() == XmlRpcValue::TypeDouble &&
                                                   std::isfinite(static_cast<const double&>(value)));
-  if (!is_number) refuse(value, where, "a name, in quotes if it is no plain word");
+  if (!is_number) refuse(value, where, "a name, in quotes if it is not a plain word");
   return describe(value);
 }
 

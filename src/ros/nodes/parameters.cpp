@@ -17,7 +17,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-/// What diagnostic_updater, image_transport, nodelet, tf2 and actionlib read below a node's name.
+/// Parameters that diagnostic_updater, image_transport, nodelet, tf2 and actionlib read below a
+/// node's name.
 const std::vector<std::string> kOfLibraries = {"diagnostic_period",
                                                "diagnostic_updater_use_fqn",
                                                "image_transport",
@@ -56,8 +57,8 @@ void requireWithin(Number value, Number least, Number most, const std::string& n
       ".");
 }
 
-/// The value of an argument `name:=value` of the node or nodelet, which ROS takes for the new name
-/// of a topic; empty: there is no such argument.
+/// The value of an argument `name:=value` of the node or nodelet, which ROS interprets as the new
+/// name of a topic; empty if there is no such argument.
 std::string remapped(const std::string& name, const ros::NodeHandle& private_node) {
   const std::string space = ros::names::parentNamespace(private_node.getNamespace());
   for (const std::string& from :
@@ -157,7 +158,7 @@ std::vector<double> Parameters::reals(const std::string& name, double least, dou
 
 std::string Parameters::meantBy(const std::string& name, const XmlRpcValue& value) const {
   if (value.getType() != XmlRpcValue::TypeStruct) return nearestName(name, known_);
-  // A mapping is the namespace of another node or of a library, or else was indented too far.
+  // A mapping is the namespace of another node or of a library, or was indented too far.
   for (const std::string& known : known_) {
     if (value.hasMember(known)) return known;
   }
@@ -167,14 +168,14 @@ std::string Parameters::meantBy(const std::string& name, const XmlRpcValue& valu
 std::vector<std::string> Parameters::doubts() const {
   std::vector<std::string> sentences = notes_;
   if (values_.getType() == XmlRpcValue::TypeStruct) {
-    XmlRpcValue values = values_;  // iterates only if it is not const
+    XmlRpcValue values = values_;  // only non-const values can be iterated
     for (const auto& [name, value] : values) {
       if (contains(known_, name) || contains(kOfLibraries, name)) continue;
       const std::string meant = meantBy(name, value);
       if (meant.empty() && value.getType() == XmlRpcValue::TypeStruct) continue;
       sentences.push_back(
-          where(name) + " of " + node_ + " is not known and changes nothing; " +
-          (meant.empty() ? "known are " + listed(known_) + "." : "is ~" + meant + " meant?"));
+          where(name) + " of " + node_ + " is not known and has no effect; " +
+          (meant.empty() ? "known are " + listed(known_) + "." : "did you mean ~" + meant + "?"));
     }
   }
   for (const std::string& name : known_) {

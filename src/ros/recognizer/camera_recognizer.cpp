@@ -11,10 +11,10 @@
 namespace place_recognition {
 namespace {
 
-/// A stamp that lies further back than this, s, means that time has jumped, as in a looped bag.
+/// A larger step back of the stamps, s, means that time has jumped, for example in a looped bag.
 constexpr double kTimeJump = 0.5;
 
-/// Seconds of a clock that also runs when a camera repeats its stamp.
+/// Seconds of a clock that also advances when a camera repeats its stamp.
 double secondsOf(std::chrono::steady_clock::time_point time) {
   return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
@@ -89,7 +89,7 @@ cv::Mat CameraRecognizer::imageOf(const ImageMessage& message) {
   cv::Mat scaled = depth_scale_.toEightBits(image);
   if (depth_text_ != depth_scale_.text()) {
     depth_text_ = depth_scale_.text();
-    ROS_INFO("Images of 16 bits are used in 8, %s.", depth_text_.c_str());
+    ROS_INFO("Images with 16 bits are converted to 8: %s.", depth_text_.c_str());
   }
   return scaled;
 }
@@ -102,7 +102,7 @@ const Recognition& CameraRecognizer::recognize(const cv::Mat& image, double stam
   }
   status_.judged(guard_->problem());
   const Recognition& recognition = recognizer_->recognize(image, stamp, secondsLeft(arrival));
-  if (recognition.place < 0) status_.saidNothing(recognition.reason);
+  if (recognition.place < 0) status_.answeredNothing(recognition.reason);
   status_.held(recognition.held.size());
   status_.followed(recognizer_->lightCorrection(), recognizer_->evidenceShift());
   return recognition;

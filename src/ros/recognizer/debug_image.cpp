@@ -15,7 +15,7 @@ const cv::Scalar kWhite(255, 255, 255);
 const cv::Scalar kGreen(80, 175, 40);
 const cv::Scalar kGrey(150, 150, 150);
 
-/// Sizes that follow the height of the image.
+/// Sizes in proportion to the height of the image.
 struct Layout {
   explicit Layout(const cv::Size& image)
       : line(std::max(12, image.height / 22)),

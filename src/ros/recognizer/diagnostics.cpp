@@ -33,7 +33,7 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& pri
 }
 
 void Diagnostics::start() {
-  // Wall time: a paused simulation must not silence the node.
+  // Wall time, because a paused simulation must not silence the node.
   timer_ = node_.createWallTimer(ros::WallDuration(1), [this](const ros::WallTimerEvent&) {
     updater_.force_update();
     for (ImageStatus* images : images_) images->warnOfSilence();

@@ -58,10 +58,10 @@ void ImageStatus::judged(const std::string& problem) {
   image_problem_ = problem;
 }
 
-void ImageStatus::saidNothing(const std::string& reason) {
+void ImageStatus::answeredNothing(const std::string& reason) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++said_nothing_;
-  last_silence_ = reason;
+  ++answered_nothing_;
+  last_nothing_ = reason;
 }
 
 void ImageStatus::held(std::size_t cues) {
@@ -107,9 +107,9 @@ void ImageStatus::report(Report& report) {
   report.add("skipped while busy", skipped_);
   report.add("left out by the rate limit", left_out_);
   report.add("unusable", unusable_);
-  report.add("without a place", said_nothing_);
-  report.add("last reason for none", last_silence_);
-  report.addf("gain to the light of the training: red, green, blue", "%.2f, %.2f, %.2f",
+  report.add("without a place", answered_nothing_);
+  report.add("last reason for no place", last_nothing_);
+  report.addf("gains to the light of the training: red, green, blue", "%.2f, %.2f, %.2f",
               light_correction_.red, light_correction_.green, light_correction_.blue);
   report.addf("shift of the evidence", "%.2f", evidence_shift_);
   report.add("last problem", last_problem_);
@@ -144,7 +144,7 @@ bool ImageStatus::silenceBegins() {
 
 void ImageStatus::warnOfSilence() {
   if (!silenceBegins()) return;
-  ROS_WARN("No image has come on %s for %.0f s. %s", input_.topic().c_str(), timeout_,
+  ROS_WARN("No image has arrived on %s for %.0f s. %s", input_.topic().c_str(), timeout_,
            explainSilence(input_.topic(), input_.transport()).c_str());
 }
 

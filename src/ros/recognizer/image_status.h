@@ -32,7 +32,7 @@ class ImageStatus {
   /// What is wrong with the last image, see ImageGuard; empty if nothing.
   void judged(const std::string& problem);
   /// An image was answered without a place, for this reason.
-  void saidNothing(const std::string& reason);
+  void answeredNothing(const std::string& reason);
   /// This number of cues was not computed for an image.
   void held(std::size_t cues);
   /// The difference of the images from those of the training, estimated from the answers so far,
@@ -69,11 +69,11 @@ class ImageStatus {
   std::uint64_t skipped_ = 0;
   std::uint64_t left_out_ = 0;
   std::uint64_t unusable_ = 0;
-  std::uint64_t said_nothing_ = 0;
+  std::uint64_t answered_nothing_ = 0;
   std::uint64_t answers_ = 0;
   std::uint64_t with_held_cues_ = 0;
   std::string last_problem_;
-  std::string last_silence_;   // why an image was answered without a place
+  std::string last_nothing_;   // why an image was answered without a place
   std::string image_problem_;  // current, likewise the next one
   std::string not_counted_;
   double last_age_ = 0;  // s, of the last image answered

@@ -8,7 +8,7 @@
 
 namespace place_recognition {
 
-/// place_recognizer in the process of a nodelet manager, where images are not copied.
+/// place_recognizer in the process of a nodelet manager, to which images are passed without copies.
 class PlaceRecognizerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
@@ -17,7 +17,7 @@ class PlaceRecognizerNodelet : public nodelet::Nodelet {
           std::make_unique<PlaceRecognizer>(getMTNodeHandle(), getMTPrivateNodeHandle(), getName());
     } catch (const Error& e) {
       NODELET_FATAL("%s", e.what());
-      throw;  // the manager, which does not say why, does not load it
+      throw;  // the manager, which does not report the reason, does not load the nodelet
     }
   }
 

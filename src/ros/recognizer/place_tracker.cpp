@@ -14,7 +14,7 @@
 namespace place_recognition {
 namespace {
 
-/// s; images are of no use to anybody who has to wait longer.
+/// s; nobody can use images after a longer wait.
 constexpr double kLongestLag = 10;
 
 OdometryPose toPose(const nav_msgs::Odometry& odometry) {
@@ -61,7 +61,7 @@ Adjacency PlaceTracker::adjacencyOf(const Model& model) const {
   try {
     return readAdjacency(adjacency_path_, model.places);
   } catch (const Error& e) {
-    ROS_ERROR("Any room may adjoin any other, for the map of ~adjacency cannot be used: %s",
+    ROS_ERROR("Any room may adjoin any other, because the map of ~adjacency cannot be used: %s",
               e.what());
     return Adjacency(model.places.size());
   }
@@ -73,8 +73,8 @@ bool PlaceTracker::counts(std::size_t camera) const {
 
 std::string PlaceTracker::whyNotCounted(std::size_t camera) const {
   if (counts(camera) || !models_[camera]) return "";
-  return "the places of its model " + models_[camera]->name + " are not those of " + model_->name +
-         ", so that it does not count for ~place";
+  return "the places of its model " + models_[camera]->name + " differ from those of " +
+         model_->name + ", so it is not used for ~place";
 }
 
 Eigen::MatrixXd PlaceTracker::correlation() const {

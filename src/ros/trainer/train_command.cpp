@@ -34,7 +34,7 @@ bool isGraphName(const std::string& name) {
   return name.size() <= kMaxTopicBytes && ros::names::validate(name, problem);
 }
 
-/// One name, or several with commas between them.
+/// One name, or several separated by commas.
 bool areGraphNames(const std::string& names) {
   std::istringstream words(names);
   for (std::string name; std::getline(words, name, ',');) {
@@ -45,10 +45,10 @@ bool areGraphNames(const std::string& names) {
 
 void check(const TrainGoal& goal) {
   requireOfGoal(!goal.bags.empty() || !goal.from_model.empty(), "bags are missing");
-  requireOfGoal(goal.bags.size() <= kMaxBags, "bags are more than " + std::to_string(kMaxBags));
+  requireOfGoal(goal.bags.size() <= kMaxBags, "bags has more than " + std::to_string(kMaxBags));
   requireOfGoal(isPlainName(goal.model), "model must be 1 to 64 letters, digits, '_' or '-'");
   requireOfGoal(goal.preset.empty() || isPlainName(goal.preset),
-                "preset is no name of a file in config/, as in 'crfh'");
+                "preset must be the name of a file in config/, such as 'crfh'");
   requireOfGoal(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
   requireOfGoal(goal.yaml.size() <= kMaxYamlBytes,
                 "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
@@ -59,7 +59,7 @@ void check(const TrainGoal& goal) {
                 "add_to must be 1 to 64 letters, digits, '_' or '-'");
   requireOfGoal(
       goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
-      "add_to excludes preset, yaml and reduction, which the model has");
+      "add_to excludes preset, yaml and reduction, which the model defines");
   requireOfGoal(goal.from_model.empty() || isPlainName(goal.from_model),
                 "from_model must be 1 to 64 letters, digits, '_' or '-'");
   requireOfGoal(goal.from_model.empty() || !goal.add_to.empty(), "from_model needs add_to");
@@ -71,25 +71,24 @@ void check(const TrainGoal& goal) {
                 "validate has more than " + std::to_string(kMaxBags) + " bags");
   requireOfGoal(goal.vector_limit == 0 || !goal.add_to.empty(), "vector_limit needs add_to");
   requireOfGoal(goal.vector_limit <= kMaxVectorLimit,
-                "vector_limit is above " + std::to_string(kMaxVectorLimit));
+                "vector_limit is more than " + std::to_string(kMaxVectorLimit));
   requireOfGoal(goal.forgetting >= 0 && goal.forgetting <= 0.99, "forgetting is not in 0..0.99");
   requireOfGoal(goal.forgetting == 0 || goal.vector_limit > 0, "forgetting needs vector_limit");
-  requireOfGoal(goal.threads <= kMaxThreads,
-                "threads are more than " + std::to_string(kMaxThreads));
-  requireOfGoal(areGraphNames(goal.image_topic), "image_topic is no topic's name");
-  requireOfGoal(isGraphName(goal.label_topic), "label_topic is no topic's name");
+  requireOfGoal(goal.threads <= kMaxThreads, "threads is more than " + std::to_string(kMaxThreads));
+  requireOfGoal(areGraphNames(goal.image_topic), "image_topic is not the name of a topic");
+  requireOfGoal(isGraphName(goal.label_topic), "label_topic is not the name of a topic");
   if (!goal.label.empty()) checkLabel(goal.label, "The goal");
   requireOfGoal(goal.recognizers.size() <= kMaxRecognizers,
-                "recognizers are more than " + std::to_string(kMaxRecognizers));
+                "recognizers has more than " + std::to_string(kMaxRecognizers));
   requireOfGoal(std::all_of(goal.recognizers.begin(), goal.recognizers.end(), isGraphName),
-                "recognizers are no names of nodes");
+                "recognizers are not names of nodes");
 }
 
-/// Fields that are not the option of place_tool by the same name.
+/// Fields that do not correspond to an option of place_tool with the same name.
 const std::vector<std::string> kOtherFields = {
     "bags", "validate", "preset", "yaml", "reduction", "vector_limit", "calibrate", "recognizers"};
 
-/// `--image-topic` of image_topic.
+/// `--image-topic` for image_topic.
 std::string optionOf(std::string field) {
   std::replace(field.begin(), field.end(), '_', '-');
   return "--" + field;
@@ -107,7 +106,7 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
   for (const std::string& bag : goal.validate) {
     command.push_back("--validate=" + confinedBagPath(bag, bag_roots));
   }
-  // A value joined to its option cannot be taken for another option.
+  // A value joined to its option cannot be mistaken for another option.
   const auto add = [&command](const std::string& option, const std::string& value) {
     if (!value.empty()) command.push_back(option + "=" + value);
   };

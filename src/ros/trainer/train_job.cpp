@@ -23,14 +23,14 @@ namespace {
 using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
-/// How often run() looks whether it is to stop.
+/// Interval at which run() checks whether to stop.
 constexpr std::chrono::milliseconds kPoll(100);
-/// What place_tool has to tidy up after an interrupt before it is killed.
+/// Time for place_tool to clean up after an interrupt before it is killed.
 constexpr std::chrono::seconds kPatience(8);
-/// Of the warnings that a message repeats.
+/// Maximum size of the warnings repeated in a message.
 constexpr std::size_t kMaxWarningBytes = 2000;
 
-/// A file for the configuration that a goal brings along, removed in the end.
+/// A file for the configuration in a goal; the destructor removes it.
 class TemporaryYaml {
  public:
   explicit TemporaryYaml(const std::string& text) {
@@ -61,7 +61,7 @@ TrainFeedback toFeedback(const Json& line) {
   return feedback;
 }
 
-/// "calibration error 0.120, then 0.041", of a figure before and after.
+/// "calibration error 0.120, then 0.041": a figure before and after.
 std::string change(const std::string& what, const Json& figures, const char* key) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(3) << what << " "
@@ -95,7 +95,7 @@ TrainResult toResult(const Json& figures, const std::string& model) {
   result.seconds = figures.at("seconds").get<double>();
   result.message = "Learned " + std::to_string(result.places.size()) + " places from " +
                    std::to_string(result.images) + " images as " + model + ": " +
-                   percent(result.validation_rate, 0) + " right on held-out stretches.";
+                   percent(result.validation_rate, 0) + " right on held-out blocks.";
   return result;
 }
 
@@ -106,7 +106,7 @@ TrainResult failure(const std::string& message) {
   return result;
 }
 
-/// What the lines of place_tool tell.
+/// Interprets the lines of place_tool.
 class ToolOutput {
  public:
   ToolOutput(const std::string& model, const TrainJob::FeedbackCallback& on_feedback,
@@ -122,7 +122,7 @@ class ToolOutput {
         result_ = toResult(object, model_);
       }
     } catch (const Json::exception& e) {
-      last_error_ = "place_tool wrote what cannot be understood: " + std::string(e.what());
+      last_error_ = "place_tool printed an invalid line: " + std::string(e.what());
     }
   }
 
@@ -150,7 +150,7 @@ class ToolOutput {
   const TrainJob::WarningCallback& on_warning_;
   std::optional<TrainResult> result_;
   std::string last_error_;
-  std::string warnings_;  // each with a blank before it
+  std::string warnings_;  // each preceded by a blank
 };
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace place_recognition {
 namespace {
 
-/// How long a recognizer may take to appear, s.
+/// Time that a recognizer may take to appear, s.
 constexpr double kServiceTimeout = 2;
 
 constexpr const char* kBusy = "Another training is running; wait for it or cancel it.";
@@ -25,13 +25,14 @@ std::vector<std::string> bagRoots(const ros::NodeHandle& private_node) {
   for (std::string& root : roots) {
     root = userPath(root);
     if (!std::filesystem::is_directory(root)) {
-      ROS_WARN("There is no folder %s, which ~bag_roots lists.", root.c_str());
+      ROS_WARN("The folder %s in ~bag_roots does not exist.", root.c_str());
     }
   }
   return roots.empty() ? defaultBagRoots() : roots;
 }
 
-/// Whether there is such a service now or soon, by wall time: simulated time may stand still.
+/// Whether such a service exists or appears soon, by wall time, because simulated time may stand
+/// still.
 bool appears(const std::string& service) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kServiceTimeout);
   while (!ros::service::exists(service, false)) {
@@ -82,7 +83,7 @@ void Trainer::finish() {
 std::shared_ptr<TrainJob> Trainer::begin(const TrainGoal& goal) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (job_ || finished_) return nullptr;
-  if (worker_.joinable()) worker_.join();  // has nothing left to do
+  if (worker_.joinable()) worker_.join();  // it has finished its work
   job_ = std::make_shared<TrainJob>(goal, bag_roots_);
   return job_;
 }
@@ -131,7 +132,7 @@ void Trainer::work(GoalHandle handle, const std::shared_ptr<TrainJob>& job) {
 }
 
 bool Trainer::onRetrain(Retrain::Request& request, Retrain::Response& response) {
-  const auto goal = sameFields<TrainGoal>(request);  // Retrain.srv is made of Train.action
+  const auto goal = sameFields<TrainGoal>(request);  // Retrain.srv is generated from Train.action
   const std::shared_ptr<TrainJob> job = begin(goal);
   if (!job) {
     response.message = kBusy;

@@ -8,7 +8,8 @@
 int main(int argc, char** argv) {
   return place_recognition::runNode(argc, argv, "trainer", [] {
     place_recognition::Trainer trainer(ros::NodeHandle(), ros::NodeHandle("~"));
-    // A training by ~retrain leaves three for the rest, and is not waited for in the end.
+    // A training by ~retrain leaves three threads for other callbacks, and the end does not wait
+    // for it.
     place_recognition::spinUntilEnd(4, [&trainer] { trainer.finish(); });
   });
 }
