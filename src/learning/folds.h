@@ -11,6 +11,7 @@ struct SampleOrigin {
   double stamp = 0;   ///< s; only differences within a run count
   int camera = 0;     ///< if several cameras record the run together
   int age = 0;        ///< how many times its place has been learned again since
+  int skipped = 0;  ///< frames of its place and camera since the previous sample that are not used
 };
 
 /// Division of a run for cross-validation.

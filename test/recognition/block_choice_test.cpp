@@ -62,6 +62,27 @@ TEST(BlockChoice, GapIsAsLongAtAnyRateOfFrames) {
   }
 }
 
+TEST(BlockChoice, GapIsAsLongHoweverManyFramesAreUsed) {
+  for (const int every : {2, 3, 7}) {
+    const Recording all = circle(30);
+    Recording some;
+    for (std::size_t i = 0; i < all.samples.size(); i += every) {
+      some.add(0, all.samples[i].stamp, all.features[i]);
+      if (i > 0) some.samples.back().skipped = every - 1;
+    }
+    EXPECT_NEAR(some.likeness().step, 1.0 / 30, 1e-9) << every;
+    EXPECT_NEAR(some.blocks().gap, 3.2, every / 30.0) << every;
+  }
+  // Views 5 s apart are the most alike; of those 15 s apart, no next one is used.
+  Recording sparse;
+  const Recording all = circle(0.2);
+  for (const std::size_t i : {0u, 3u, 6u}) {
+    sparse.add(0, all.samples[i].stamp, all.features[i]);
+    if (i > 0) sparse.samples.back().skipped = 2;
+  }
+  EXPECT_DOUBLE_EQ(sparse.blocks().gap, 0.5 * 5);
+}
+
 TEST(BlockChoice, LooksAtEachCameraByItself) {
   const Recording alone = circle(5);
   Recording together = alone;

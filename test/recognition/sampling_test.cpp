@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
@@ -208,6 +209,22 @@ TEST(Sampling, OfALongRunTheSameImagesAreLearnedWhateverTheThreads) {
   const std::vector<double> one = stamps(1);
   EXPECT_EQ(one.size(), 30u);
   EXPECT_EQ(stamps(4), one);
+}
+
+TEST(Sampling, FramesThatAreNotLearnedCountAsSkipped) {
+  TrainingOptions options = quickOptions();
+  options.sampling.most = 30;
+  const std::vector<Frame> frames = drawFrames(2, 200);
+  const Samples samples = collectSamples({opener(frames)}, options, 2, {});
+  std::map<std::string, std::vector<double>> stamps;
+  for (const Frame& frame : frames) stamps[frame.place].push_back(frame.stamp);
+  std::map<std::string, std::size_t> next;
+  for (const SampleOrigin& origin : samples.origins) {
+    const std::string& place = samples.places[static_cast<std::size_t>(origin.place)];
+    next[place] += static_cast<std::size_t>(origin.skipped);
+    EXPECT_EQ(stamps[place].at(next[place]++), origin.stamp) << place;
+  }
+  EXPECT_EQ(next.size(), 2u);
 }
 
 TEST(Sampling, TheSeedSaysWhichImagesAreLearned) {

@@ -21,6 +21,27 @@ struct Sums {
   double next_is_nearest = 0;
 };
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Mean distance of each lag up to the longest that occurs. Lags of which all frames were thinned
+/// out are interpolated, from 0 at lag 0.
+std::vector<double> means(const Sums& sums) {
+  std::vector<double> result;
+  for (std::size_t k = 0; k < sums.counts.size(); ++k) {
+    if (sums.counts[k] == 0) continue;
+    const double mean = sums.distances[k] / sums.counts[k];
+    const double before = result.empty() ? 0 : result.back();
+    const double step = (mean - before) / static_cast<double>(k + 1 - result.size());
+    while (result.size() < k) result.push_back((result.empty() ? 0 : result.back()) + step);
+    result.push_back(mean);
+  }
+  return result;
+}
+
 /// `count` indices in 0..size-1, evenly spread.
 std::vector<std::size_t> spread(std::size_t count, std::size_t size) {
   std::vector<std::size_t> places;
@@ -84,21 +105,46 @@ Eigen::MatrixXd distancesOf(const Sequence& sequence, const std::vector<std::siz
   return (count > 0).select(sum / count.max(1), -1);
 }
 
-/// Adds the distances of one frame of a sequence to all others.
-void add(const Eigen::VectorXd& distances, std::size_t frame, Sums& sums) {
+/// Numbers of the frames of a sequence, among which those that were thinned out count.
+std::vector<std::size_t> numbersOf(const Sequence& sequence,
+                                   const std::vector<SampleOrigin>& samples) {
+  std::vector<std::size_t> numbers;
+  std::size_t next = 0;
+  for (const int sample : sequence.samples) {
+    numbers.push_back(next + static_cast<std::size_t>(samples[sample].skipped));
+    next = numbers.back() + 1;
+  }
+  return numbers;
+}
+
+/// Median time from one frame to the next, s; 0 if all have the same stamp.
+double frameStep(const std::vector<double>& times, const std::vector<std::size_t>& numbers) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] <= times[i - 1]) continue;
+    steps.push_back((times[i] - times[i - 1]) / static_cast<double>(numbers[i] - numbers[i - 1]));
+  }
+  return steps.empty() ? 0 : median(std::move(steps));
+}
+
+/// Adds the distances of one frame of a sequence, with these numbers, to all others.
+void add(const Eigen::VectorXd& distances, const std::vector<std::size_t>& numbers,
+         std::size_t frame, Sums& sums) {
   double nearest = -1;
   bool next_is_nearest = false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(distances.size()); ++i) {
+  bool has_next = false;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double distance = distances[static_cast<Eigen::Index>(i)];
     if (i == frame || distance < 0) continue;
-    const std::size_t lag = i < frame ? frame - i : i - frame;
+    const std::size_t lag = i < frame ? numbers[frame] - numbers[i] : numbers[i] - numbers[frame];
     sums.distances[lag - 1] += distance;
     sums.counts[lag - 1] += 1;
+    has_next = has_next || lag == 1;
     if (nearest >= 0 && distance >= nearest) continue;
     nearest = distance;
     next_is_nearest = lag == 1;
   }
-  if (nearest < 0) return;
+  if (!has_next) return;
   sums.frames += 1;
   sums.next_is_nearest += next_is_nearest ? 1 : 0;
 }
@@ -128,33 +174,32 @@ LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int 
       rooms.end());
   std::size_t frames = 0;
   std::size_t longest = 0;
+  std::vector<std::vector<std::size_t>> numbers;
   std::vector<double> steps;
   for (const Sequence& room : rooms) {
     frames += room.samples.size();
-    longest = std::max(longest, room.samples.size());
-    if (room.samples.size() > 1) steps.push_back(medianStep(room.times));
+    numbers.push_back(numbersOf(room, samples));
+    longest = std::max(longest, numbers.back().back() + 1);
+    if (room.samples.size() > 1) steps.push_back(frameStep(room.times, numbers.back()));
   }
   if (steps.empty()) return {1, {}, 0};
 
   Sums sums;
   sums.distances.assign(longest - 1, 0);
   sums.counts = sums.distances;
-  for (const Sequence& room : rooms) {
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const Sequence& room = rooms[r];
     const std::size_t size = room.samples.size();
     const std::size_t count = std::min(size, (kComparedFrames * size + frames - 1) / frames);
     const std::vector<std::size_t> compared = spread(count, size);
     const Eigen::MatrixXd distances = distancesOf(room, compared, features, cues, threads);
     for (std::size_t k = 0; k < count; ++k) {
-      add(distances.col(static_cast<Eigen::Index>(k)), compared[k], sums);
+      add(distances.col(static_cast<Eigen::Index>(k)), numbers[r], compared[k], sums);
     }
   }
   LikenessOverTime likeness;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  likeness.step = *middle;
-  for (std::size_t k = 0; k < sums.counts.size() && sums.counts[k] > 0; ++k) {
-    likeness.distances.push_back(sums.distances[k] / sums.counts[k]);
-  }
+  likeness.step = median(std::move(steps));
+  likeness.distances = means(sums);
   if (sums.frames > 0) likeness.next_is_nearest = sums.next_is_nearest / sums.frames;
   return likeness;
 }

@@ -13,7 +13,8 @@ namespace place_recognition {
 struct LikenessOverTime {
   double step = 0;                ///< s, median time from one frame of a room to the next
   std::vector<double> distances;  ///< [lag - 1]: mean between frames `lag` frames apart
-  double next_is_nearest = 0;     ///< fraction of frames most similar to the one before or after
+  double next_is_nearest = 0;     ///< fraction of frames most similar to the one before or after,
+                                  ///< among those of which one of these two is used
 };
 
 /// Chooses the gap, in s, so that held-out frames resemble those of the next run through the same
@@ -24,8 +25,9 @@ struct LikenessOverTime {
 /// at least that frame.
 double gapFor(const LikenessOverTime& likeness);
 
-/// The similarity of a few hundred frames of `recording` to all others of their rooms. `features`:
-/// [cue][sample]; some may be missing.
+/// The similarity of a few hundred frames of `recording` to all others of their rooms. Lags count
+/// frames that were thinned out, too: how fast the view changes does not depend on how many of its
+/// frames are used. `features`: [cue][sample]; some may be missing.
 LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int recording,
                                   const std::vector<std::vector<Feature>>& features,
                                   const std::vector<CueOptions>& cues, unsigned threads);

@@ -1,6 +1,7 @@
 #include "recognition/training/frame_collection.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -20,6 +21,7 @@ struct CameraStream {
   ImageGuard guard;
   FrameRate rate;
   LabelledLight light;
+  std::map<std::string, int> frames;  // of each place so far
 };
 
 void requirePlaceName(const Frame& frame) {
@@ -74,8 +76,10 @@ class Collector {
       }
       const auto known = std::find(cameras.begin(), cameras.end(), camera);
       streams.push_back({static_cast<int>(known - cameras.begin()),
-                         ImageGuard(expected_, image_options_), FrameRate(rate_),
-                         LabelledLight(model_)});
+                         ImageGuard(expected_, image_options_),
+                         FrameRate(rate_),
+                         LabelledLight(model_),
+                         {}});
       if (known == cameras.end()) cameras.push_back(camera);
     }
     return streams;
@@ -90,20 +94,21 @@ class Collector {
       ++collected_.passed_over;
       return;
     }
+    const int number = camera.frames[frame.place]++;
     const std::optional<int> level = collected_.sample.next(frame.place);
     if (!level) return;
     for (const std::string& warning : camera.guard.judge(frame.image, frame.stamp)) {
       collected_.warnings.push_back(collected_.inputs.back() + ": " + warning);
     }
     include(statisticsOf(frame.image), collected_.profile);
-    add(frame, camera, *level);
+    add(frame, camera, number, *level);
     if (collected_.frames.size() > 2 * most_) dropHalf();
   }
 
-  void add(const Frame& frame, CameraStream& camera, int level) {
+  void add(const Frame& frame, CameraStream& camera, int number, int level) {
     const int recording = static_cast<int>(collected_.inputs.size()) - 1;
     collected_.frames.push_back(
-        {frame.place, recording, frame.stamp, camera.number, frame.name, level, {}, {}});
+        {frame.place, recording, frame.stamp, camera.number, number, frame.name, level, {}, {}});
     CollectedFrame& added = collected_.frames.back();
     const Light light = camera.light.next(frame);
     pool_.submit(frame.image, added.extracted, light);

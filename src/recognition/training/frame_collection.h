@@ -22,6 +22,7 @@ struct CollectedFrame {
   int recording = 0;
   double stamp = 0;  ///< s
   int camera = 0;    ///< index into FrameCollection::cameras
+  int number = 0;    ///< among all frames of its place by its camera in the recording
   std::string name;
   int level = 0;  ///< see HalvingSample
   ExtractedFeatures extracted;

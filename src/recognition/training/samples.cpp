@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/place_name.h"
@@ -112,9 +113,13 @@ void fill(FrameCollection& collected, std::size_t cues, Samples& samples) {
   samples.images.assign(samples.places.size(), 0);
   samples.colours.assign(samples.places.size(), {});
   samples.features.resize(cues);
+  std::map<std::tuple<int, int, int>, int> next;  // the number that follows the last sample's
   for (CollectedFrame& frame : collected.frames) {
-    const SampleOrigin origin{indexOf(frame.place, samples.places), frame.recording, frame.stamp,
-                              frame.camera};
+    SampleOrigin origin{indexOf(frame.place, samples.places), frame.recording, frame.stamp,
+                        frame.camera};
+    int& expected = next[{origin.recording, origin.place, origin.camera}];
+    origin.skipped = frame.number - expected;
+    expected = frame.number + 1;
     ++samples.images[static_cast<std::size_t>(origin.place)];
     samples.colours[static_cast<std::size_t>(origin.place)].add(frame.extracted.colour);
     append(origin, static_cast<int>(samples.origins.size()), frame.extracted, samples);
