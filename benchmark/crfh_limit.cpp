@@ -6,8 +6,13 @@
 #include "features/gaussian.h"
 
 // Compiled with -ffp-contract=fast, unlike the package, so that products and sums are fused.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    PLACE_RECOGNITION_VECTOR_BITS >= 256
+#if PLACE_RECOGNITION_VECTOR_BITS >= 512
 #define WITH_FUSED_MULTIPLY_ADD __attribute__((target_clones("avx512f", "fma", "default")))
+#else
+#define WITH_FUSED_MULTIPLY_ADD __attribute__((target_clones("fma", "default")))
+#endif
 #else
 #define WITH_FUSED_MULTIPLY_ADD
 #endif

@@ -1,5 +1,11 @@
 #pragma once
 
+/// The widest vectors that are used on x86-64: 512, 256 or 128 bits, for AVX-512, AVX2 and plain
+/// x86-64. Compile with a smaller value to measure on one processor what an older one can do.
+#if !defined(PLACE_RECOGNITION_VECTOR_BITS)
+#define PLACE_RECOGNITION_VECTOR_BITS 512
+#endif
+
 /// PLACE_RECOGNITION_TARGET_CLONES before a function compiles it once per useful instruction set
 /// and selects the best at run time, so that one binary runs everywhere. Put it on functions of
 /// plain loops that the compiler vectorizes; the functions they call must be inlined into them.
@@ -7,8 +13,13 @@
 /// are never reordered. Sanitizers start too late for the selection at run time, so they are
 /// compiled without clones.
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&                           \
+    PLACE_RECOGNITION_VECTOR_BITS >= 256
+#if PLACE_RECOGNITION_VECTOR_BITS >= 512
 #define PLACE_RECOGNITION_TARGET_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define PLACE_RECOGNITION_TARGET_CLONES __attribute__((target_clones("avx2", "default")))
+#endif
 #else
 #define PLACE_RECOGNITION_TARGET_CLONES
 #endif

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/simd.h"
+
 namespace place_recognition {
 namespace {
 
@@ -61,8 +63,13 @@ void matchPanelsPlainly(const DescriptorBlock& block, const DescriptorPanel* pan
 std::vector<MatchVariant> matchVariants() {
   std::vector<MatchVariant> variants = {{"plain", &matchPanelsPlainly}};
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) variants.push_back({"AVX2", &matchPanelsAvx2});
-  if (__builtin_cpu_supports("avx512vnni")) variants.push_back({"VNNI", &matchPanelsVnni});
+  constexpr int kBits = PLACE_RECOGNITION_VECTOR_BITS;
+  if (kBits >= 256 && __builtin_cpu_supports("avx2")) {
+    variants.push_back({"AVX2", &matchPanelsAvx2});
+  }
+  if (kBits >= 512 && __builtin_cpu_supports("avx512vnni")) {
+    variants.push_back({"VNNI", &matchPanelsVnni});
+  }
 #endif
   return variants;
 }
