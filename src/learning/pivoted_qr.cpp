@@ -19,6 +19,14 @@ void multiply(const double* x, double factor, Eigen::Index n, double* out) {
   for (Eigen::Index i = 0; i < n; ++i) out[i] = factor * x[i];
 }
 
+/// Adds the parts of a sum.
+PLACE_RECOGNITION_INLINE double total(double* sums) {
+  for (Eigen::Index count = kPadding / 2; count > 0; count /= 2) {
+    for (Eigen::Index k = 0; k < count; ++k) sums[k] += sums[k + count];
+  }
+  return sums[0];
+}
+
 /// x'y of `n` numbers, a multiple of kPadding.
 PLACE_RECOGNITION_TARGET_CLONES
 double innerProduct(const double* x, const double* y, Eigen::Index n) {
@@ -26,16 +34,27 @@ double innerProduct(const double* x, const double* y, Eigen::Index n) {
   for (Eigen::Index i = 0; i < n; i += kPadding) {
     for (Eigen::Index k = 0; k < kPadding; ++k) sums[k] += x[i + k] * y[i + k];
   }
-  for (Eigen::Index count = kPadding / 2; count > 0; count /= 2) {
-    for (Eigen::Index k = 0; k < count; ++k) sums[k] += sums[k + count];
-  }
-  return sums[0];
+  return total(sums);
 }
 
 /// y -= factor x.
 PLACE_RECOGNITION_TARGET_CLONES
 void subtract(double factor, const double* __restrict x, Eigen::Index n, double* __restrict y) {
   for (Eigen::Index i = 0; i < n; ++i) y[i] -= factor * x[i];
+}
+
+/// y -= factor x, in the same pass as the z'y that it returns.
+PLACE_RECOGNITION_TARGET_CLONES
+double subtractAndMultiply(double factor, const double* __restrict x, const double* __restrict z,
+                           Eigen::Index n, double* __restrict y) {
+  double sums[kPadding] = {};
+  for (Eigen::Index i = 0; i < n; i += kPadding) {
+    for (Eigen::Index k = 0; k < kPadding; ++k) {
+      y[i + k] -= factor * x[i + k];
+      sums[k] += z[i + k] * y[i + k];
+    }
+  }
+  return total(sums);
 }
 
 }  // namespace
@@ -70,11 +89,16 @@ void PivotedQr::update(Eigen::Index column) {
   if (isUpToDate(column)) return;
   double* values = columns().col(column).data();
   Eigen::Index& step = steps_[static_cast<std::size_t>(column)];
-  for (; step < rank(); ++step) {
-    const double* q = columns().col(chosen_[static_cast<std::size_t>(step)]).data();
-    r_(step, column) = innerProduct(q, values, padded_rows_);
-    subtract(r_(step, column), q, padded_rows_, values);
+  const auto direction = [this](Eigen::Index i) -> const double* {
+    return columns().col(chosen_[static_cast<std::size_t>(i)]).data();
+  };
+  r_(step, column) = innerProduct(direction(step), values, padded_rows_);
+  for (; step + 1 < rank(); ++step) {
+    r_(step + 1, column) = subtractAndMultiply(r_(step, column), direction(step),
+                                               direction(step + 1), padded_rows_, values);
   }
+  subtract(r_(step, column), direction(step), padded_rows_, values);
+  ++step;
   squared_norms_[column] = innerProduct(values, values, padded_rows_);
 }
 
