@@ -22,8 +22,8 @@ void forward(benchmark::State& state, const std::string& file, int threads, int 
       net.setInput(cv::Mat(shape, CV_32F, cv::Scalar(0.1)));
       benchmark::DoNotOptimize(net.forward().data);
     }
-    state.counters["ms_per_image"] = benchmark::Counter(
-        1e-3 * batch, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_image"] = benchmark::Counter(
+        batch, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   } catch (const cv::Exception& e) {
     state.SkipWithError(e.err.c_str());
   }
