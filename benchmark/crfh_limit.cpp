@@ -37,16 +37,14 @@ PLACE_RECOGNITION_INLINE void multiplyAddFixed(const float* in, float weight, st
 template <int kTaps = kMostTaps>
 PLACE_RECOGNITION_INLINE void multiplyAddUpTo(int taps, const float* in, float weight,
                                               std::size_t n, float* out) {
-  if constexpr (kTaps > 0) {
-    if (taps == kTaps) {
-      multiplyAddFixed<kTaps>(in, weight, n, out);
-    } else {
-      multiplyAddUpTo<kTaps - 2>(taps, in, weight, n, out);
-    }
+  if (taps == kTaps) {
+    multiplyAddFixed<kTaps>(in, weight, n, out);
+  } else if constexpr (kTaps > 2) {
+    multiplyAddUpTo<kTaps - 2>(taps, in, weight, n, out);
   }
 }
 
-/// out[x] = the sum of weight * in[x + i] over i < `taps`, an even number.
+/// out[x] = the sum of weight * in[x + i] over i < `taps`, an even number from 2.
 WITH_FUSED_MULTIPLY_ADD
 void multiplyAdd(const float* in, float weight, int taps, std::size_t n, float* out) {
   multiplyAddUpTo(taps, in, weight, n, out);
