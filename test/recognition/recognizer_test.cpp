@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "place_recognition/model_file.h"
@@ -179,6 +180,8 @@ TEST(Recognizer, HoldsDecisionValuesOfCuesForWhichThereIsNoTime) {
   recognizer.setDecorrelationTime(0.4);
   const cv::Mat first = drawRoom(0, 300);
   EXPECT_TRUE(recognizer.recognize(first, 100).held.empty());
+  std::array<cv::Mat, 2> last{first, first};  // the image that each cue was computed of
+  std::array<double, 2> at{0, 0};             // and its age
   for (const double age : {0.1, 0.3}) {
     const cv::Mat image = drawRoom(1, 400);
     const Recognition& answer = recognizer.recognize(image, 100 + age, 0);
@@ -186,12 +189,14 @@ TEST(Recognizer, HoldsDecisionValuesOfCuesForWhichThereIsNoTime) {
     const std::size_t held = answer.held[0];  // whichever took longer
     const std::size_t computed = 1 - held;
     const double weight = model->cue_weights[computed];
-    const double held_weight = model->cue_weights[held] * std::exp(-age / 0.4);
+    const double held_weight = model->cue_weights[held] * std::exp((at[held] - age) / 0.4);
     const Eigen::RowVectorXd expected = (weight * decisionValues(*model, computed, image) +
-                                         held_weight * decisionValues(*model, held, first)) /
+                                         held_weight * decisionValues(*model, held, last[held])) /
                                         (weight + held_weight);
     EXPECT_TRUE(answer.decision_values.isApprox(expected, 1e-12))
         << answer.decision_values << " at " << age;
+    last[computed] = image;  // next time the other one may have taken longer
+    at[computed] = age;
   }
   // After a jump back in time, and in a new stream, what was seen counts no more.
   const cv::Mat image = drawRoom(2, 500);
