@@ -1,5 +1,5 @@
-// CRFH beside the straightforward way with OpenCV, and beside the least that any implementation
-// must do (crfh_limit.h). One core.
+// Compares CRFH with a straightforward OpenCV implementation and with the least work that any
+// implementation has to do (crfh_limit.h). One core.
 
 #include <benchmark/benchmark.h>
 
@@ -27,7 +27,7 @@ struct Response {
   int x_order, y_order;
 };
 
-/// A set of descriptors, as options and as the OpenCV way wants them.
+/// A set of descriptors, as options and for the OpenCV implementation.
 struct Setup {
   const char* name;
   std::vector<std::string> descriptors;
@@ -49,7 +49,7 @@ const std::vector<Setup>& setups() {
   return setups;
 }
 
-/// A real image of 640 x 480; without one, noise of all scales, which fills as many bins.
+/// A real image of 640 x 480 or, if there is none, noise at all scales, which fills as many bins.
 cv::Mat sampleImage() {
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
   const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "nao_canteen";
@@ -84,7 +84,7 @@ int counted(const cv::Mat& image) {
   return (image.rows - 2 * kBorder) * (image.cols - 2 * kBorder);
 }
 
-/// Whether both histograms agree but for 0.1 % of the pixels, which lie at an edge of a bin.
+/// Whether both histograms agree except for 0.1 % of the pixels, which lie on bin boundaries.
 bool agree(const SparseVector& ours, const Histogram& peers, const cv::Mat& image) {
   Histogram difference = peers;
   for (std::size_t i = 0; i < ours.size(); ++i) {
@@ -95,8 +95,8 @@ bool agree(const SparseVector& ours, const Histogram& peers, const cv::Mat& imag
   return moved / 2 <= counted(image) / 1000;
 }
 
-/// The straightforward way: a float image for each descriptor by sepFilter2D, then the bin of each
-/// pixel, then a sort.
+/// The straightforward implementation: computes a float image for each descriptor by sepFilter2D,
+/// then the bin of each pixel, and sorts.
 class OpenCvCrfh {
  public:
   explicit OpenCvCrfh(const Setup& setup) : setup_(setup) {}
@@ -135,7 +135,7 @@ class OpenCvCrfh {
     return plane;
   }
 
-  /// The Gaussian, differentiated by central differences.
+  /// Derivatives of the Gaussian by central differences.
   static cv::Mat kernel(double t, int order) {
     const int half = gaussianHalfWidth(t, 3);
     cv::Mat_<double> kernel(1, 2 * half + 3, 0.0);
@@ -183,12 +183,12 @@ class Limit {
   CrfhLimit limit_;
 };
 
-/// One image of floats for each response.
+/// One float image for each response.
 struct ResponseLimit : Limit {
   explicit ResponseLimit(const Setup& setup) : Limit(setup.responses.size()) {}
 };
 
-/// Stricter: one for each channel, as if its responses came free with the smoothed channel.
+/// A stricter limit: one float image for each channel, as if its responses took no further time.
 struct SmoothingLimit : Limit {
   explicit SmoothingLimit(const Setup& setup) : Limit(channels(setup)) {}
   static std::size_t channels(const Setup& setup) {

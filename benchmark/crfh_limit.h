@@ -5,10 +5,9 @@
 
 namespace place_recognition {
 
-/// The least work for CRFH responses: for each of them, an image of floats is copied and passed
-/// over once with a fused multiply-add for every tap of the two filters, along the rows and along
-/// the columns. Plain loops that the compiler vectorises; all weights are the same, so that they
-/// take but one register.
+/// The least work for CRFH responses. For each response, a float image is copied and filtered once,
+/// along the rows and along the columns, with one fused multiply-add per tap. The loops are plain
+/// and vectorized by the compiler. All weights are equal, so that they need only one register.
 class CrfhLimit {
  public:
   /// `variances`: the scale t of each response.
@@ -17,9 +16,9 @@ class CrfhLimit {
   void compute(cv::Size size);
 
  private:
-  std::vector<int> taps_;  ///< of each response
-  /// One above the other: of two pieces of memory that stand 64 or 128 bytes apart, modulo 4096,
-  /// the processor takes what is written to one for what it reads of the other, half as long again.
+  std::vector<int> taps_;  ///< per response
+  /// One above the other. If two buffers are 64 or 128 bytes apart, modulo 4096, the processor
+  /// takes writes to one for reads of the other (4K aliasing) and needs half as long again.
   cv::Mat_<float> images_;
 };
 

@@ -1,5 +1,6 @@
-// A frame with the cues of a configuration: its features, beside the least work for their distinct
-// responses (crfh_limit.h), and its answer by a model of 1000 support vectors in all. One core.
+// Times one frame with all cues of a configuration: its features, compared with the least work for
+// their distinct responses (crfh_limit.h), and its recognition by a model of 1000 support vectors
+// in total. One core.
 
 #include <benchmark/benchmark.h>
 
@@ -30,7 +31,7 @@ TrainingOptions configuration(const std::string& name) {
   return options;
 }
 
-/// Views that no model learns.
+/// Views that are not used for training.
 const std::vector<cv::Mat>& frames() {
   static const std::vector<cv::Mat> frames = [] {
     std::vector<cv::Mat> frames;
@@ -40,8 +41,8 @@ const std::vector<cv::Mat>& frames() {
   return frames;
 }
 
-/// The scales of the distinct responses: a response is a derivative of a channel at a scale, of the
-/// image with its colours normalized and its levels transformed as the cue asks.
+/// The scales of the distinct responses. A response is a derivative of a channel at a scale, of the
+/// image with the colour normalization and levels of the cue.
 std::vector<double> distinctResponses(const TrainingOptions& options) {
   std::set<std::tuple<std::string, std::string, std::string, double>> responses;
   for (const CueOptions& cue : options.cues) {
@@ -72,7 +73,7 @@ void limit(benchmark::State& state, const std::string& name) {
   state.counters["responses"] = static_cast<double>(responses.size());
 }
 
-/// Frames of a stream.
+/// Recognizes the frames of a stream.
 void answer(benchmark::State& state, const std::string& name) {
   TrainingOptions options = configuration(name);
   options.augmentation.other_light = false;

@@ -1,4 +1,4 @@
-"""How costs grow: runs growth_benchmark and training_growth, fits exponents, draws."""
+"""Measures how costs grow with growth_benchmark and training_growth; fits and plots exponents."""
 import json
 import math
 
@@ -6,7 +6,7 @@ from measure import Failed, call
 from rows import row
 
 TRAINING_FRAMES = (500, 1000, 2000, 5000, 10000, 20000)
-# What grows: how it is called, the power by which it must grow, and what of x it is a power of.
+# What grows: its name, the exponent with which it must grow, and the quantity it is a power of.
 PANELS = {
     'imageSize': ('height of the image, pixels (4:3)', 2),
     'dimensions': ('dimensions of the histogram', 1),
@@ -22,7 +22,7 @@ ALLOWANCE = 0.1  # of an exponent: constant parts, caches and noise
 
 
 def exponent(points):
-    """The steepest straight line through three neighbours, both scales logarithmic."""
+    """The steepest line through three neighbouring points on logarithmic scales."""
     slopes = [math.log(c[1] / a[1]) / math.log(c[0] / a[0])
               for a, c in zip(points, points[2:])]
     return max(slopes)
@@ -38,7 +38,7 @@ def curves(programs):
 
 
 def training_curve(programs, most_frames):
-    """From images to the model, the gamma found and the reduction chosen as by default."""
+    """Training from images to a model, with the search for gamma and reduction of the default."""
     return [json.loads(call([programs.path('training_growth'), frames], env=programs.environment))
             for frames in TRAINING_FRAMES if frames <= most_frames]
 
@@ -51,7 +51,7 @@ def growth_row(what, points, power):
 
 
 def measure_growth(programs, most_frames):
-    """Rows for the table, and the points behind them."""
+    """Rows for the table, and their points."""
     rows, points = [], {}
     try:
         points = curves(programs)

@@ -1,5 +1,5 @@
-// How the cost of an answer grows: with the size of the image, the dimensions and bins of its
-// histogram, the support vectors and the rooms. One core, real images.
+// Measures how the cost of an answer grows with the size of the image, the dimensions and bins of
+// its histogram, the support vectors, and the rooms. One core, real images.
 
 #include <benchmark/benchmark.h>
 
@@ -15,7 +15,7 @@
 namespace place_recognition {
 namespace {
 
-/// Extracts over and over; reports the bins that are not empty.
+/// Times the extraction; reports the number of non-empty bins.
 void extract(benchmark::State& state, const CrfhOptions& options, const cv::Mat& image) {
   const auto extractor = makeFeatureExtractor(options);
   Feature feature;
@@ -23,7 +23,7 @@ void extract(benchmark::State& state, const CrfhOptions& options, const cv::Mat&
   state.counters["bins"] = static_cast<double>(std::get<SparseVector>(feature).size());
 }
 
-/// By the height of the image; its width is 4/3 of that.
+/// The argument is the height of the image; its width is 4/3 of that.
 void imageSize(benchmark::State& state) {
   const auto height = static_cast<int>(state.range(0));
   cv::Mat image;
@@ -45,7 +45,7 @@ void bins(benchmark::State& state) {
   extract(state, options, Views()[0].image);
 }
 
-/// Histograms of the first views, extracted when they are first asked for.
+/// Histograms of the first views, extracted on first use.
 std::vector<Feature> firstVectors(std::size_t count) {
   static std::vector<Feature> extracted;
   if (extracted.size() < count) {
@@ -56,7 +56,7 @@ std::vector<Feature> firstVectors(std::size_t count) {
   return {extracted.begin(), extracted.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// A decision over so many vectors and rooms.
+/// Decision values for the given numbers of vectors and rooms.
 void decide(benchmark::State& state, std::size_t vectors, std::size_t rooms) {
   static const Feature frame = extractViews(CrfhOptions(), 1, 40000).features.front();
   BinarySvms machines;

@@ -1,6 +1,6 @@
-// The chi-squared kernel of one frame with 1000 histograms of real images, and the decision of
-// five rooms over them, beside libsvm's way: merging sorted lists, and svm_predict_values() of a
-// machine for each room with that column as its precomputed kernel. One core.
+// Times the chi-squared kernel of one frame with 1000 histograms of real images, and the decision
+// values of five rooms over them. The peer is libsvm's method: it merges sorted lists and calls
+// svm_predict_values() for each room's machine with the result as precomputed kernel. One core.
 
 #include <benchmark/benchmark.h>
 #include <svm.h>
@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t kVectors = 1000;
 constexpr double kGamma = 1;
-constexpr double kTolerance = 1e-6;  // of kernel values and decision values: elements are floats
+constexpr double kTolerance = 1e-6;  // of kernel values and decision values; elements are floats
 
-/// A histogram as libsvm's sparse kernels take it.
+/// A histogram in the format of libsvm's sparse kernels.
 using Nodes = std::vector<svm_node>;
 
 Nodes toNodes(const Feature& feature) {
@@ -31,7 +31,7 @@ Nodes toNodes(const Feature& feature) {
   return nodes;
 }
 
-/// In the manner of libsvm's Kernel::k_function() for the Gaussian kernel.
+/// Written like libsvm's Kernel::k_function() for the Gaussian kernel.
 double mergedKernel(const svm_node* x, const svm_node* y) {
   double sum = 0;
   while (x->index != -1 && y->index != -1) {
@@ -151,7 +151,7 @@ void columnOfKernel(benchmark::State& state) {
 }
 
 void columnByMerging(benchmark::State& state) {
-  peer();  // its preparation is none of its time
+  peer();  // preparation, which is not timed
   for (auto _ : state) benchmark::DoNotOptimize(peer().column().data());
 }
 

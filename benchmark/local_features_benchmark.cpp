@@ -1,5 +1,5 @@
-// Harris-Laplace points with SIFT descriptors beside VLFeat's Harris-Laplace described by OpenCV,
-// for the same number of points of the same 640 x 480 image. One core.
+// Compares Harris-Laplace points with SIFT descriptors with VLFeat's Harris-Laplace points
+// described by OpenCV, for the same number of points in the same 640 x 480 image. One core.
 
 #include <benchmark/benchmark.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kImage = 44;  ///< one with many points
 
-/// A real image of 640 x 480; without one, smoothed noise.
+/// A real image of 640 x 480 or, if there is none, smoothed noise.
 cv::Mat sampleImage() {
   if (const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA")) {
     std::vector<cv::String> files;
@@ -34,7 +34,7 @@ cv::Mat sampleImage() {
   return noise;
 }
 
-/// Oriented Harris-Laplace points of VLFeat, at most `limit`, described by OpenCV.
+/// At most `limit` oriented Harris-Laplace points of VLFeat, described by OpenCV.
 cv::Mat describeWithPeers(const cv::Mat& image, int limit) {
   cv::Mat grey;
   cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
@@ -64,7 +64,7 @@ cv::Mat describeWithPeers(const cv::Mat& image, int limit) {
   return descriptors;
 }
 
-/// As many points as both find.
+/// The number of points that both find.
 int commonCount(const cv::Mat& image) {
   LocalFeatureOptions options;
   options.max_points = describeWithPeers(image, 400).rows;

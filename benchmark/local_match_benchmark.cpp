@@ -1,6 +1,6 @@
-// The local match kernel of one frame with 500 images, 400 descriptors each, beside two nested
-// loops of float distances, and beside the most that the processor can multiply and add. One core.
-// Counts products of elements, of which all three do so many a second.
+// Compares the local match kernel of one frame with 500 images, 400 descriptors each, with two
+// nested loops over float distances and with the peak rate of multiply-add instructions. All three
+// are given in products of elements per second. One core.
 
 #include <benchmark/benchmark.h>
 
@@ -16,14 +16,14 @@ namespace place_recognition {
 namespace {
 
 constexpr std::size_t kImages = 500;
-constexpr std::size_t kPeerImages = 5;   // of the slow way; all have the same number of descriptors
-constexpr std::size_t kRealImages = 50;  // each of them several times
+constexpr std::size_t kPeerImages = 5;   // of the slow method; with equal numbers of descriptors
+constexpr std::size_t kRealImages = 50;  // each is used several times
 constexpr std::size_t kDescriptors = 400;
 constexpr std::size_t kDimension = DescriptorSet::kDimension;
 constexpr double kProducts = kDescriptors * kDescriptors * kDimension;  // of an image
 constexpr double kGamma = 2;
 
-/// Exactly kDescriptors of a set, from the first or, where there are too few, over again.
+/// Exactly kDescriptors of a set: the first ones, repeated if there are too few.
 DescriptorSet filledUp(const DescriptorSet& set, std::size_t first) {
   DescriptorSet filled;
   for (std::size_t i = 0; i < kDescriptors; ++i) {
@@ -111,7 +111,7 @@ void localMatch(benchmark::State& state) {
 }
 
 void nestedFloatLoops(benchmark::State& state) {
-  setup();  // is none of its time
+  setup();  // preparation, which is not timed
   for (auto _ : state) benchmark::DoNotOptimize(valuesOfPeer());
   state.counters["products"] =
       rate(static_cast<double>(state.iterations()) * kPeerImages * kProducts);

@@ -11,7 +11,7 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kSums = 16;  // independent, so that none waits for another
+constexpr int kSums = 16;  // independent of each other, so that none has to wait
 
 #if defined(__x86_64__)
 __attribute__((target("avx512f,avx512bw,avx512vnni"))) std::int64_t peakOfVnni(std::int64_t rounds,
@@ -23,7 +23,7 @@ __attribute__((target("avx512f,avx512bw,avx512vnni"))) std::int64_t peakOfVnni(s
   for (std::int64_t round = 0; round < rounds; ++round) {
     for (int i = 0; i < kSums; ++i) {
       sums[i] = _mm512_dpbusd_epi32(sums[i], a, b);
-      asm volatile("" : "+v"(sums[i]));  // each of them counts
+      asm volatile("" : "+v"(sums[i]));  // keeps the compiler from removing any
     }
   }
   for (int i = 1; i < kSums; ++i) sums[0] = _mm512_add_epi32(sums[0], sums[i]);
@@ -34,7 +34,7 @@ __attribute__((target("avx512f,avx512bw,avx512vnni"))) std::int64_t peakOfVnni(s
 }
 
 __attribute__((target("avx2"))) std::int64_t peakOfAvx2(std::int64_t rounds, std::int32_t& seed) {
-  constexpr int kRegisters = 12;  // of sixteen
+  constexpr int kRegisters = 12;  // of the sixteen available
   __m256i sums[kRegisters];
   for (int i = 0; i < kRegisters; ++i) sums[i] = _mm256_set1_epi32(seed + i);
   const __m256i a = _mm256_set1_epi16(static_cast<short>(seed));

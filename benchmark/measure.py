@@ -1,4 +1,4 @@
-"""Runs the benchmark programs and reduces their repeated, interleaved runs to medians."""
+"""Runs the benchmark programs repeatedly, interleaved, and takes medians."""
 import json
 import os
 import pathlib
@@ -10,7 +10,7 @@ MILLISECONDS = {'ns': 1e-6, 'us': 1e-3, 'ms': 1, 's': 1e3}
 
 
 class Failed(Exception):
-    """A benchmark that could not run, or whose result is not the peer's."""
+    """A benchmark failed to run, or its result differs from the peer's."""
 
 
 def call(command, **options):
@@ -23,7 +23,7 @@ def call(command, **options):
 
 
 class Programs:
-    """The google-benchmark programs of a build, each run once, when it is first asked for."""
+    """The google-benchmark programs of a build. Each is run once, on first use."""
 
     def __init__(self, folder, environment, rounds):
         self.folder, self.environment, self.rounds = folder, environment, rounds
@@ -58,7 +58,7 @@ class Programs:
         return runs
 
     def milliseconds(self, program, name):
-        """Median time of the processor, which other programs on the machine disturb least."""
+        """Median processor time, the figure least affected by other programs."""
         def time(run):
             manual = run['name'].endswith('/manual_time')
             return run['real_time' if manual else 'cpu_time'] * MILLISECONDS[run['time_unit']]

@@ -1,5 +1,5 @@
-// Loading a model of 1000 support vectors beside reading its file with cat. One core: what counts
-// is the time of the processor, of cat's whole process too.
+// Compares loading a model of 1000 support vectors with reading its file by cat. One core; compares
+// processor time, that of cat's whole process included.
 
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kVectors = 1000;
 
-/// The model's file, written once, removed at the end.
+/// The model's file, written once and removed at the end.
 class ModelFile {
  public:
   ModelFile() {
@@ -32,7 +32,7 @@ class ModelFile {
   ~ModelFile() { std::filesystem::remove(path_); }
 
   const std::string& path() const { return path_; }
-  /// What was meant to be in it.
+  /// The model that was written.
   const std::string& content() const { return content_; }
   std::size_t vectors() const { return vectors_; }
 
@@ -52,7 +52,7 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Seconds of processor that `cat PATH > /dev/null` takes; less than 0 if it fails.
+/// The processor time of `cat PATH > /dev/null`, s; negative if it fails.
 double secondsOfCat(const std::string& path) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -78,7 +78,8 @@ void load(benchmark::State& state) {
   }
 }
 
-/// What loading would take more if the file held the vectors one by one: laying them out.
+/// The additional time that loading would take if the file stored vectors one by one: building the
+/// inverted index.
 void index(benchmark::State& state) {
   const Model model = loadModel(modelFile().path());
   const SupportSet& set = ClassifierParts::of(model.classifiers.front()).support_set;

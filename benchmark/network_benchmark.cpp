@@ -1,4 +1,4 @@
-// How long OpenCV's dnn module takes for a network, by threads, input size and batch.
+// Times OpenCV's dnn module for a network, by threads, input size and batch.
 //   network_benchmark NETWORK.onnx... [--benchmark_...]
 #include <benchmark/benchmark.h>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Input of `batch` square images with `side` pixels a side. A row of the result is an image.
+/// An input of `batch` square images with sides of `side` pixels.
 void forward(benchmark::State& state, const std::string& file, int threads, int batch, int side) {
   cv::setNumThreads(threads);
   try {

@@ -1,6 +1,7 @@
-// node_benchmark PID FRAMES RATE: offers so many images of 640 x 480, RATE a second (0: the next as
-// soon as the last is answered), to a place_recognizer whose process is PID; prints as JSON what
-// became of them. Its image topic is /camera/image_raw, its name /place_recognizer.
+// node_benchmark PID FRAMES RATE: publishes FRAMES images of 640 x 480 at RATE images per second
+// (0: the next as soon as the last is answered) for a place_recognizer with process ID PID, and
+// prints statistics of its answers as JSON. The recognizer has the name /place_recognizer and
+// subscribes to /camera/image_raw.
 
 #include <place_recognition/PlaceRecognition.h>
 #include <ros/ros.h>
@@ -24,7 +25,7 @@ namespace {
 
 constexpr std::size_t kImages = 30;
 constexpr double kPatience = 5;  // s
-/// The first frames fill buffers and caches.
+/// The first frames, not counted, fill buffers and caches.
 constexpr std::size_t kWarmUp = 60;
 
 sensor_msgs::Image toMessage(const cv::Mat& image) {
@@ -38,7 +39,7 @@ sensor_msgs::Image toMessage(const cv::Mat& image) {
   return message;
 }
 
-/// What /proc tells of another process.
+/// The resource use of another process, from /proc.
 struct Process {
   std::string folder;
 
@@ -61,7 +62,7 @@ struct Process {
   }
 };
 
-/// Counts the answers, and how long each took from the image's stamp.
+/// Counts answers and measures their latency since the image's stamp.
 class Answers {
  public:
   void receive(const PlaceRecognition& answer) {
@@ -79,7 +80,7 @@ class Answers {
     return seconds_.size();
   }
 
-  /// Whether so many have come before patience ends.
+  /// Waits for `count` answers; false if they do not come in time.
   bool waitFor(std::size_t count) const {
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kPatience);
     while (this->count() < count) {
@@ -112,7 +113,7 @@ class Offer {
     }
   }
 
-  /// Offers `count` images and waits for the answers.
+  /// Publishes `count` images and waits for the answers.
   void run(std::size_t count, double rate) {
     const std::size_t before = answers_.count();
     const auto start = std::chrono::steady_clock::now();

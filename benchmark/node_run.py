@@ -1,4 +1,4 @@
-"""place_recognizer between a roscore of its own and node_benchmark."""
+"""Runs place_recognizer with its own roscore and node_benchmark."""
 import json
 import os
 import shutil
@@ -21,7 +21,7 @@ def free_port():
 
 
 class Node:
-    """A roscore and a recognizer of the default preset, for as long as a `with` lasts."""
+    """A context manager: a roscore and a recognizer with the default preset."""
 
     def __init__(self, programs, recognizer):
         self.programs, self.recognizer = programs, recognizer

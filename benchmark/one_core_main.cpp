@@ -1,4 +1,4 @@
-// Runs the benchmarks of a program, OpenCV on one core.
+// Runs the benchmarks of a program with OpenCV limited to one core.
 #include <benchmark/benchmark.h>
 
 #include <opencv2/core.hpp>

@@ -1,6 +1,6 @@
-// Reduction of the machines of five rooms, trained on 1000 real images, each machine by itself
-// (`qr`), beside Eigen's ColPivHouseholderQR of each machine. One core. Columns are not normalized:
-// their first pivot would be a tie, which each program breaks as its rounding has it.
+// Reduces the machines of five rooms, trained on 1000 real images, each machine by itself (`qr`),
+// and compares it with Eigen's ColPivHouseholderQR of each machine. One core. Columns are not
+// normalized, because then the first pivot would be a tie, which rounding errors would decide.
 
 #include <benchmark/benchmark.h>
 
@@ -25,7 +25,7 @@ struct Setup {
   Setup() {
     const ViewFeatures views = extractViews(CrfhOptions(), kImages);
     KernelOptions options;
-    options.gamma = 2;  // so that hardly a vector depends on others
+    options.gamma = 2;  // so that few vectors depend on others
     const Kernel kernel(options);
     gram = gramMatrix(kernel, measureMatrix(kernel, views.features, 1, {}));
     machines = trainMachines(gram, views.labels, Views::kPlaces, SvmOptions());
@@ -45,7 +45,7 @@ ReductionOptions options(double tau) {
   return options;
 }
 
-/// Eq. 6.18 to 6.21 of one machine.
+/// Eq. 6.18 to 6.21 for one machine.
 Eigen::VectorXd reduceWithEigen(const Eigen::MatrixXd& gram, const Eigen::VectorXd& weights,
                                 double tau) {
   std::vector<Eigen::Index> vectors;
@@ -88,7 +88,7 @@ double countWeights(const BinarySvms& machines) {
 }
 
 void qr(benchmark::State& state, double tau) {
-  setup();  // is none of its time
+  setup();  // preparation, which is not timed
   BinarySvms reduced;
   for (auto _ : state) reduced = reduce(setup().machines, setup().gram, options(tau));
   const BinarySvms expected = reduceWithEigen(tau);

@@ -1,4 +1,4 @@
-"""The rows of the table: what is measured, beside whom, and the goal."""
+"""The rows of the table: what is measured, the peer, and the goal."""
 import json
 import statistics
 import tempfile
@@ -14,7 +14,7 @@ def row(what, peer, goal, figure, met, detail):
 
 
 class Row:
-    """Something to measure; `run` gives a figure and what it is made of."""
+    """Something to measure; `run` returns a figure and its parts."""
 
     def __init__(self, what, peer, least=None, most=None, unit=''):
         self.what, self.peer, self.least, self.most, self.unit = what, peer, least, most, unit
@@ -36,7 +36,7 @@ class Row:
 
 
 class Times(Row):
-    """How many times faster (at least) or slower (at most) than the peer in the same program."""
+    """The ratio to the peer in the same program: at least (faster) or at most (slower)."""
 
     def __init__(self, what, peer, program, ours, theirs, **goal):
         super().__init__(what, peer, **goal)
@@ -50,7 +50,7 @@ class Times(Row):
 
 
 class Milliseconds(Row):
-    """The time itself."""
+    """An absolute time."""
 
     def __init__(self, what, program, name, most):
         super().__init__(what, '-', most=most, unit=' ms')
@@ -61,7 +61,7 @@ class Milliseconds(Row):
 
 
 class Rates(Row):
-    """The ratio of products in a second."""
+    """The ratio of products per second."""
 
     def __init__(self, what, peer, theirs, **goal):
         super().__init__(what, peer, **goal)
@@ -75,7 +75,7 @@ class Rates(Row):
 
 
 class CrfhGrowth(Row):
-    """Time of more dimensions over that of six, divided by the ratio of their responses."""
+    """The time for more dimensions relative to six, divided by the ratio of their responses."""
 
     def __init__(self, dimensions):
         super().__init__(f'CRFH, {dimensions} dimensions, by the response', 'CRFH, 6 dimensions',
@@ -114,7 +114,7 @@ class Training(Row):
 
 
 class Node(Row):
-    """A figure of the node's run, which all these rows share."""
+    """A figure of the node's run, which these rows share."""
 
     def __init__(self, what, key, run_name='paced', **goal):
         super().__init__(what, '-', **goal)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures this package beside its peers; called by scripts/benchmark, which builds first.
+"""Compares this package with its peers; called by scripts/benchmark, which builds first.
 
 Writes OUT/performance.md, OUT/performance.json and OUT/growth.svg; exits with 1 if a row could not
 be measured, its result is not the peer's, or a goal is missed (--lenient: not for goals).
@@ -22,13 +22,13 @@ SOURCE = pathlib.Path(__file__).resolve().parent.parent
 
 
 class Context:
-    """What rows need to be measured."""
+    """What the rows need for their measurements."""
 
     def __init__(self, options, pictures):
         self.source, self.python = SOURCE, sys.executable
         environment = dict(os.environ, PLACE_RECOGNITION_PICTURES=str(pictures),
                            PLACE_RECOGNITION_TEST_DATA=str(options.data),
-                           # One core: idle threads of OpenBLAS, which wait in a loop, would count.
+                           # One core: idle threads of OpenBLAS wait in a loop, which would count.
                            OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
         self.programs = Programs(options.build / 'benchmark/bin', environment, options.rounds)
         self.recognizer = options.build / 'devel/lib/place_recognition/place_recognizer'
@@ -52,7 +52,7 @@ class Context:
 
 
 def find_pictures(options):
-    """Real rooms; where there are none, rendered ones."""
+    """Images of real rooms or, if there are none, rendered ones."""
     real = options.data / 'ie_rooms'
     if real.is_dir():
         return real, 'photographs of ie_rooms'

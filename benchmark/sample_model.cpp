@@ -37,7 +37,7 @@ RecordingOpener viewRun(std::size_t count) {
 
 Model sampleModel(TrainingOptions options, std::size_t count) {
   for (CueOptions& cue : options.cues) {
-    if (cue.kernel.gamma == 0) cue.kernel.gamma = 1;  // found by a search otherwise
+    if (cue.kernel.gamma == 0) cue.kernel.gamma = 1;  // instead of a search
   }
   options.svm.c = 0.01;
   options.reduction.method = "none";

@@ -6,14 +6,14 @@
 
 namespace place_recognition {
 
-/// The first views as a recording.
+/// A recording of the first views.
 RecordingOpener viewRun(std::size_t count);
 
-/// A model of the cues of `options`, trained on `count` views; each view is a support vector of
-/// each cue, because the price of errors is so low.
+/// A model with the cues of `options`, trained on `count` views. C is so low that each view becomes
+/// a support vector of each cue.
 Model sampleModel(TrainingOptions options, std::size_t count);
 
-/// The same with the cue of the preset `crfh`.
+/// The same with the preset `crfh`.
 Model sampleModel(std::size_t count);
 
 }  // namespace place_recognition

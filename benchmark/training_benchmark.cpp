@@ -1,9 +1,9 @@
-// Learning from the histograms of real images of five rooms: Gram matrix, machines, one slope of
-// probabilities on held-out blocks. One core, on the same features as training_peer.py.
+// Trains on histograms of real images of five rooms: Gram matrix, machines, and the slope of the
+// probabilities on held-out blocks. One core, with the same features as training_peer.py.
 //
-//   training_benchmark write FOLDER COUNT   the features of so many images, for both
-//   training_benchmark run FOLDER           prints seconds; leaves the decision values for the peer
-//   to check
+//   training_benchmark write FOLDER COUNT   writes the features of COUNT images for both
+//   training_benchmark run FOLDER           prints seconds; writes the decision values, which the
+//                                           peer checks
 
 #include <ctime>
 #include <fstream>
@@ -73,7 +73,7 @@ std::vector<int> labelsOf(const std::vector<int>& vectors, const std::vector<int
   return chosen;
 }
 
-/// Decision values of every vector by machines that were trained without its block.
+/// Decision values of every vector from machines that were trained without its block.
 Eigen::MatrixXd crossValidate(const PackedGram& gram, const std::vector<int>& labels) {
   const int count = static_cast<int>(labels.size());
   Eigen::MatrixXd decision_values(count, static_cast<Eigen::Index>(Views::kPlaces));

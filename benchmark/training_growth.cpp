@@ -1,7 +1,7 @@
-// training_growth FRAMES [MOST [default]]: trains a model of five rooms on so many views with the
-// preset `crfh` or the default cues, from images to the model, and learns MOST of them at most
-// (0: all); prints its cost as JSON. One process a number of frames, so that memory is that of this
-// training.
+// training_growth FRAMES [MOST [default]]: trains a model of five rooms on FRAMES views with the
+// preset `crfh` or the default cues, from images to the model, and prints the cost as JSON. At most
+// MOST views are learned (0: all). Run it once per number of frames, because its memory is that of
+// the process.
 
 #include <sys/resource.h>
 

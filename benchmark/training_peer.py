@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The same as training_benchmark, with numpy, scipy and scikit-learn.
+"""The same training as training_benchmark, with numpy, scipy and scikit-learn.
 
 usage: training_peer.py FOLDER    after `training_benchmark run FOLDER`
 
-Prints seconds of processor; exits with 1, saying so, where the results differ.
+Prints processor seconds; reports and exits with 1 if the results differ.
 """
 import sys
 import time
@@ -26,7 +26,7 @@ def read_features(folder):
 
 
 def chi_squared_distances(features):
-    """A loop over the rows, each compared with those behind it."""
+    """Compares each row with those after it."""
     count = features.shape[0]
     totals = np.asarray(features.sum(axis=1)).ravel()
     distances = np.zeros((count, count))
@@ -52,7 +52,7 @@ def decision_values(gram, labels, train, test):
 
 
 def fit_slope(values, labels):
-    """Largest likelihood of softmax(slope * values), wanted a little less than certain."""
+    """The slope of largest likelihood for softmax(slope * values), with smoothed targets."""
     count = len(labels)
     wanted = np.full(values.shape, 1 / (count + PLACES))
     wanted[np.arange(count), labels] = (count + 1) / (count + PLACES)

@@ -21,7 +21,7 @@ bool isImage(const fs::path& path) {
   return path.extension() == ".jpg" || path.extension() == ".png";
 }
 
-/// A part of the image that depends on `number`; most of it.
+/// A large part of the image, selected by `number`.
 cv::Rect partOf(const cv::Mat& image, std::size_t number) {
   cv::RNG random(number);
   const double scale = random.uniform(0.6, 0.9);

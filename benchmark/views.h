@@ -15,10 +15,9 @@ struct View {
   int place;
 };
 
-/// Any number of views of the first five rooms that stand as room/image somewhere below the
-/// folder $PLACE_RECOGNITION_PICTURES: each image itself, then parts of it, mirrored every other
-/// time. The rooms take turns. View i is always the same. Throws std::runtime_error without
-/// images.
+/// Any number of views of the first five rooms that are found as room/image below the folder
+/// $PLACE_RECOGNITION_PICTURES: first the images, then parts of them, every other one mirrored. The
+/// rooms take turns. View i is always the same. Throws std::runtime_error if there are no images.
 class Views {
  public:
   static constexpr std::size_t kPlaces = 5;
@@ -27,10 +26,10 @@ class Views {
   View operator[](std::size_t i) const;
 
  private:
-  std::vector<std::vector<std::string>> files_;  ///< of each room
+  std::vector<std::vector<std::string>> files_;  ///< by room
 };
 
-/// Features of the first views, and their rooms.
+/// The features and rooms of the first views.
 struct ViewFeatures {
   std::vector<Feature> features;
   std::vector<int> labels;

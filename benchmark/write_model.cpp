@@ -1,4 +1,5 @@
-// write_model VECTORS FILE: a model of so many support vectors, for measurements of the node.
+// write_model VECTORS FILE: writes a model of VECTORS support vectors, for measurements of the
+// node.
 
 #include <iostream>
 #include <string>

@@ -30,7 +30,7 @@ std::optional<Json> CellStore::find(const Json& key) const {
   const std::string path = pathOf(key);
   if (!std::filesystem::exists(path)) return std::nullopt;
   const Json cell = Json::parse(readFile(path, kMaxCellBytes), nullptr, false);
-  // Another key of the same hash, or a damaged file: as if there were none.
+  // Another key with the same hash, or a damaged file, counts as a missing result.
   if (!cell.is_object() || !cell.contains("key") || cell["key"] != key) return std::nullopt;
   return cell.at("result");
 }

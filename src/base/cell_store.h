@@ -8,17 +8,17 @@ namespace place_recognition {
 
 using Json = nlohmann::json;
 
-/// A folder of finished results, one small file each, named after a hash of what determines the
-/// result. Files appear whole or not at all, so several processes and machines may share a folder.
+/// A folder of finished results. Each is a small file, named by a hash of what determines the
+/// result. Files are written atomically, so several processes and machines may share a folder.
 class CellStore {
  public:
-  /// Makes the folder. Throws Error if it cannot.
+  /// Creates the folder; throws Error if that fails.
   explicit CellStore(const std::string& folder);
 
-  /// The result of the cell that `key` describes, if it is there and undamaged.
+  /// The result stored for `key`, unless it is missing or damaged.
   std::optional<Json> find(const Json& key) const;
 
-  /// Throws Error if the disk refuses.
+  /// Throws Error if the file cannot be written.
   void save(const Json& key, const Json& result) const;
 
  private:

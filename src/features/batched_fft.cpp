@@ -58,7 +58,7 @@ PLACE_RECOGNITION_INLINE void transform(Complex (&x)[4]) {
   x[3] = even_difference - odd_difference;
 }
 
-/// By the Chinese remainder theorem, without twiddles (Good 1958).
+/// Decomposed by the Chinese remainder theorem, without twiddles (Good 1958).
 PLACE_RECOGNITION_INLINE void transform(Complex (&x)[6]) {
   Complex first[3] = {x[0], x[2], x[4]}, second[3] = {x[3], x[5], x[1]};
   transform(first);
@@ -83,8 +83,8 @@ PLACE_RECOGNITION_INLINE void transform(Complex (&x)[8]) {
   }
 }
 
-/// Transforms numbers that are `groups` * `stride` apart, times `twiddles`, to numbers that are
-/// `stride` apart.
+/// Transforms numbers that are `groups` * `stride` apart, multiplies them by `twiddles`, and stores
+/// them `stride` apart.
 template <int kRadix>
 PLACE_RECOGNITION_INLINE void runStep(int groups, int stride, const float* twiddles,
                                       const Numbers* in, Numbers* out) {

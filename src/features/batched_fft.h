@@ -4,11 +4,12 @@
 
 namespace place_recognition {
 
-/// Discrete Fourier transforms of kLanes sequences of one length at once. The sequences lie side by
-/// side, so that every step works on whole vectors, with the same bits for every instruction set.
+/// Computes the discrete Fourier transforms of kLanes sequences of equal length at once. The
+/// sequences are interleaved, so every step uses whole vectors; results are bit-identical for all
+/// instruction sets.
 class BatchedFft {
  public:
-  static constexpr int kLanes = 16;  ///< numbers of 32 bits in the widest vector
+  static constexpr int kLanes = 16;  ///< 32-bit numbers in the widest vector
 
   /// One complex number of each sequence.
   struct alignas(64) Numbers {
@@ -16,21 +17,21 @@ class BatchedFft {
     float imaginary[kLanes];
   };
 
-  /// The shortest length from `least` on without prime factors but 2 and 3.
+  /// The smallest length >= `least` whose only prime factors are 2 and 3.
   static int lengthFrom(int least);
 
-  /// `length`: one of those.
+  /// `length`: its only prime factors are 2 and 3.
   explicit BatchedFft(int length);
 
   /// X[k] = sum_j x[j] exp(-2 pi i j k / length). `sequences` and `scratch` hold `length` numbers
-  /// each. Returns the one of them that holds the transforms, in natural order.
+  /// each. Returns whichever of the two holds the transforms, in natural order.
   Numbers* transform(Numbers* sequences, Numbers* scratch) const;
 
  private:
   /// A step of Stockham's algorithm: `groups` * `stride` transforms of `radix` numbers.
   struct Step {
     int radix, groups, stride;
-    std::vector<float> twiddles;  ///< of each group radix - 1 factors: real part, imaginary part
+    std::vector<float> twiddles;  ///< radix - 1 factors per group: real part, imaginary part
   };
 
   std::vector<Step> steps_;

@@ -11,8 +11,9 @@ namespace {
 
 constexpr int kLanes = ImageFft::kLanes;
 
-/// Transposes a matrix of kLanes x kLanes numbers. Four bits of a number's position tell its row,
-/// four its column. A perfect shuffle rotates the bits by one, so that four exchange the two.
+/// Transposes a matrix of kLanes x kLanes numbers. A number's position consists of four bits for
+/// the row and four for the column. A perfect shuffle rotates these bits by one; four shuffles swap
+/// row and column.
 PLACE_RECOGNITION_INLINE void transpose(float* matrix) {
   static_assert(kLanes == 16, "four bits");
   constexpr int kHalf = kLanes * kLanes / 2;
@@ -28,7 +29,7 @@ PLACE_RECOGNITION_INLINE void transpose(float* matrix) {
   }
 }
 
-/// Lane l of in[k] becomes lane k of out[l], for l below `rows` and k below `columns`.
+/// Moves lane l of in[k] to lane k of out[l], for l < `rows` and k < `columns`.
 PLACE_RECOGNITION_TARGET_CLONES
 void transpose(const ImageFft::Numbers* in, int columns, ImageFft::Numbers* out, int rows) {
   float real[kLanes * kLanes], imaginary[kLanes * kLanes];
@@ -50,7 +51,7 @@ void transpose(const ImageFft::Numbers* in, int columns, ImageFft::Numbers* out,
   }
 }
 
-/// `out` may be `in`.
+/// `out` and `in` may be the same.
 void conjugate(const ImageFft::Numbers* in, int count, ImageFft::Numbers* out) {
   for (int i = 0; i < count; ++i) {
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -87,7 +88,7 @@ void ImageFft::forward(const cv::Mat1f& image, Spectrum& spectrum) {
   }
   for (int band = 0; band < bands_; ++band) {
     Numbers* const columns = spectrum.data() + band * size_.width;
-    // The image is real: with the other sign of the exponent its spectrum is the conjugate.
+    // The image is real, so flipping the sign of the exponent conjugates its spectrum.
     conjugate(along_rows_.transform(columns, scratch_.data()), size_.width, columns);
   }
 }

@@ -8,22 +8,22 @@
 
 namespace place_recognition {
 
-/// Two-dimensional Fourier transforms of images of one size, kLanes rows or columns at a time.
-/// Keeps its buffers: one per thread.
+/// Computes two-dimensional Fourier transforms of images of one size, kLanes rows or columns at a
+/// time. Keeps its buffers: use one per thread.
 class ImageFft {
  public:
   using Numbers = BatchedFft::Numbers;
   static constexpr int kLanes = BatchedFft::kLanes;
 
-  /// A spectrum consists of bands of kLanes rows, one after the other: the number of column fx of
-  /// row fy is in lane fy % kLanes of element (fy / kLanes) * width + fx.
+  /// A spectrum is a sequence of bands of kLanes rows: row fy, column fx is in lane fy % kLanes of
+  /// element (fy / kLanes) * width + fx.
   using Spectrum = std::vector<Numbers>;
   /// Writes a band of a spectrum, `width` elements.
   using WriteBand = std::function<void(int band, Numbers* columns)>;
   /// Reads columns `first` to `first` + kLanes - 1 of an image, `height` elements.
   using ReadColumns = std::function<void(int first, const Numbers* rows)>;
 
-  /// Width and height: see BatchedFft.
+  /// For the width and height, see the lengths of BatchedFft.
   explicit ImageFft(cv::Size size);
 
   cv::Size size() const { return size_; }
@@ -31,8 +31,8 @@ class ImageFft {
   /// spectrum(fy, fx) = sum_yx image(y, x) exp(2 pi i (x fx / width + y fy / height))
   void forward(const cv::Mat1f& image, Spectrum& spectrum);
 
-  /// image(y, x) = sum_fy,fx spectrum(fy, fx) exp(-2 pi i (x fx / width + y fy / height)), for x
-  /// below `columns`. After forward() it is the image times the number of its pixels.
+  /// image(y, x) = sum_fy,fx spectrum(fy, fx) exp(-2 pi i (x fx / width + y fy / height)), for
+  /// x < `columns`. After forward(), this is the image times its number of pixels.
   void inverse(const WriteBand& write, int columns, const ReadColumns& read);
 
  private:

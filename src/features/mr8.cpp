@@ -8,14 +8,14 @@ namespace place_recognition {
 
 namespace {
 
-constexpr int kSigned = 2 * Mr8FilterBank::kScales;  ///< the first response that may be negative
-constexpr int kDigitsOfWord = 4;                     ///< of at most 200 values; 32 bits hold them
+constexpr int kSigned = 2 * Mr8FilterBank::kScales;  ///< index of the first signed response
+constexpr int kDigitsOfWord = 4;  ///< of at most 200 values each, so that a word fits in 32 bits
 
-/// Magnitudes from 0 to the range, other responses from -range to range.
+/// Quantizes magnitudes over 0..range and other responses over -range..range.
 Quantizer quantizer(const Mr8Options& options, int response) {
   const bool is_signed = response >= kSigned;
   const auto bins = static_cast<float>(options.bins);
-  const float zero = is_signed ? bins / 2 : 0;  // its level
+  const float zero = is_signed ? bins / 2 : 0;  // the level of zero
   const float whole = std::floor(zero);
   const auto weight = std::pow(options.bins, response % kDigitsOfWord);
   return {(bins - zero) / static_cast<float>(options.range), zero - whole, -whole, bins - 1 - whole,

@@ -12,16 +12,15 @@
 
 namespace place_recognition {
 
-/// How often the eight maximum responses of the MR8 filter bank occur together in a pixel: a
-/// SparseVector of sum 1. The first response is the fastest digit of a bin's index.
+/// Extracts the joint histogram of the eight maximum responses of the MR8 filter bank: a
+/// SparseVector of sum 1. The first response is the fastest-varying digit of a bin's index.
 ///
-/// The thesis counts textons, cluster centres of such responses, and so needs a dictionary learned
-/// beforehand (experiments/textons.h). The joint histogram is the other representation that Varma
-/// and Zisserman (2005) give of the same distribution; it needs none, so that an image alone has
-/// its feature, and it suits the same chi-squared kernel.
+/// The thesis counts textons, that is, cluster centres of such responses, which requires a learned
+/// dictionary (experiments/textons.h). The joint histogram is the alternative representation of
+/// Varma and Zisserman (2005). It needs no dictionary and suits the same chi-squared kernel.
 class Mr8Extractor : public FeatureExtractor {
  public:
-  /// Throws Error if the options do not check.
+  /// Throws Error if an option is out of range.
   explicit Mr8Extractor(const Mr8Options& options);
 
   void extract(const cv::Mat& image, Feature& feature) override;
@@ -33,7 +32,7 @@ class Mr8Extractor : public FeatureExtractor {
   std::array<Quantizer, Mr8FilterBank::kResponses> quantizers_;
   Mr8Responses responses_;
   BinCounter counter_;
-  std::vector<std::uint32_t> word_;  ///< of the pixels of one row, half of the digits of their bins
+  std::vector<std::uint32_t> word_;  ///< for each pixel of a row, half of the digits of its bin
   std::vector<std::uint64_t> bins_;
 };
 

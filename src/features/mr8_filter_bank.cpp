@@ -15,13 +15,14 @@ using Numbers = ImageFft::Numbers;
 
 constexpr int kLanes = ImageFft::kLanes;
 constexpr int kHalf = Mr8FilterBank::kSupport / 2;
-constexpr int kTile = 320;  // At most; pixels. A tile's spectrum stays in the second-level cache.
+constexpr int kTile = 320;  // pixels, at most; a tile's spectrum fits in the L2 cache
 constexpr double kElongation = 3;
 constexpr double kIsotropicSigma = 10;
 
 double gauss(double x, double sigma) { return std::exp(-x * x / (2 * sigma * sigma)); }
 
-/// Samples `function(x, y)` on the filter's grid; takes off the mean if `zero_mean`; L1 norm one.
+/// Samples `function(x, y)` on the filter's grid, subtracts the mean if `zero_mean`, and scales to
+/// L1 norm one.
 template <typename Function>
 cv::Mat1f makeFilter(bool zero_mean, const Function& function) {
   cv::Mat1d filter(Mr8FilterBank::kSupport, Mr8FilterBank::kSupport);
@@ -78,7 +79,7 @@ void keepLarger(const Numbers* __restrict in, int count, bool first, Numbers* __
   }
 }
 
-/// The length of the equal parts, at most kTile long, that `length` is cut into.
+/// The length of the equal parts, at most kTile long, into which `length` is divided.
 int tileLength(int length) {
   const int tiles = (length + kTile - 1) / kTile;
   return (length + tiles - 1) / tiles;
@@ -165,7 +166,7 @@ Mr8FilterBank::Plane Mr8FilterBank::spectrumOf(const cv::Mat1f& filter,
 }
 
 void Mr8FilterBank::pad(const cv::Mat1f& image, cv::Rect tile) {
-  // What lies before the tile is at the end of the period.
+  // The margin before the tile wraps around to the end of the period.
   const auto source = [](int at, int period, int first, int length) {
     return cv::borderInterpolate(first + (at < period - kHalf ? at : at - period), length,
                                  cv::BORDER_REFLECT_101);

@@ -13,13 +13,13 @@ namespace place_recognition {
 namespace {
 
 constexpr float kWeberContrast = 0.03f;
-constexpr float kLeast = 1e-30f;  ///< norm that is divided by
+constexpr float kLeast = 1e-30f;  ///< smallest norm used as a divisor
 
-/// Below the deviation of grey levels that are all the same but one, in grey levels; above the
-/// rounding errors of that of a blank image, which is not zero on every machine.
+/// Grey levels. Smaller than the standard deviation of an image with a single deviating pixel;
+/// larger than that of a blank image, which rounding errors keep from being zero on some machines.
 constexpr double kBlank = 1e-4;
 
-/// Zero mean and unit variance; a blank image becomes zero.
+/// Normalizes to zero mean and unit variance; a blank image becomes zero.
 void normalize(const cv::Mat& grey, cv::Mat1f& image) {
   cv::Scalar mean, deviation;
   cv::meanStdDev(grey, mean, deviation);

@@ -6,8 +6,9 @@
 
 namespace place_recognition {
 
-/// The responses of the MR8 filter bank to images of the world: grey, of zero mean and unit
-/// variance, against brightness and contrast. Keeps its buffers: one per thread.
+/// Computes the responses of the MR8 filter bank to an image that is converted to grey and
+/// normalized to zero mean and unit variance, which makes them independent of brightness and
+/// contrast. Keeps its buffers: use one per thread.
 class Mr8Responses {
  public:
   /// `weber`: see Mr8Options.

@@ -6,7 +6,7 @@
 
 namespace place_recognition::tool {
 
-/// The part that `--part K/N` names. Throws UsageError.
+/// The part given by `--part K/N`. Throws UsageError if it is not of that form.
 Part parsePart(const std::string& text);
 
 }  // namespace place_recognition::tool

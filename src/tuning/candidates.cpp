@@ -20,7 +20,7 @@ std::string shortNumber(double number) {
   return text.str();
 }
 
-/// What the cue is, as a plain name: "Lxx-Lxy-Lyy_t1-4_b28", "gradL-lapL_t0p5_b16".
+/// A name that describes the cue: "Lxx-Lxy-Lyy_t1-4_b28", "gradL-lapL_t0p5_b16".
 std::string nameOf(const CrfhOptions& crfh) {
   std::vector<std::string> scales;
   for (const double t : crfh.scales) scales.push_back(shortNumber(t));
@@ -30,7 +30,7 @@ std::string nameOf(const CrfhOptions& crfh) {
   name.erase(std::remove_if(name.begin(), name.end(),
                             [](char c) { return c == '(' || c == ')' || c == '+'; }),
              name.end());
-  constexpr std::size_t kLongest = 62;  // of a name; "_g" may follow
+  constexpr std::size_t kLongest = 62;  // length of a name, to which "_g" may be appended
   return name.substr(0, kLongest);
 }
 
@@ -38,7 +38,7 @@ bool isAllowed(const CrfhOptions& crfh, int max_dimensions) {
   return static_cast<int>(crfh.descriptors.size() * crfh.scales.size()) <= max_dimensions;
 }
 
-/// Brightness and colours, not their changes from pixel to pixel.
+/// Brightness and colours, as opposed to their derivatives.
 bool isColour(const std::vector<std::string>& descriptors) {
   static const std::set<std::string> channels{"L", "R", "G", "B", "C1", "C2"};
   return std::all_of(descriptors.begin(), descriptors.end(),

@@ -7,16 +7,17 @@
 
 namespace place_recognition {
 
-/// Cues of one set of descriptors in different scales and bins, of which the best is to be found;
-/// the simplest first: few dimensions, then few bins.
+/// Candidate cues with one set of descriptors and different scales and bins, the simplest first:
+/// by dimensions, then by bins.
 struct Family {
   std::string name;  ///< the descriptors
   std::vector<CueOptions> cues;
 };
 
-/// A family for each set of descriptors in `space` that fits in: derivatives as ratios, colours
-/// both in the light of the recording and grey-world (as the default cues have it,
-/// doc/experiments.md). Each cue has a name of its own, made of what it is.
+/// One family for each set of descriptors in `space`, without cues of too many dimensions. As in
+/// the default cues (doc/experiments.md), derivatives have logarithmic levels, and colours are
+/// normalized both by the light of the recording and by grey-world. Each cue has a descriptive,
+/// unique name.
 std::vector<Family> candidateFamilies(const SearchSpace& space);
 
 }  // namespace place_recognition

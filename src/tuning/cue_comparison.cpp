@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-/// Whether the kernel has a gamma to be found; the sigmoid and the polynomial have none.
+/// Whether the kernel has a gamma; the sigmoid and polynomial kernels have none.
 bool hasGamma(const KernelOptions& kernel) {
   return kernel.type == "gaussian" || kernel.type == "chi-squared" || kernel.type == "local-match";
 }

@@ -9,16 +9,15 @@
 
 namespace place_recognition {
 
-/// How all images compare by one cue: measures of the kernel, computed once, which serve every
-/// C and combination. A gamma that is open is one over twice the typical distance; training finds
-/// its own.
+/// The kernel measures of all images by one cue, computed once for every C and combination. A gamma
+/// that is not given is one over twice the typical distance; training later finds its own.
 class CueComparison {
  public:
   /// Compares `features` of all `samples`, which must outlive this.
   CueComparison(CueOptions cue, std::vector<Feature> features, const TuningSamples& samples,
                 unsigned threads);
 
-  /// The cue as it was given.
+  /// The cue as given.
   const CueOptions& cue() const { return cue_; }
 
   /// Held-out decision values, samples x places. Zero where the cue is missing.
@@ -26,10 +25,10 @@ class CueComparison {
 
  private:
   CueOptions cue_;
-  KernelOptions kernel_;  // with the gamma that it is compared at
+  KernelOptions kernel_;  // with the gamma of the comparison
   const TuningSamples& samples_;
-  std::vector<int> rows_;     // of each sample in measures_; -1: it lacks the cue
-  Eigen::MatrixXd measures_;  // all samples that have the cue x recorded ones that have it
+  std::vector<int> rows_;     // row of each sample in measures_; -1: it lacks the cue
+  Eigen::MatrixXd measures_;  // samples with the cue x recorded samples with the cue
 };
 
 }  // namespace place_recognition

@@ -11,12 +11,11 @@
 namespace place_recognition {
 namespace {
 
-/// Standard errors that a step away from the prior must gain: the best of some fifty steps gains
-/// two by chance alone, and neighbouring images are not as independent as the error takes them to
-/// be.
+/// Standard errors that a step away from the prior must gain. The best of some fifty steps gains
+/// two by chance, and neighbouring images are less independent than the standard error assumes.
 constexpr double kGainOfAStep = 4;
 
-/// `values` by their ratio to `centre`, the nearest first.
+/// `values` in the order of their ratio to `centre`, the closest first.
 std::vector<double> nearestFirst(std::vector<double> values, double centre) {
   std::stable_sort(values.begin(), values.end(), [centre](double a, double b) {
     return std::abs(std::log(a / centre)) < std::abs(std::log(b / centre));
@@ -31,7 +30,7 @@ std::vector<CueOptions> optionsOf(const std::vector<CueComparison>& comparisons,
   return cues;
 }
 
-/// `held_out` of these cues, with the weights that training prefers.
+/// The held-out values of these cues together, with the weights that training prefers.
 HeldOutValues combined(const std::vector<HeldOutValues>& held_out,
                        const std::vector<CueOptions>& cues) {
   return combine(held_out, priorWeights(cues));
@@ -53,7 +52,7 @@ struct Step {
   Combination combination;
 };
 
-/// All steps from `current`, of `cues` cues and at most `max_cues` combined.
+/// All steps from `current` with `cues` available cues, of which at most `max_cues` are combined.
 std::vector<Step> stepsFrom(const Combination& current, std::size_t cues, std::size_t max_cues) {
   std::vector<Step> steps;
   for (std::size_t c = 0; c < cues; ++c) {

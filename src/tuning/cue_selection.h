@@ -7,17 +7,17 @@
 
 namespace place_recognition {
 
-/// Which of the cues are combined: indices, ascending.
+/// The cues that are combined: indices, ascending.
 using Combination = std::vector<std::size_t>;
 
-/// Starts with the first `prior` cues, combined with the weights of their options, and each time
-/// takes the step that lowers the log loss most, as long as it does so by more than four standard
-/// errors: another cue in place of one, one more, or one less.
+/// A greedy search that starts with the first `prior` cues and the weights of their options. Each
+/// step replaces, adds or removes one cue, whichever lowers the log loss most. The search ends when
+/// no step lowers it by more than four standard errors.
 Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_t prior,
                        const TuningSamples& samples, Search& search);
 
-/// The C of the chosen cues: the one closest to that of the base within one standard error of the
-/// best.
+/// The C for the chosen cues: of those within one standard error of the best, the one closest to
+/// the base's.
 double chooseC(const std::vector<CueComparison>& comparisons, const Combination& chosen,
                const TuningSamples& samples, Search& search);
 

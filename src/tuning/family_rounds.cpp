@@ -14,7 +14,7 @@ std::size_t stepTo(std::uint64_t images, int wanted) {
                                static_cast<std::size_t>(images) / static_cast<std::size_t>(wanted));
 }
 
-/// The progress of family number `index` as a part of `round`.
+/// The progress of family `index` as a fraction of `round`.
 Progress partOfRound(const Search& search, const std::string& round, std::size_t index,
                      std::size_t families) {
   return [&search, round, index, families](const std::string&, double fraction) {
@@ -23,7 +23,7 @@ Progress partOfRound(const Search& search, const std::string& round, std::size_t
   };
 }
 
-/// The `count` best cues of a family, in the order in which they stood.
+/// The `count` best cues of a family, in their previous order.
 std::vector<CueOptions> bestOf(const Family& family, std::size_t count, const Round& round,
                                const Progress& progress, Search& search) {
   if (family.cues.size() <= count) return family.cues;

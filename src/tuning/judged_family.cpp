@@ -11,10 +11,11 @@
 namespace place_recognition {
 namespace {
 
-/// Raised when what is computed changes, so that cells of an older program are not taken for new.
+/// To be incremented when results change, so that cells of an older program are not reused.
 constexpr int kVersion = 1;
 
-/// Indices of the `count` least log losses, ascending; for one, the first as good as the least.
+/// Indices of the `count` least log losses, ascending. For one: the first that is as good as the
+/// least.
 std::vector<std::size_t> bestOf(const std::vector<Score>& scores, std::size_t count,
                                 const TuningSamples& samples) {
   if (count == 1) return {firstAsGood(scores, samples)};
@@ -45,7 +46,7 @@ JudgedFamily compute(const Family& family, std::size_t count, const Round& round
   return judged;
 }
 
-/// All that the result depends on.
+/// Everything the result depends on.
 Json keyOf(const Family& family, std::size_t count, const Round& round, const Search& search) {
   return {{"images", search.images.digest},
           {"step", round.step},

@@ -6,9 +6,9 @@
 namespace place_recognition {
 namespace {
 
-constexpr double kLeastPart = 0.8;      // of width and height that is seen
-constexpr double kMaxBlur = 1.0 / 400;  // sigma, of the width
-constexpr double kErrorOfLight = 0.05;  // of the gain that is found, at most
+constexpr double kLeastPart = 0.8;      // of width and height that remain visible
+constexpr double kMaxBlur = 1.0 / 400;  // sigma, as a fraction of the width
+constexpr double kErrorOfLight = 0.05;  // maximum, of the estimated gain
 
 }  // namespace
 
@@ -31,12 +31,12 @@ ChangedImage NextRun::change(const cv::Mat& image, const std::string& place) {
   return changed;
 }
 
-/// Not std::uniform_real_distribution, which differs between libraries.
+/// Unlike std::uniform_real_distribution, the same with every standard library.
 double NextRun::uniform(double least, double most) {
   return least + (most - least) * static_cast<double>(random_() >> 11) * 0x1p-53;
 }
 
-/// A part of the image, as large as all of it.
+/// A part of the image, enlarged to the size of the whole image.
 cv::Mat NextRun::framed(const cv::Mat& image) {
   const double part = uniform(kLeastPart, 1);
   const int width = std::max(1, static_cast<int>(std::lround(part * image.cols)));

@@ -7,15 +7,15 @@
 
 namespace place_recognition {
 
-/// Changes images as the next run would differ from this one: the robot stands a little nearer
-/// and to the side, the camera is less sharp, and, if asked for, the light has changed. Cues that
-/// follow the light of the recording find it to within a twentieth, as in a stream of frames. Draws
-/// at random, the same for the same seed and images.
+/// Changes images as the next run might differ from this one: the robot stands a little nearer and
+/// to the side, the camera is less sharp, and, if requested, the light is different. For cues that
+/// follow the light of the recording, the estimated gains are off by up to 5 %, as in a stream of
+/// frames. The changes are random and reproducible for the same seed and images.
 class NextRun {
  public:
   NextRun(std::uint64_t seed, bool other_light);
 
-  /// For the next image of `place`; of the same size.
+  /// Changes the next image of `place`; the size stays the same.
   ChangedImage change(const cv::Mat& image, const std::string& place);
 
  private:

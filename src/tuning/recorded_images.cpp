@@ -12,7 +12,7 @@ std::string digestOf(const cv::Mat& image) {
   return sha256({reinterpret_cast<const char*>(whole.data), whole.total() * whole.elemSize()});
 }
 
-/// All of a frame that a search depends on.
+/// The properties of a frame on which a search depends.
 std::string describe(const Frame& frame) {
   std::string text = frame.place;
   for (const int number : {frame.camera, frame.image.rows, frame.image.cols, frame.image.type()}) {

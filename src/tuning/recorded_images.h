@@ -8,13 +8,13 @@
 
 namespace place_recognition {
 
-/// What the recordings of a search hold.
+/// The contents of the recordings of a search.
 struct RecordedImages {
   std::uint64_t labelled = 0;
-  std::string digest;  ///< SHA-256 of all frames, wherever their files lie
+  std::string digest;  ///< SHA-256 of all frames, independent of file paths
 };
 
-/// Reads the recordings from start to end. Throws Error if one is damaged, Cancelled.
+/// Reads all recordings. Throws Error if one is damaged; Cancelled if `progress` requests it.
 RecordedImages lookThrough(const TuningRecordings& recordings, const Progress& progress);
 
 }  // namespace place_recognition

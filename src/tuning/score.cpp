@@ -15,7 +15,7 @@ std::vector<int> testedSamples(const TuningSamples& samples) {
   return tested;
 }
 
-/// The mean of `value` over the recorded samples that were tested.
+/// The mean of `value` over the tested recorded samples.
 template <typename Value>
 RoomMean meanOfTested(const TuningSamples& samples, const Value& value) {
   std::vector<int> truth;

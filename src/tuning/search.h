@@ -12,7 +12,7 @@
 
 namespace place_recognition {
 
-/// What all stages of a search share: what is given, and what came of it so far.
+/// The inputs and intermediate results that all stages of a search share.
 struct Search {
   TuningRecordings recordings;
   RecordedImages images;
@@ -20,14 +20,14 @@ struct Search {
   SearchSpace space;
   unsigned threads;
   const Progress& progress;
-  std::optional<CellStore> cells;  ///< results of judgeFamily(); none: they are not kept
+  std::optional<CellStore> cells;  ///< stored results of judgeFamily(), if they are kept
 
   std::vector<TuningTrial> trials = {};
-  TuningTrial best = {};           ///< if the search ended now
-  std::size_t used_cells = 0;      ///< of `cells`, whether found or computed
-  std::size_t computed_cells = 0;  ///< those that were not found
+  TuningTrial best = {};           ///< the best configuration so far
+  std::size_t used_cells = 0;      ///< number of `cells` used, found or computed
+  std::size_t computed_cells = 0;  ///< number of cells that were not found
 
-  /// Features of `cues` of about one of `step` images.
+  /// Features of `cues` of about one in `step` images.
   TuningSamples collect(const std::vector<CueOptions>& cues, std::size_t step,
                         const Progress& collect_progress) const;
 };
@@ -38,15 +38,16 @@ TuningTrial trialOf(const std::string& stage, const std::vector<CueOptions>& cue
 /// `options` with other cues.
 TrainingOptions withCues(TrainingOptions options, const std::vector<CueOptions>& cues);
 
-/// The index of the least log loss.
+/// The index of the score with the least log loss.
 std::size_t leastOf(const std::vector<Score>& scores);
 
-/// The first of `scores`, which stand in the order of preference, that is as good as the best: its
-/// log loss is less than one standard error of the difference above the least.
+/// The first of `scores`, which are in order of preference, that is as good as the best: its log
+/// loss exceeds the least by less than one standard error of the difference.
 std::size_t firstAsGood(const std::vector<Score>& scores, const TuningSamples& samples);
 
-/// The same with the standard error of the least log loss itself, which is larger: for what hardly
-/// matters on the same recording, as gamma, and whose extremes often fail on the next one.
+/// The same with the standard error of the least log loss itself, which is larger. It suits options
+/// that hardly matter within a recording but whose extremes often fail on the next one, such as
+/// gamma.
 std::size_t firstNearlyAsGood(const std::vector<Score>& scores);
 
 }  // namespace place_recognition

@@ -33,7 +33,7 @@ class ThinnedRecording : public Recording {
   std::unique_ptr<Recording> recording_;
   std::size_t step_;
   std::uint64_t seed_;
-  std::map<std::string, StratifiedStream> streams_;  // of each place so far
+  std::map<std::string, StratifiedStream> streams_;  // by place
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// One of every `step` labelled frames of each place of `recording`, see StratifiedStream. The
-/// first frame of a place is always among them.
+/// One in `step` labelled frames of each place of `recording`, see StratifiedStream. It always
+/// includes the first frame of a place.
 std::unique_ptr<Recording> thinOut(std::unique_ptr<Recording> recording, std::size_t step,
                                    std::uint64_t seed);
 

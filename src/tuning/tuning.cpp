@@ -33,7 +33,7 @@ Search prepare(const std::vector<RecordingOpener>& recordings,
   return search;
 }
 
-/// The cues to choose from: those of the base, those of the space, and the best of each family.
+/// The cues to choose from: those of the base and of the space, and the best of each family.
 std::vector<CueOptions> cuesInQuestion(const Thinning& thinning, Search& search) {
   std::vector<CueOptions> cues = search.base.cues;
   cues.insert(cues.end(), search.space.cues.begin(), search.space.cues.end());
@@ -43,7 +43,7 @@ std::vector<CueOptions> cuesInQuestion(const Thinning& thinning, Search& search)
   return cues;
 }
 
-/// The whole search; search.best is the answer at its end, or when it is stopped.
+/// Runs the whole search. search.best is the result, also if the search is stopped.
 void look(Search& search) {
   const Thinning thinning = planThinning(search.images.labelled, search.space);
   const std::vector<CueOptions> cues = cuesInQuestion(thinning, search);
@@ -58,7 +58,7 @@ void look(Search& search) {
   chooseC(comparisons, chosen, samples, search);
 }
 
-/// Every so many-th family, so that neighbours, which cost about the same, are dealt out evenly.
+/// Every N-th family, because neighbouring families take about the same time.
 std::vector<Family> familiesOf(const Part& part, const SearchSpace& space) {
   const std::vector<Family> all = candidateFamilies(space);
   std::vector<Family> families;

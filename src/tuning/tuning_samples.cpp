@@ -15,7 +15,7 @@ namespace {
 
 std::vector<RecordingOpener> thinnedOpeners(const TuningRecordings& recordings, std::size_t step,
                                             std::uint64_t seed) {
-  constexpr std::uint64_t kSeedsOfRecording = kMaxPlaces;  // one for each place
+  constexpr std::uint64_t kSeedsOfRecording = kMaxPlaces;  // one seed per place
   std::vector<RecordingOpener> openers;
   for (const std::vector<RecordingOpener>* group : {&recordings.recordings, &recordings.hold_out}) {
     for (const RecordingOpener& open : *group) {
@@ -26,7 +26,7 @@ std::vector<RecordingOpener> thinnedOpeners(const TuningRecordings& recordings, 
   return openers;
 }
 
-/// Reading one of many runs as a part of the whole.
+/// The progress of reading one of several recordings as a fraction of the whole.
 Progress partOf(const Progress& whole, std::size_t recordings, std::size_t& opened) {
   return [&whole, recordings, &opened](const std::string&, double fraction) {
     if (fraction == 0) ++opened;
@@ -45,7 +45,7 @@ int completeRecordings(const std::vector<SampleOrigin>& origins, std::size_t pla
                     [&](const auto& recording) { return recording.second.size() == places; }));
 }
 
-/// Folds of the recorded samples.
+/// Folds over the recorded samples.
 std::vector<Fold> recordedFolds(const Samples& samples, const TuningRecordings& recordings,
                                 const TrainingOptions& options, unsigned threads) {
   const std::vector<SampleOrigin> origins = samples.recordedOrigins();

@@ -9,22 +9,22 @@
 
 namespace place_recognition {
 
-/// The recordings that a search goes by.
+/// The recordings of a search.
 struct TuningRecordings {
   const std::vector<RecordingOpener>& recordings;
-  const std::vector<RecordingOpener>& hold_out;  ///< tested on and never trained on; may be empty
-  std::optional<ImageProfile> images = {};       ///< commonSize(runs), if that is known already
+  const std::vector<RecordingOpener>& hold_out;  ///< for testing only; may be empty
+  std::optional<ImageProfile> images = {};       ///< commonSize(runs), if already known
 };
 
-/// Samples to judge cues by, and how: each as it was recorded and as the next run might show it
-/// (next_run.h). Trained on is the recording only: what looks the same in the next run has to show
-/// without having been seen there.
+/// Samples for the comparison of cues, each as recorded and as the next run might show it
+/// (next_run.h). Only recorded images are trained on, so that cues are compared by how well they
+/// tolerate changes that they have not seen.
 struct TuningSamples : Samples {
-  std::vector<Fold> folds;  ///< tested as recorded and changed
+  std::vector<Fold> folds;  ///< tested on recorded and changed images
 };
 
-/// Features of one of every `step` labelled images of each place, see thinOut(). See
-/// collectSamples() for errors.
+/// Features of one in `step` labelled images of each place, see thinOut(). For errors, see
+/// collectSamples().
 TuningSamples collectTuningSamples(const TuningRecordings& recordings,
                                    const TrainingOptions& options, bool other_light,
                                    std::size_t step, unsigned threads, const Progress& progress);

@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// What each cue of a trained model says to samples that it was not trained on. `features`:
-/// [cue][sample], of which some may be missing.
+/// The answers of each cue of a trained model to samples that it was not trained on. `features`:
+/// [cue][sample]; some may be missing.
 std::vector<HeldOutValues> modelAnswers(const Model& model,
                                         const std::vector<std::vector<Feature>>& features);
 
