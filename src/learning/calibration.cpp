@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <vector>
+
+#include "base/quantile.h"
 
 namespace place_recognition {
 namespace {
@@ -38,13 +41,6 @@ double wantedSum(const Eigen::MatrixXd& decision_values, const std::vector<int>&
   }
   const double mean_values = decision_values.sum() / static_cast<double>(decision_values.cols());
   return (frames * true_values + mean_values) / (frames + 1);
-}
-
-/// The element below which a `fraction` of the values lie.
-double quantile(Eigen::VectorXd values, double fraction) {
-  std::sort(values.data(), values.data() + values.size());
-  const auto below = static_cast<Eigen::Index>(fraction * static_cast<double>(values.size()));
-  return values[std::min(below, values.size() - 1)];
 }
 
 /// One over the standard deviation; 0 if all values are equal.
@@ -110,8 +106,9 @@ EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::Vector
   weights.familiarity = unitsOf(familiarity);
   const Eigen::VectorXd sums =
       weights.decision_values * log_sums + weights.familiarity * familiarity;
-  const double limit = quantile(sums, fraction);
-  const double spread = quantile(sums, 0.5) - limit;
+  const std::vector<double> values(sums.data(), sums.data() + sums.size());
+  const double limit = quantile(values, fraction);
+  const double spread = median(values) - limit;
   constexpr double kMedian = 3;  // 1 / (1 + exp(-3)) = 0.95
   const double gain = spread > 0 ? kMedian / spread : 1;
   weights.decision_values *= gain;

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/quantile.h"
+
 namespace place_recognition {
 namespace {
 
@@ -63,6 +65,15 @@ void leaveOut(const Sequence& sequence, double first, double last, int fold,
 /// Whether the times of two sequences are comparable.
 bool sameClock(const Sequence& a, const Sequence& b) {
   return &a == &b || (a.recording == b.recording && a.stamped && b.stamped);
+}
+
+/// Median of the nonzero steps of ascending `times`; 0 if there is none.
+double medianStep(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
+  }
+  return median(std::move(steps));
 }
 
 /// Number of blocks into which a sequence of `size` samples is cut.
@@ -168,17 +179,6 @@ std::vector<Sequence> sequencesOf(const Samples& samples) {
 std::vector<Sequence> cameraSequencesOf(const Samples& samples) {
   return grouped(samples,
                  [](const SampleOrigin& s) { return std::tuple(s.recording, s.place, s.camera); });
-}
-
-double medianStep(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
-  }
-  if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
 }
 
 bool wholeRecordings(const Samples& samples, int count) {

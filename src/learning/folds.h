@@ -45,9 +45,6 @@ std::vector<Sequence> sequencesOf(const std::vector<SampleOrigin>& samples);
 /// The same with separate sequences for each camera, in order of recording, place and camera.
 std::vector<Sequence> cameraSequencesOf(const std::vector<SampleOrigin>& samples);
 
-/// Median of the nonzero steps of ascending `times`; 0 if there is none.
-double medianStep(const std::vector<double>& times);
-
 /// Whether at least `count` runs contain every place.
 bool wholeRecordings(const std::vector<SampleOrigin>& samples, int count);
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
+#include "base/quantile.h"
 #include "learning/gram.h"
 #include "recognition/training/gamma_choice.h"
 
@@ -20,12 +22,6 @@ struct Sums {
   double frames = 0;
   double next_is_nearest = 0;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Mean distance of each lag up to the longest that occurs. Lags of which all frames were thinned
 /// out are interpolated, from 0 at lag 0.
@@ -124,7 +120,7 @@ double frameStep(const std::vector<double>& times, const std::vector<std::size_t
     if (times[i] <= times[i - 1]) continue;
     steps.push_back((times[i] - times[i - 1]) / static_cast<double>(numbers[i] - numbers[i - 1]));
   }
-  return steps.empty() ? 0 : median(std::move(steps));
+  return median(std::move(steps));
 }
 
 /// Adds the distances of one frame of a sequence, with these numbers, to all others.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/quantile.h"
 #include "recognition/model/scores.h"
 
 namespace place_recognition {
@@ -62,13 +63,6 @@ std::vector<int> validSamples(const HeldOutValues& held_out, const std::vector<i
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double fraction) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const auto below = static_cast<std::size_t>(fraction * static_cast<double>(values.size()));
-  return values[std::min(below, values.size() - 1)];
-}
 
 Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
                      double false_alarm_rate) {

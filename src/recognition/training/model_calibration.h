@@ -20,7 +20,4 @@ struct Calibrated {
 Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
                      double false_alarm_rate);
 
-/// The largest limit below which at most `fraction` of the values lie; 0 if there are none.
-double quantile(std::vector<double> values, double fraction);
-
 }  // namespace place_recognition

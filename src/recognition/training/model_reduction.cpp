@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "base/parallel.h"
+#include "base/quantile.h"
 #include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 #include "recognition/model/scores.h"
@@ -198,10 +200,7 @@ double comparisonMilliseconds(const Model& model,
     }
     milliseconds.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   }
-  if (milliseconds.empty()) return 0;
-  const auto middle = milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2);
-  std::nth_element(milliseconds.begin(), middle, milliseconds.end());
-  return *middle;
+  return median(std::move(milliseconds));
 }
 
 }  // namespace place_recognition

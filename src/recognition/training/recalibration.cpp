@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/quantile.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
 #include "recognition/model/scores.h"
