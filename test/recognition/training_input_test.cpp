@@ -1,0 +1,171 @@
+// Input that training leaves out, tolerates or refuses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+#include "place_recognition/training.h"
+#include "recognition/drawn_recording.h"
+
+namespace place_recognition {
+namespace {
+
+/// What train() says when it refuses.
+std::string refusal(const std::vector<Frame>& frames) {
+  try {
+    train({opener(frames, "walk.bag")}, quickOptions(), 1);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+void expectFinite(const Training& training, const cv::Mat& image) {
+  const std::string bytes = serializeModel(training.model);
+  Recognizer recognizer(std::make_shared<const Model>(parseModel(bytes, "test")));
+  const Recognition& answer = recognizer.recognize(image);
+  EXPECT_TRUE(answer.probabilities.allFinite());
+  EXPECT_TRUE(answer.decision_values.allFinite());
+  EXPECT_NEAR(answer.probabilities.sum(), 1, 1e-9);
+}
+
+TEST(TrainingInput, LeavesOutWhatItCannotUse) {
+  std::vector<Frame> frames = drawFrames(2, 12);
+  frames[1].place.clear();
+  frames[2].place.clear();
+  frames[5].image = cv::Mat();
+  frames[5].problem = "it is damaged and cannot be decoded";
+  frames[14].image = cv::Mat::eye(3, 3, CV_8UC1) * 255;  // too small for any feature
+  const Training training = train({opener(frames)}, quickOptions());
+  EXPECT_EQ(training.images, 20u);
+  EXPECT_EQ(training.model.provenance.skipped_images, 4u);
+  EXPECT_EQ(training.model.provenance.place_images, (std::vector<std::uint64_t>{9, 11}));
+  for (const std::string& sentence :
+       {std::string("drawn: 2 images without a label are left out."),
+        std::string("drawn: 2 images that cannot be used (frame5: it is damaged and cannot "
+                    "be decoded) are left out.")}) {
+    EXPECT_EQ(std::count(training.warnings.begin(), training.warnings.end(), sentence), 1)
+        << sentence;
+  }
+}
+
+/// An image of one colour with the noise of a sensor.
+cv::Mat uniformImage(const cv::Scalar& colour, int seed) {
+  cv::Mat noise(72, 96, CV_16SC3);
+  cv::RNG(static_cast<std::uint64_t>(seed + 1)).fill(noise, cv::RNG::UNIFORM, -3, 4);
+  cv::Mat image;
+  cv::add(cv::Mat(72, 96, CV_16SC3, colour), noise, image, cv::noArray(), CV_8U);
+  return image;
+}
+
+TEST(TrainingInput, LeavesOutImagesOfOneColour) {
+  const std::vector<Frame> good = drawFrames(2, 12);
+  std::vector<Frame> frames = good;
+  const cv::Scalar colours[] = {cv::Scalar::all(0), cv::Scalar::all(255), cv::Scalar::all(127),
+                                cv::Scalar(0, 135, 0), cv::Scalar(255, 0, 0)};
+  for (int i = 0; i < 5; ++i) {
+    frames.push_back(good[0]);
+    frames.back().image = uniformImage(colours[i], i);
+    frames.back().name = "covered" + std::to_string(i);
+  }
+  const Training training = train({opener(frames)}, quickOptions());
+  EXPECT_EQ(training.images, 24u);
+  EXPECT_EQ(training.model.provenance.skipped_images, 5u);
+  EXPECT_EQ(training.warnings,
+            std::vector<std::string>{"drawn: 5 images of a single colour, as from a covered "
+                                     "lens (the first: covered0) are left out."});
+
+  for (Frame& frame : frames) {
+    if (frame.place == "room1") frame.image = uniformImage(cv::Scalar::all(3), 7);
+  }
+  try {
+    train({opener(frames)}, quickOptions());
+    ADD_FAILURE() << "no error";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("show one place, 'room0'"), std::string::npos) << e.what();
+  }
+}
+
+TEST(TrainingInput, RefusesBlackImages) {
+  std::vector<Frame> frames = drawFrames(2, 6);
+  for (Frame& frame : frames) frame.image = cv::Mat::zeros(72, 96, CV_8UC3);
+  try {
+    train({opener(frames)}, quickOptions());
+    ADD_FAILURE() << "no error";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("can be used (frame0: it shows nothing but one colour)"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(TrainingInput, SaysWhyItRefuses) {
+  EXPECT_NE(refusal({}).find("no images in walk.bag"), std::string::npos) << refusal({});
+  EXPECT_NE(refusal(drawFrames(1, 5)).find("'room0'"), std::string::npos);
+
+  std::vector<Frame> unlabelled = drawFrames(2, 3);
+  for (Frame& frame : unlabelled) frame.place.clear();
+  EXPECT_NE(refusal(unlabelled).find("has a label"), std::string::npos) << refusal(unlabelled);
+
+  std::vector<Frame> damaged = drawFrames(2, 3);
+  for (Frame& frame : damaged) frame.image = cv::Mat(), frame.problem = "it is damaged";
+  EXPECT_NE(refusal(damaged).find("it is damaged"), std::string::npos) << refusal(damaged);
+
+  for (const char* place : {"a\nb", "\xff", "\xc0\x80", "\xed\xa0\x80", "unknown"}) {
+    std::vector<Frame> frames = drawFrames(2, 3);
+    frames[4].place = place;
+    EXPECT_NE(refusal(frames).find("frame4"), std::string::npos) << refusal(frames);
+  }
+}
+
+TEST(TrainingInput, RefusesAMissingNetworkBeforeItReadsImages) {
+  TrainingOptions options = quickOptions();
+  options.cues[0].kernel.type = "gaussian";
+  EmbeddingOptions embedding;
+  embedding.network = "/nowhere/absent.onnx";
+  options.cues[0].feature = embedding;
+  const RecordingOpener unopened = []() -> std::unique_ptr<place_recognition::Recording> {
+    throw std::logic_error("opened");
+  };
+  EXPECT_THROW(train({unopened}, options), Error);
+}
+
+TEST(TrainingInput, NamesTheKernelThatOverflows) {
+  TrainingOptions options = quickOptions();
+  options.cues[0].name = "edges";
+  options.cues[0].kernel.type = "polynomial";
+  options.cues[0].kernel.p = 1e31;
+  options.cues[0].kernel.d = 10;
+  try {
+    train({opener(drawFrames(2, 12))}, options);
+    ADD_FAILURE() << "no complaint";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("cues.edges.kernel.p"), std::string::npos) << e.what();
+  }
+}
+
+TEST(TrainingInput, SurvivesOneImagePerRoom) {
+  const Training training = train({opener(drawFrames(3, 1))}, quickOptions());
+  EXPECT_EQ(training.warnings.size(), 3u);
+  expectFinite(training, drawRoom(0, 7));
+}
+
+TEST(TrainingInput, SurvivesEqualImages) {
+  std::vector<Frame> frames = drawFrames(3, 8);
+  for (Frame& frame : frames) frame.image = drawRoom(0, 0);
+  expectFinite(train({opener(frames)}, quickOptions()), drawRoom(0, 7));
+}
+
+TEST(TrainingInput, SurvivesARareRoom) {
+  std::vector<Frame> frames = drawFrames(2, 50);
+  frames.push_back(drawFrames(3, 1).back());
+  const Training training = train({opener(frames)}, quickOptions());
+  EXPECT_EQ(training.warnings.size(), 1u);
+  expectFinite(training, drawRoom(2, 7));
+}
+
+}  // namespace
+}  // namespace place_recognition
