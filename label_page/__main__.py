@@ -1,6 +1,6 @@
-"""place_tool label: a page in the browser on which a recording is labelled.
+"""place_tool label: serves a page for labelling a recording in the browser.
 
-place_tool starts this folder with Python and checks the arguments; see src/tool/label.cpp.
+place_tool checks the arguments and runs this folder with Python; see src/tool/label.cpp.
 """
 import argparse
 import os
@@ -13,7 +13,7 @@ import webbrowser
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="place_tool label")
     parser.add_argument("bags", nargs="+")
-    parser.add_argument("--tool", required=True, help="the program place_tool")
+    parser.add_argument("--tool", required=True, help="path of place_tool")
     parser.add_argument("--model", default="")
     parser.add_argument("--port", type=int, default=0)
     parser.add_argument("--no-browser", action="store_true")
@@ -24,7 +24,7 @@ def parse(arguments):
 
 
 def reading_options(options):
-    """Where labels come from, for place_tool."""
+    """Returns the options that tell place_tool where the labels come from."""
     pairs = (("--label-topic", options.label_topic), ("--labels", options.labels),
              ("--label", options.label))
     return [word for option, value in pairs if value for word in (option, value)]
@@ -47,7 +47,7 @@ def make_server(options):
 
 
 def show(server, options):
-    """Opens the page where there is a display; says its address in any case."""
+    """Prints the page's address, and opens the page if there is a display."""
     print(f"Labels of {', '.join(os.path.basename(bag) for bag in options.bags)}: "
           f"{server.address()}", flush=True)
     if options.no_browser:
@@ -56,12 +56,12 @@ def show(server, options):
         threading.Thread(target=webbrowser.open, args=(server.address(),), daemon=True).start()
         return
     port = server.server_address[1]
-    print("There is no display here. From another computer: ssh -L "
-          f"{port}:127.0.0.1:{port} THIS_COMPUTER, then open the address there.", flush=True)
+    print("This computer has no display. On another computer, run ssh -L "
+          f"{port}:127.0.0.1:{port} THIS_COMPUTER and open the address there.", flush=True)
 
 
 def serve(server):
-    """Until the page is closed, or Ctrl-C."""
+    """Serves the page until it is closed or the process receives a signal, such as Ctrl-C."""
     stopped = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda *_: stopped.set())
@@ -81,11 +81,11 @@ def main():
     try:
         server = make_server(options)
     except ImportError as error:
-        return (f"{error} for {sys.executable}; install what package.xml of place_recognition "
-                "names.")
+        return (f"{error} for {sys.executable}; install the packages that package.xml of "
+                "place_recognition lists.")
     except OSError as error:
         return f"{error.filename or 'port ' + str(options.port)}: {error.strerror}."
-    except Exception as error:  # rosbag's many kinds, and Problem
+    except Exception as error:  # Problem, or any of rosbag's exceptions
         return " ".join(str(error).split())
     show(server, options)
     serve(server)

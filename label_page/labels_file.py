@@ -1,7 +1,7 @@
-"""The labels of a recording: as place_tool reads them, and as the file RUN.labels.yaml.
+"""Reads the labels of a recording through place_tool and writes them to RUN.labels.yaml.
 
-In the page a label is a span {"from", "to", "place"} of page time (recording.py), s. In a file it
-is relative to the bag's start, as place_tool tells it.
+On the page, a label is a span {"from", "to", "place"} in page time (recording.py), s. In the file,
+times are relative to the bag's start as place_tool reports it.
 """
 import bisect
 import json
@@ -21,8 +21,9 @@ HEADER = "# Written by `place_tool label`. Seconds since the bag's start, see do
 
 
 def tidy_name(name):
-    """`name` as place_tool keeps it: composed (NFC), without characters that show nothing, blanks of
-    any kind single ones and none at the ends. page/rooms.js does the same."""
+    """Returns `name` as place_tool normalizes it: in NFC, without invisible characters, with each
+    run of blanks replaced by one space, and trimmed. Keep in step with tidyName() in page/rooms.js.
+    """
     visible = "".join(character for character in name if character not in INVISIBLE)
     composed = unicodedata.normalize("NFC", visible).strip()
     return re.sub(" +", " ", "".join(" " if unicodedata.category(character) == "Zs" else character
@@ -30,23 +31,25 @@ def tidy_name(name):
 
 
 def check_name(name):
-    """Raises Problem unless `name` can be given to a place."""
+    """Raises Problem unless `name` is a valid name of a place."""
     try:
         size = len(name.encode())
     except (AttributeError, UnicodeEncodeError):
-        raise Problem("The name of a room is text.") from None
+        raise Problem("The name of a room must be text.") from None
     if not 0 < size <= MAX_NAME_BYTES:
-        raise Problem(f"The name of a room has 1 to {MAX_NAME_BYTES} bytes; this one has {size}.")
+        raise Problem(f"The name of a room must have 1 to {MAX_NAME_BYTES} bytes; this one has "
+                      f"{size}.")
     if any(unicodedata.category(character) == "Cc" for character in name):
-        raise Problem("The name of a room has no line breaks, tabs or control characters.")
+        raise Problem("The name of a room must not contain line breaks, tabs or control "
+                      "characters.")
     if name.casefold() == UNKNOWN:
-        raise Problem(f"'{name}' is reserved for unknown places; rename the place, or "
-                      "leave it unlabelled.")
+        raise Problem(f"'{name}' is reserved for unknown places; choose another name, or leave the "
+                      "place unlabelled.")
 
 
 def checked(spans):
-    """`spans`, from the page, with tidy names. Raises Problem unless they are in order and have
-    names."""
+    """Returns the page's `spans` with normalized names. Raises Problem unless they are in order,
+    do not overlap and have valid names."""
     end = float("-inf")
     tidy = []
     for span in spans:
@@ -60,7 +63,7 @@ def checked(spans):
 
 
 def border(time, frames):
-    """A time with few decimals that has the same of the ascending `frames` before it as `time`."""
+    """Returns a time with few decimals that separates the ascending `frames` where `time` does."""
     after = bisect.bisect_left(frames, time)
     if after == 0:
         return 0.0
@@ -74,14 +77,14 @@ def border(time, frames):
 
 
 class BagLabels:
-    """The labels of one bag and its file."""
+    """The labels of one bag, and the file that holds them."""
 
     def __init__(self, tool, bag, reading):
-        """`tool`: the program; `reading`: its options on where labels come from."""
+        """`tool`: path of place_tool; `reading`: its options that say where labels come from."""
         self.tool = tool
         self.bag = bag
         self.path = os.path.splitext(bag.path)[0] + ".labels.yaml"
-        self.kept = False  # whether this session has kept the file that was there before
+        self.kept = False  # whether this session has backed up the file that it found
         self.seen = self.bytes_on_disk()
         info = self.ask(*reading)
         self.start = info["start"]
@@ -89,7 +92,7 @@ class BagLabels:
         self.frames = [time - self.start for time in bag.all_times()]
 
     def ask(self, *options):
-        """What `place_tool info` tells of the bag."""
+        """Returns the output of `place_tool info` for the bag."""
         result = subprocess.run([self.tool, "info", self.bag.path, "--json", "-", *options],
                                 capture_output=True, text=True)
         if result.returncode != 0:
@@ -104,14 +107,14 @@ class BagLabels:
             return None
 
     def shift(self):
-        """Page time of the bag's start, from which labels count."""
+        """Returns the page time of the bag's start, to which labels are relative."""
         return self.bag.offset - (self.bag.first - self.start)
 
     def spans(self):
-        """The present labels in page time, cut to the bag's frames."""
+        """Returns the labels read from the bag in page time, clipped to the bag's frames."""
         spans = []
         for label in self.present:
-            # A label that holds until the end of the bag comes with the time of its last message.
+            # A label that holds to the bag's end is reported to end at the bag's last message.
             ends = label is self.present[-1] and label["to"] > self.frames[-1] - 1e-6
             span = {"from": max(self.bag.offset, label["from"] + self.shift()),
                     "to": self.bag.end() if ends else label["to"] + self.shift(),
@@ -121,8 +124,8 @@ class BagLabels:
         return spans
 
     def labels(self, spans):
-        """The part of `spans` that lies in the bag, as the file holds it; `to` None: to the end.
-        Spans without a frame are left out."""
+        """Returns the part of `spans` within this bag, as stored in the file; `to` is None for a
+        label that extends to the end. Omits spans that contain no frame."""
         labels = []
         for span in spans:
             begin, end = span["from"] - self.shift(), span["to"] - self.shift()
@@ -137,7 +140,8 @@ class BagLabels:
         return labels
 
     def save(self, labels):
-        """Replaces the file by one with `labels`; the one from before this session is kept."""
+        """Replaces the file by one with `labels`. Keeps the version from before this session as
+        RUN.labels.yaml.old."""
         text = file_text(labels).encode()
         try:
             old = self.bytes_on_disk()
@@ -146,18 +150,18 @@ class BagLabels:
             self.kept = True
             replace_file(self.path, text, lambda temporary: self.verify(temporary, labels))
         except OSError as error:
-            raise Problem(f"Cannot write {self.path}: {error.strerror}; make room, or make the "
-                          "folder writable.") from error
+            raise Problem(f"Cannot write {self.path}: {error.strerror}; free some disk space, or "
+                          "make the folder writable.") from error
         self.seen = text
 
     def verify(self, path, labels):
-        """Raises Problem unless place_tool reads from `path` what `labels` mean."""
+        """Raises Problem unless place_tool reads `labels` back from `path`."""
         info = self.ask("--labels", path)
         read = [[label["place"], label["from"], label["to"]] for label in info["labels"]]
         meant = []
         for label in labels:
             end = info["duration"] if label["to"] is None else label["to"]
-            # Neighbours of one place are one label to the reader.
+            # place_tool merges adjacent labels of the same place.
             if meant and meant[-1][0] == label["place"] and meant[-1][2] == label["from"]:
                 meant[-1][2] = end
             else:
@@ -166,11 +170,11 @@ class BagLabels:
             a[0] == b[0] and abs(a[1] - b[1]) < 1e-6 and abs(a[2] - b[2]) < 1e-6
             for a, b in zip(read, meant))
         if not same:
-            raise Problem("The file would not be read as it was meant; nothing was saved.")
+            raise Problem("place_tool would read other labels from the file; nothing was saved.")
 
 
 def file_text(labels):
-    """RUN.labels.yaml; a JSON string is a YAML string, too."""
+    """Returns the text of RUN.labels.yaml. Names are JSON strings, which are valid YAML."""
     text = HEADER + "times: relative\nlabels:" + ("" if labels else " []") + "\n"
     for label in labels:
         end = "" if label["to"] is None else f"to: {label['to']!r}, "
@@ -180,8 +184,8 @@ def file_text(labels):
 
 
 def replace_file(path, data, check=lambda temporary: None):
-    """Writes a file so that at any moment it is the old one or the new one, whole. `check` is called
-    with the name of the new one before; what it raises leaves the old one."""
+    """Replaces a file atomically: at any moment, `path` is either the old file or the complete new
+    one. Calls `check` with the name of the new file first; if that raises, the old file stays."""
     folder, name = os.path.split(os.path.abspath(path))
     descriptor, temporary = tempfile.mkstemp(os.path.splitext(name)[1], f".{name}.", folder)
     try:
@@ -211,7 +215,7 @@ class RecordingLabels:
         self.bags = [BagLabels(tool, bag, reading) for bag in recording.bags]
 
     def spans(self):
-        """The present labels; one that goes on in the next bag is one span."""
+        """Returns the labels of all bags; a label that continues in the next bag is one span."""
         spans = []
         for bag in self.bags:
             for span in bag.spans():
@@ -224,15 +228,17 @@ class RecordingLabels:
         return spans
 
     def save(self, spans, overwrite):
-        """Writes the file of each bag. Raises Problem, or Changed unless `overwrite`."""
+        """Writes the file of each bag and returns the paths. Raises Problem; raises Changed if a
+        file has changed since it was read, unless `overwrite`."""
         spans = checked(spans)
         changed = [bag.path for bag in self.bags if bag.bytes_on_disk() != bag.seen]
         if changed and not overwrite:
-            raise Changed(f"{', '.join(changed)} has changed since it was read here.")
+            verb = "has" if len(changed) == 1 else "have"
+            raise Changed(f"{', '.join(changed)} {verb} changed since this page read the labels.")
         for bag in self.bags:
             bag.save(bag.labels(spans))
         return [bag.path for bag in self.bags]
 
 
 class Changed(Problem):
-    """A file of labels is not as it was when it was read."""
+    """A labels file has changed since it was read."""

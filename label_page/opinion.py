@@ -1,5 +1,8 @@
-"""What a model says about the recording: place_tool recognizes it, or first learns from the labels
-that there are, in a child process; its answers are collected as they come."""
+"""Collects a model's answers to the recording.
+
+A place_tool child process recognizes the frames, with a given model or with one that another child
+first trains on the page's labels. Answers are collected as they arrive.
+"""
 import json
 import os
 import subprocess
@@ -8,12 +11,12 @@ import threading
 
 from labels_file import file_text
 
-# Probabilities below it are not worth telling.
+# The page is not sent probabilities below this.
 LEAST = 0.005
 
 
 class Opinion:
-    """Answers by one model to the frames of one topic, in order. Thread-safe."""
+    """One model's answers to the frames of one topic, in order. Thread-safe."""
 
     def __init__(self, tool, recording, topic, on_change):
         self.tool = tool
@@ -22,7 +25,7 @@ class Opinion:
         self.on_change = on_change
         self.lock = threading.Lock()
         self.child = None
-        self.number = 0  # of the question: answers to an older one are dropped
+        self.number = 0  # of the current question; answers to older questions are dropped
         self.answers = []  # [page time, place or "", {place: probability}, probability of unknown]
         self.state = {"model": "", "stage": "", "fraction": 0, "problem": ""}
 
@@ -32,16 +35,16 @@ class Opinion:
                         frames=len(self.recording.times[self.topic]))
 
     def since(self, question, count):
-        """The answers to `question` after the first `count`."""
+        """Returns the answers to `question`, without the first `count`."""
         with self.lock:
             return self.answers[count:] if question == self.number else []
 
     def ask(self, model):
-        """Has `model` answer all frames, from anew."""
+        """Discards all answers and starts recognizing every frame with `model`."""
         self.start(lambda number: self.recognize(number, model), model)
 
     def learn(self, labels):
-        """Learns from `labels`, those of each bag (BagLabels.labels()), then asks that model."""
+        """Trains a model on `labels`, one list per bag (BagLabels.labels()), and then asks it."""
         self.start(lambda number: self.learn_and_ask(number, labels), "these labels")
 
     def start(self, work, model):
@@ -65,7 +68,7 @@ class Opinion:
 
     def learn_and_ask(self, number, labels):
         with tempfile.TemporaryDirectory(prefix="place_tool_label_") as folder:
-            # Labels are found beside a bag, and the user's folder is left alone.
+            # place_tool finds labels beside a bag; links keep the user's folder untouched.
             bags = []
             for i, (bag, of_bag) in enumerate(zip(self.recording.bags, labels)):
                 if not of_bag:
@@ -121,7 +124,8 @@ class Opinion:
         self.on_change()
 
     def run(self, number, arguments, on_line):
-        """Runs place_tool; hands each line of its output to on_line(number, line)."""
+        """Runs place_tool and passes each line of its output to on_line(number, line). Returns
+        whether it succeeded; reports a failure in the status."""
         with self.lock:
             if number != self.number:
                 return False

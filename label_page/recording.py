@@ -1,15 +1,15 @@
-"""What `place_tool label` shows: the frames of one or several bags, laid end to end on one axis of
-time, and pictures of them.
+"""The recording that `place_tool label` shows: the frames of one or more bags, laid end to end on
+one time axis, and their images.
 
-Bags are read in order of their first frame. The page's time of a frame is the bag's offset plus the
-seconds since the bag's first frame, so that neither a pause between two bags nor bags that overlap
-matter.
+Bags are ordered by their first frame. The page time of a frame is the bag's offset plus the seconds
+since the bag's first frame, so neither pauses between bags nor overlaps matter.
 """
 import os
 import tempfile
 import threading
 
-# The largest picture that the package takes; OpenCV reads this when it is imported.
+# Largest side of an image that the package accepts, pixels. OpenCV reads the environment variable
+# when it is imported.
 MAX_SIDE = 8192
 os.environ.setdefault("OPENCV_IO_MAX_IMAGE_PIXELS", str(MAX_SIDE * MAX_SIDE))
 
@@ -20,24 +20,24 @@ from cv_bridge import CvBridge  # noqa: E402
 from sensor_msgs.msg import CompressedImage, Image  # noqa: E402
 
 # rosbag generates Python code from the message definitions in a bag unless it knows the type. With
-# these two it never does, for no other message is ever read.
+# these two registered it never does so, because no other messages are read.
 IMAGE_TYPES = {message._type: message for message in (Image, CompressedImage)}
 rosbag.bag._message_types.update({message._md5sum: message for message in IMAGE_TYPES.values()})
 
-# Heights of the pictures that the page asks for, pixels.
+# Maximum heights of the images that the page requests, pixels, and their JPEG quality.
 HEIGHTS = {"thumb": 96, "view": 600}
 QUALITY = {"thumb": 80, "view": 88}
 
-# How long the last frame of a bag lasts, s.
+# Duration of a bag's last frame in page time, s.
 LAST_FRAME = 0.01
 
 
 class Problem(Exception):
-    """One sentence for the person at the page."""
+    """An error whose message is a sentence for the user of the page."""
 
 
 class Bag:
-    """The frames of one bag, by topic; reading is thread-safe."""
+    """The frames of one bag, by topic. Reading is thread-safe."""
 
     def __init__(self, path):
         self.path = path
@@ -58,11 +58,11 @@ class Bag:
         topics = {topic for topic in topics if not topic.endswith("/compressedDepth")
                   and self.bag.get_message_count(topic) > 0}
         if not topics:
-            raise Problem(f"There are no images in {self.path}; check it with place_tool info.")
+            raise Problem(f"{self.path} contains no images; check it with place_tool info.")
         return topics
 
     def end(self):
-        """In page time."""
+        """Returns the bag's end in page time."""
         return self.offset + self.last - self.first + LAST_FRAME
 
     def page_times(self, topic):
@@ -70,7 +70,7 @@ class Bag:
                 for entry in self.entries.get(topic, ())]
 
     def all_times(self):
-        """The times of all frames, absolute, s, ascending."""
+        """Returns the times of all frames, absolute, s, ascending."""
         return sorted(entry.time.to_sec() for entries in self.entries.values()
                       for entry in entries)
 
@@ -80,7 +80,7 @@ class Bag:
 
 
 class Recording:
-    """Several bags as one recording, in order of time."""
+    """One or more bags as one recording, in order of time."""
 
     def __init__(self, paths):
         self.bags = sorted((Bag(path) for path in paths), key=lambda bag: bag.first)
@@ -89,20 +89,21 @@ class Recording:
         self.duration = self.bags[-1].end()
         self.times = {topic: [time for bag in self.bags for time in bag.page_times(topic)]
                       for topic in sorted({topic for bag in self.bags for topic in bag.entries})}
-        self.pictures = PictureStore()
+        self.images = ImageStore()
 
     def topic(self, wanted):
-        """The topic that is meant by `wanted`, also without "/compressed"; the first if empty."""
+        """Returns the image topic named `wanted`, with or without "/compressed"; the first topic if
+        `wanted` is empty. Raises Problem if there is none."""
         if not wanted:
             return next(iter(self.times))
         for topic in (wanted, wanted + "/compressed"):
             if topic in self.times:
                 return topic
-        raise Problem(f"There are no images on {wanted}; topics of images are "
+        raise Problem(f"There are no images on {wanted}; the image topics are "
                       f"{', '.join(self.times)}.")
 
     def locate(self, topic, number):
-        """The bag that holds frame `number` of a topic, and its number there."""
+        """Returns the bag that holds frame `number` of a topic, and the frame's number in it."""
         for bag in self.bags:
             count = len(bag.entries.get(topic, ()))
             if number < count:
@@ -110,9 +111,9 @@ class Recording:
             number -= count
         raise IndexError(number)
 
-    def picture(self, topic, number, size):
-        """Frame `number` of a topic as JPEG. Raises Problem if it cannot be decoded."""
-        return self.pictures.get((topic, number, size), lambda: self._make(topic, number, size))
+    def image(self, topic, number, size):
+        """Returns frame `number` of a topic as JPEG. Raises Problem if it cannot be decoded."""
+        return self.images.get((topic, number, size), lambda: self._make(topic, number, size))
 
     def _make(self, topic, number, size):
         bag, there = self.locate(topic, number)
@@ -125,34 +126,37 @@ class Recording:
         return cv2.imencode(".jpg", image, quality)[1].tobytes()
 
 
-class PictureStore:
-    """Pictures made once a session, in a file without a name that ends with the process."""
+class ImageStore:
+    """Caches JPEG images for the session in an unnamed temporary file. Thread-safe."""
 
     def __init__(self):
         self.file = tempfile.TemporaryFile(prefix="place_tool_label_")
-        self.places = {}  # key -> (offset, length)
+        self.extents = {}  # key -> (offset, length)
         self.end = 0
         self.lock = threading.Lock()
 
     def get(self, key, make):
+        """Returns the image stored under `key`; calls `make` and stores the result if there is
+        none."""
         with self.lock:
-            place = self.places.get(key)
-        if place:
-            return os.pread(self.file.fileno(), place[1], place[0])
-        picture = make()
+            extent = self.extents.get(key)
+        if extent:
+            return os.pread(self.file.fileno(), extent[1], extent[0])
+        image = make()
         with self.lock:
-            os.pwrite(self.file.fileno(), picture, self.end)
-            self.places[key] = (self.end, len(picture))
-            self.end += len(picture)
-        return picture
+            os.pwrite(self.file.fileno(), image, self.end)
+            self.extents[key] = (self.end, len(image))
+            self.end += len(image)
+        return image
 
 
 def decode(message, height):
-    """The picture of a message, at least `height` rows if it has as many. Raises Problem."""
+    """Returns the image of a message, 8-bit BGR. An image with more than `height` rows may be
+    decoded at reduced size, but not below `height` rows. Raises Problem."""
     try:
         image = decode_compressed(message, height) if hasattr(message, "format") \
             else decode_raw(message)
-    except Exception as error:  # whatever numpy, OpenCV and cv_bridge make of damaged messages
+    except Exception as error:  # anything that numpy, OpenCV and cv_bridge raise on damaged data
         raise Problem(f"This frame cannot be decoded: {error}") from error
     if image is None or image.size == 0:
         raise Problem("This frame cannot be decoded.")
@@ -163,7 +167,7 @@ def decode_compressed(message, height):
     data = np.frombuffer(message.data, np.uint8)
     if not message.data.startswith((b"\xff\xd8\xff", b"\x89PNG\r\n\x1a\n")):
         raise Problem("it is neither JPEG nor PNG.")
-    # JPEG is decoded much faster at a half, a quarter, an eighth of its size.
+    # JPEG decodes much faster at half, a quarter or an eighth of its size.
     rows = jpeg_rows(message.data)
     for divisor, flag in ((8, cv2.IMREAD_REDUCED_COLOR_8), (4, cv2.IMREAD_REDUCED_COLOR_4),
                           (2, cv2.IMREAD_REDUCED_COLOR_2)):
@@ -172,14 +176,15 @@ def decode_compressed(message, height):
     else:
         flag = cv2.IMREAD_COLOR
     image = in_eight_bits(cv2.imdecode(data, flag | cv2.IMREAD_ANYDEPTH))
-    # As image_transport has it: a JPEG "compressed rgb8" holds red and blue the other way round.
+    # image_transport's convention: in a JPEG of format "compressed rgb8", red and blue are swapped.
     if image is not None and message.format.strip().endswith("compressed rgb8"):
         image = cv2.cvtColor(image, cv2.COLOR_RGB2BGR)
     return image
 
 
 def in_eight_bits(image):
-    """An image of 16 bits by as many of them as its camera uses, as the tool shows it."""
+    """Returns a 16-bit image in 8 bits: the most significant of the bits that 99.5 % of its pixels
+    use. Returns any other image unchanged."""
     if image is None or image.dtype != np.uint16:
         return image
     bits = max(8, int(np.percentile(image, 99.5)).bit_length())
@@ -187,7 +192,7 @@ def in_eight_bits(image):
 
 
 def jpeg_rows(data):
-    """The height that the header of a JPEG picture states; 0: not found."""
+    """Returns the height stated in the header of a JPEG image; 0 if there is none."""
     at = 2
     while at + 9 < len(data) and data[at] == 0xff:
         marker = data[at + 1]
@@ -205,7 +210,7 @@ def decode_raw(message):
     row = message.width * channels * np.dtype(dtype).itemsize
     if message.step < row or len(message.data) < message.step * (message.height - 1) + row:
         raise Problem("it has fewer bytes than it claims.")
-    if message.step != row:  # cv_bridge for Python takes rows to follow each other
+    if message.step != row:  # cv_bridge for Python assumes rows without padding
         data = np.frombuffer(message.data, np.uint8)
         data = np.lib.stride_tricks.as_strided(data, (message.height, row), (message.step, 1))
         message.data, message.step = data.tobytes(), row

@@ -1,4 +1,5 @@
-"""The page's server: on loopback only, with a token in the address, for this page only."""
+"""The page's server. It listens on loopback only and accepts requests only from the page, whose
+address contains a token."""
 import hmac
 import json
 import os
@@ -28,7 +29,7 @@ HEADERS = {
 
 
 class Refusal(Exception):
-    """A request that gets no answer but a status."""
+    """A request that is answered by a status only."""
 
     def __init__(self, status):
         super().__init__(status)
@@ -36,16 +37,16 @@ class Refusal(Exception):
 
 
 class Presence:
-    """Whether the page is open: it holds a stream of events as long as it is."""
+    """Tracks whether the page is open. An open page holds a stream of events."""
 
-    # A page that is loaded again comes back within this time, s.
+    # A page that is reloaded reconnects within this time, s.
     PATIENCE = 3
 
     def __init__(self):
         self.changed = threading.Condition()
-        self.version = 0  # of what the events tell
+        self.version = 0  # of the status that the events report
         self.pages = 0
-        self.left = None  # when the last page went
+        self.left = None  # monotonic time at which a page last disconnected, s
         self.said_goodbye = False
 
     def change(self):
@@ -72,15 +73,15 @@ class Presence:
         self.said_goodbye = True
 
     def is_over(self, unsaved):
-        """The page has gone for good. A page that was lost without a goodbye, by a crash of the
-        browser, may still come back for what it has not saved."""
+        """Returns whether the page has gone for good. A page that disappears without a goodbye, as
+        when the browser crashes, may still come back for unsaved changes."""
         with self.changed:
             gone = not self.pages and self.left and time.monotonic() - self.left > self.PATIENCE
             return bool(gone and (self.said_goodbye or not unsaved))
 
 
 class LabelServer(ThreadingHTTPServer):
-    """Serves one recording with its labels and a model's opinion; `port` 0: any that is free."""
+    """Serves one recording with its labels and a model's opinion. `port` 0: any free port."""
     daemon_threads = True
     allow_reuse_address = True
 
@@ -104,10 +105,10 @@ class LabelServer(ThreadingHTTPServer):
         return f"http://127.0.0.1:{self.server_address[1]}/{self.token}/"
 
     def handle_error(self, request, client_address):
-        pass  # the browser went away while it was answered
+        pass  # the browser disconnected during an answer
 
     def describe(self):
-        """What the page shows first."""
+        """Returns the recording's description, which the page requests first."""
         with self.lock:
             spans, unsaved = self.spans, self.unsaved
         return {"bags": [{"name": os.path.basename(bag.path), "offset": bag.offset}
@@ -127,7 +128,7 @@ class Handler(BaseHTTPRequestHandler):
     timeout = 60
 
     def do_GET(self):
-        self.answer({"recording": self.recording, "times": self.times, "picture": self.picture,
+        self.answer({"recording": self.recording, "times": self.times, "picture": self.image,
                      "answers": self.answers, "events": self.events}, self.file)
 
     def do_POST(self):
@@ -139,7 +140,7 @@ class Handler(BaseHTTPRequestHandler):
             name, query = self.accept()
             work = routes.get(name)
             if work:
-                # All of a request is read, for the next one follows on the same connection.
+                # Read the whole body, because the next request follows on the same connection.
                 work(self.body() if self.command == "POST" else query)
             elif otherwise:
                 otherwise(name)
@@ -157,10 +158,11 @@ class Handler(BaseHTTPRequestHandler):
             self.send(b"", "text/plain", status=HTTPStatus.BAD_REQUEST)
 
     def accept(self):
-        """The name and the query of a request. Raises Refusal unless it comes from the page."""
+        """Returns the name and the query of a request. Raises Refusal unless the request comes from
+        the page."""
         host = self.headers.get("Host", "")
         if host.rpartition(":")[0] not in OWN_NAMES and host not in OWN_NAMES:
-            raise Refusal(HTTPStatus.MISDIRECTED_REQUEST)  # another name that leads here
+            raise Refusal(HTTPStatus.MISDIRECTED_REQUEST)  # another name for this address
         origin = self.headers.get("Origin")
         if origin is None and self.command == "POST" or origin not in (None, f"http://{host}"):
             raise Refusal(HTTPStatus.FORBIDDEN)
@@ -194,18 +196,18 @@ class Handler(BaseHTTPRequestHandler):
     def times(self, query):
         self.send_json([round(time, 6) for time in self.server.recording.times[query["topic"]]])
 
-    def picture(self, query):
+    def image(self, query):
         topic, number, size = query["topic"], int(query["frame"]), query["size"]
         if size not in HEIGHTS or not 0 <= number < len(self.server.recording.times[topic]):
             raise Refusal(HTTPStatus.NOT_FOUND)
-        picture = self.server.recording.picture(topic, number, size)
-        self.send(picture, "image/jpeg", cache="private, max-age=86400, immutable")
+        image = self.server.recording.image(topic, number, size)
+        self.send(image, "image/jpeg", cache="private, max-age=86400, immutable")
 
     def answers(self, query):
         self.send_json(self.server.opinion.since(int(query["question"]), int(query["after"])))
 
     def events(self, _):
-        """Tells the page how the model gets on, until the page goes."""
+        """Reports the model's status to the page until the page disconnects."""
         self.close_connection = True
         self.start(HTTPStatus.OK, {"Content-Type": "text/event-stream",
                                    "Cache-Control": "no-store"})
@@ -219,7 +221,7 @@ class Handler(BaseHTTPRequestHandler):
                 if version != before:
                     event = "data: " + json.dumps(self.server.opinion.status())
                 self.wfile.write(event.encode() + b"\n\n")
-                time.sleep(0.2)  # answers come by the hundred
+                time.sleep(0.2)  # batches the answers, which arrive by the hundred
         except OSError:
             pass
         finally:
@@ -248,7 +250,7 @@ class Handler(BaseHTTPRequestHandler):
         self.server.presence.say_goodbye()
         self.send_json({})
 
-    # answering
+    # Responses
 
     def start(self, status, headers):
         self.send_response(status)

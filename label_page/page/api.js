@@ -1,11 +1,11 @@
-// What the page asks its server. All addresses are relative, and so hold the token.
+// The page's requests to its server. All addresses are relative and so contain the token.
 
-/// The answer as JSON. Throws {message, status}.
+/// Returns the parsed JSON response. Throws {message, status}.
 async function ask(address, options) {
   const answer = await fetch(address, options).catch(() => {
-    throw {message: "place_tool has ended; what is not saved is lost.", status: 0};
+    throw {message: "place_tool has ended; unsaved changes are lost.", status: 0};
   });
-  const refused = {problem: `The server refused (${answer.status}).`};
+  const refused = {problem: `The server refused the request (status ${answer.status}).`};
   const value = await answer.json().catch(() => refused);
   if (!answer.ok) throw {message: value.problem, status: answer.status};
   return value;
@@ -20,8 +20,7 @@ export const saveSpans = (spans, overwrite) => post("save", {spans, overwrite});
 export const keepDraft = spans => post("draft", {spans});
 export const learn = spans => post("learn", {spans});
 
-/// Tells the server that the page is open, and calls onStatus with each change of the model's
-/// status.
+/// Tells the server that the page is open, and calls onStatus whenever the model's status changes.
 export function listen(onStatus, onLost) {
   const events = new EventSource("events");
   events.onmessage = event => onStatus(JSON.parse(event.data));

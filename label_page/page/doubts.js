@@ -1,12 +1,14 @@
-// Where the model doubts or contradicts the labels.
+// Finds where the model doubts or contradicts the labels.
 //
-// An answer is [time, place or "", {place: probability}, probability of none of its rooms].
+// An answer is [time, place or "", {place: probability}, probability that none of its rooms is
+// shown].
 
 import {spanAt} from "./spans.js";
 
-// A label less probable than this is contradicted, or doubted if the model knows no better.
+// A label is questioned if the probability that it is wrong exceeds this: contradicted if the model
+// names another room, otherwise doubted.
 const kSure = 0.5;
-// Frames further apart do not belong to one stretch, s.
+// Frames this far apart or further do not belong to one stretch, s.
 const kGap = 3;
 
 function verdict(answer, label) {
@@ -17,10 +19,11 @@ function verdict(answer, label) {
   return {kind: place && place !== label ? "contradicts" : "doubts", fraction: wrong, none};
 }
 
-/// Stretches of {kind, from, to, place, label, fraction, seconds}: `kind` contradicts, doubts or
-/// unlabelled; `place`: the model's answer; `fraction`: how probable it is that the label is wrong, or
-/// that the answer is right where there is no label; `seconds`: as much of the stretch. The worst
-/// first; those without a label last. `kept`: [from, to, label] that a person has found right.
+/// Returns stretches {kind, from, to, place, label, fraction, seconds}, worst first and unlabelled
+/// ones last. `kind`: contradicts, doubts or unlabelled; `place`: the model's answer; `fraction`:
+/// mean probability that the label is wrong or, without a label, that the answer is right;
+/// `seconds`: that fraction of the stretch's length. `kept`: [from, to, label] that the user has
+/// confirmed.
 export function findDoubts(answers, spans, kept, frames) {
   const stretches = [];
   let current = null, last = -Infinity;

@@ -1,6 +1,6 @@
-// The frames of a topic: their times and their pictures.
+// The frames of a topic: their times and images.
 
-/// The first index of the ascending `times` that is not before `time`.
+/// Returns the index of the first of the ascending `times` that is not before `time`.
 export function firstFrom(times, time) {
   let low = 0, high = times.length;
   while (low < high) {
@@ -16,11 +16,12 @@ export class Frames {
     Object.assign(this, {topic, times, duration});
   }
 
-  /// The frame that is seen at `time`: the last one that is not after it.
+  /// Returns the number of the frame shown at `time`: the last one that is not later.
   at(time) { return Math.max(0, firstFrom(this.times, time + 1e-9) - 1); }
 
-  /// The border before frame `number`: one of the `spans` if there is one between it and the frame
-  /// before, else half way; the start before the first, the end behind the last.
+  /// Returns the border before frame `number`: a border of `spans` if one lies between the frame
+  /// and its predecessor, otherwise the middle between the two. 0 before the first frame, the
+  /// duration after the last.
   before(number, spans = []) {
     if (number <= 0) return 0;
     if (number >= this.times.length) return this.duration;
@@ -34,7 +35,7 @@ export class Frames {
     return (low + high) / 2;
   }
 
-  /// The border between frames, as before() has it, that is nearest to `time`.
+  /// Returns the border between frames, as given by before(), that is nearest to `time`.
   nearestBorder(time, spans) {
     const after = firstFrom(this.times, time);
     return [after - 1, after, after + 1].map(number => this.before(number, spans)).reduce(
@@ -46,11 +47,11 @@ export class Frames {
   }
 }
 
-/// Loads the thumbnails that are in view, a few at a time, and keeps the newest.
+/// Loads the thumbnails in view, a few at a time, and keeps the most recently used ones.
 export class Thumbnails {
   constructor(onLoad) {
     this.onLoad = onLoad;
-    this.images = new Map();  // url -> Image, the one used longest ago first
+    this.images = new Map();  // url -> Image, least recently used first
     this.wanted = [];
     this.loading = 0;
   }
@@ -58,13 +59,13 @@ export class Thumbnails {
   static kKept = 1500;
   static kAtOnce = 4;
 
-  /// From now on only these are worth loading, the first ones first.
+  /// Replaces the queue of thumbnails to load by `urls`, in this order.
   want(urls) {
     this.wanted = urls.filter(url => !this.images.has(url));
     this.loadNext();
   }
 
-  /// The picture if it is there; null if it is of no use, undefined if it has yet to come.
+  /// Returns the image; null if it cannot be decoded, undefined if it is not loaded yet.
   get(url) {
     const image = this.images.get(url);
     if (image?.complete) {

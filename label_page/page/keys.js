@@ -1,22 +1,22 @@
-// What the keys do. Letters and digits belong to the rooms.
+// The keyboard shortcuts. Letters and digits are reserved for the rooms.
 
 const kKeys = [
-  ["1 … 9, a … z", "this room: the selected stretch, or from here to the next border"],
-  ["0, Delete", "no room, likewise"],
+  ["1 … 9, a … z", "label the selected stretch, or from here to the next border, with this room"],
+  ["0, Delete", "remove the label in the same range"],
   ["/", "split the label here"],
-  ["← →", "one frame back or on; with Shift one second, with Ctrl to the next border"],
-  ["Space", "play or pause"],
-  [". ,", "next or previous stretch that the model doubts"],
-  ["Enter", "take the model's answer for that stretch"],
+  ["← →", "back or forward by one frame; with Shift by one second, with Ctrl to the next border"],
+  ["Space", "play, play faster or pause"],
+  [". ,", "next or previous stretch that the model questions"],
+  ["Enter", "accept the model's answer for that stretch"],
   ["Backspace", "keep the label of that stretch"],
-  ["+ −", "closer or further; the mouse wheel does so, too, and with Shift moves the strip"],
-  ["=", "the whole recording"],
+  ["+ −", "zoom in or out; so does the mouse wheel, which scrolls the strip with Shift"],
+  ["=", "show the whole recording"],
   ["Home, End", "first or last frame"],
-  ["Esc", "select nothing"],
+  ["Esc", "clear the selection"],
   ["Ctrl+Z, Ctrl+Y", "undo, redo"],
   ["Ctrl+S", "save"],
-  ["Mouse", "dragging along the strip selects; dragging a border of a label moves it; a click on a "
-            + "label selects it"],
+  ["Mouse", "drag along the strip to select; drag the border of a label to move it; click a label "
+            + "to select it"],
 ];
 
 export function listKeys(table) {
@@ -30,7 +30,7 @@ export function listKeys(table) {
   }
 }
 
-/// Calls what `on` has for a key.
+/// Calls the handler in `on` for each key that is pressed.
 export function onKeys(on) {
   const plain = {
     "0": on.clear, Delete: on.clear, "/": on.split, " ": on.play, Enter: on.accept,
@@ -48,7 +48,7 @@ export function onKeys(on) {
     if (event.target.closest("input, select, dialog") || event.altKey || event.isComposing) return;
     const held = event.ctrlKey || event.metaKey;
     const button = event.target.closest("button") && [" ", "Enter"].includes(event.key);
-    if (button) return;  // they press it
+    if (button) return;  // the keys press the button
     const work = held ? control[event.key]
         : (event.shiftKey && shifted[event.key]) || plain[event.key] ||
           (/^[1-9a-z]$/.test(event.key) ? () => on.label(event.key) : undefined);

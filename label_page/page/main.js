@@ -1,4 +1,4 @@
-// The page on which a recording is labelled: puts its parts together and holds what they show.
+// The page for labelling a recording: connects its parts and holds the state that they show.
 
 import * as api from "./api.js";
 import {clock} from "./format.js";
@@ -23,7 +23,7 @@ const history = new History(recording.spans);
 const view = new View(recording.duration);
 const state = {
   frames: await loadFrames(recording.topic),
-  spans: history.spans,  // as they are shown, also while a border is dragged
+  spans: history.spans,  // as shown, including a border that is being dragged
   rooms: new Rooms(),
   cursor: 0,  // s
   selection: null,  // {from, to}
@@ -38,13 +38,13 @@ const timeline = new Timeline(element("timeline"), state, view, thumbnails,
                               {seek, select, move, moved: endMove, viewChanged: redraw});
 const overview = new Overview(element("overview"), state, view, redraw);
 const review = new Review(state, {change, show: showAll, showStretch});
-const player = new Player(element("picture"), () => state, seek, element("play"));
+const player = new Player(element("image"), () => state, seek, element("play"));
 
 async function loadFrames(topic) {
   return new Frames(topic, await api.getTimes(topic), recording.duration);
 }
 
-// showing
+// Display
 
 let drawn = false;
 
@@ -71,8 +71,8 @@ function showPlace() {
       make("span", {className: "time",
                     textContent: `frame ${number + 1} of ${state.frames.times.length}`}));
   element("hint").textContent = state.selection
-      ? "A room's key labels the selected stretch."
-      : "A room's key labels from here to the next border.";
+      ? "Press a room's key to label the selected stretch."
+      : "Press a room's key to label from here to the next border.";
   showRooms(element("room-list"), state, place, {label, rename});
 }
 
@@ -106,7 +106,7 @@ function say(text, bad = false) {
   message.classList.toggle("bad", bad);
 }
 
-// going about
+// Navigation
 
 function seek(time) {
   state.cursor = Math.min(Math.max(time, 0), state.frames.times.at(-1));
@@ -154,7 +154,7 @@ function zoom(factor) {
   redraw();
 }
 
-// changing
+// Editing
 
 const isSaved = () => history.spans === saved;
 
@@ -182,7 +182,7 @@ function undo(again) {
   tellDraft();
 }
 
-/// Labels what is selected, or from the frame that is shown to the next border.
+/// Labels the selection or, without one, from the frame shown to the next border. "" clears labels.
 function label(place) {
   if (state.selection) {
     const {from, to} = state.selection;
@@ -201,7 +201,7 @@ function splitHere() {
   change(split(state.spans, state.frames.before(number, state.spans)));
 }
 
-let moving = null;  // the border that is dragged: where it was, and where it is
+let moving = null;  // original time of the border that is being dragged, s
 
 function move(border, target) {
   moving ??= border;
@@ -217,7 +217,7 @@ function endMove() {
 }
 
 function rename(old) {
-  const name = tidyName(prompt("Rename the room to", old) ?? old);
+  const name = tidyName(prompt("New name of the room", old) ?? old);
   if (name === old || complain(name)) return;
   state.rooms.names[state.rooms.names.indexOf(old)] = name;
   state.rooms.names = [...new Set(state.rooms.names)];
@@ -225,12 +225,12 @@ function rename(old) {
   showAll();
 }
 
-/// Says what is wrong with a room's name; whether anything is.
+/// Shows what is wrong with a room's name. Returns whether the name is invalid.
 function complain(name) {
   const fault = faultOfName(name);
   const twin = twinOf(name, state.rooms.names);
   if (fault) say(fault, true);
-  else if (twin) say(`“${twin}” is there already, in other letters; both are kept apart.`);
+  else if (twin) say(`“${twin}” differs only in case; the two remain separate rooms.`);
   else say("");
   return Boolean(fault);
 }
@@ -240,7 +240,7 @@ async function save() {
   const write = overwrite => api.saveSpans(spans, overwrite);
   try {
     const {files} = await write(false).catch(problem => {
-      if (problem.status === 409 && confirm(`${problem.message} Replace it?`)) return write(true);
+      if (problem.status === 409 && confirm(`${problem.message} Overwrite?`)) return write(true);
       throw problem;
     });
     saved = spans;
@@ -251,7 +251,7 @@ async function save() {
   showAll();
 }
 
-// buttons and keys
+// Buttons and keys
 
 const onClick = {
   undo: () => undo(false), redo: () => undo(true), save, help: () => element("keys").showModal(),
@@ -305,7 +305,8 @@ if (recording.unsaved) say("Not saved yet");
 
 addEventListener("resize", redraw);
 addEventListener("beforeunload", event => { if (!isSaved()) event.preventDefault(); });
-api.listen(status => review.hear(status), () => say("place_tool has ended. What is not saved is lost.", true));
+api.listen(status => review.hear(status),
+           () => say("place_tool has ended. Unsaved changes are lost.", true));
 
 show(history.spans);
 seek(0);

@@ -1,6 +1,7 @@
 import {kMargin, prepare} from "./view.js";
 
-/// The whole recording in a few lines: what is labelled, where the doubts are, what is in view.
+/// The bar that shows the whole recording: its labels, the contradicted stretches and the part in
+/// view.
 export class Overview {
   constructor(canvas, state, view, onView) {
     Object.assign(this, {canvas, state, view, onView});

@@ -1,11 +1,11 @@
-// The lists beside the picture: rooms with their keys, and where the model doubts.
+// The lists beside the image: the rooms and their keys, and the stretches that the model questions.
 
 import {clock, length} from "./format.js";
 
 const kMostDoubts = 200;
 const kKinds = {contradicts: "contradicted", doubts: "doubted", unlabelled: "not labelled"};
 
-/// An element with properties and children.
+/// Creates an element with properties and children.
 export function make(tag, properties = {}, ...children) {
   const element = Object.assign(document.createElement(tag), properties);
   element.append(...children);
@@ -18,7 +18,7 @@ export function swatch(colour) {
   return element;
 }
 
-/// `on`: label(name), rename(name).
+/// Fills the list of rooms. `here`: the room at the cursor; `on`: label(name), rename(name).
 export function showRooms(list, state, here, on) {
   const seconds = new Map();
   for (const {from, to, place} of state.spans) {
@@ -39,7 +39,8 @@ export function showRooms(list, state, here, on) {
   }));
 }
 
-/// "kitchen → corridor", or the label alone where the model names the same room, but is not sure.
+/// Returns "kitchen → corridor", or the label alone if the model names the same room without being
+/// sure.
 function whatOf(doubt, rooms) {
   const what = make("div", {className: "what"},
                     swatch(rooms.colour(doubt.label)), ` ${doubt.label || "no label"}`);
@@ -55,11 +56,11 @@ function whyOf(doubt) {
       `${clock(doubt.from, 0)} · ${length(doubt.to - doubt.from)} · ${kKinds[doubt.kind]}${sure}`});
 }
 
-/// `review`: see Review.
+/// Fills the list of stretches that the model questions. `review`: a Review.
 export function showDoubts(list, state, review) {
   const tell = (doubt, i) => {
-    const accept = make("button", {textContent: "Accept", title: "Enter: take the model's answer"});
-    const keep = make("button", {textContent: "Keep", title: "The label is right"});
+    const accept = make("button", {textContent: "Accept", title: "Use the model's answer (Enter)"});
+    const keep = make("button", {textContent: "Keep", title: "Keep the label (Backspace)"});
     keep.hidden = doubt.kind === "unlabelled";
     accept.hidden = doubt.place === doubt.label;
     const item = make("li", {}, make("div", {}, whatOf(doubt, state.rooms), whyOf(doubt)), keep,
@@ -74,15 +75,15 @@ export function showDoubts(list, state, review) {
   list.querySelector(".chosen")?.scrollIntoView({block: "nearest"});
 }
 
-/// What is said about the model.
+/// Returns the note below the model's name.
 export function noteOfModel(status, state) {
   if (status.problem) return status.problem;
   if (status.stage) return `${status.stage} …`;
   if (!status.model) {
-    return "No model is asked yet. Label a little of each room, then let the rest be proposed.";
+    return "No model yet. Label a short stretch of each room, then choose “Learn from labels”.";
   }
   const counts = Object.entries(kKinds).map(([kind, what]) =>
       [state.doubts.filter(doubt => doubt.kind === kind).length, what]).filter(([count]) => count);
-  if (!counts.length) return "It agrees with all labels.";
+  if (!counts.length) return "The model agrees with all labels.";
   return `Stretches: ${counts.map(([count, what]) => `${count} ${what}`).join(", ")}`;
 }

@@ -1,17 +1,18 @@
-// The picture at the cursor, and playing.
+// The image at the cursor, and playback.
 
-const kSpeeds = [1, 4];  // of playing: the second one if it is pressed again
+const kSpeeds = [1, 4];  // playback speeds; pressing the button again selects the next one
 
 export class Player {
-  /// `seek(time)` moves the cursor, `button` says what happens.
-  constructor(picture, getState, seek, button) {
-    Object.assign(this, {picture, getState, seek, button});
+  /// `img`: the element that shows the frame; `seek(time)` moves the cursor; `button` shows the
+  /// playback state.
+  constructor(img, getState, seek, button) {
+    Object.assign(this, {img, getState, seek, button});
     this.speed = 0;
     this.loading = false;
-    this.missed = false;  // the cursor has moved while a picture was loading
+    this.missed = false;  // the cursor has moved while an image was loading
   }
 
-  /// Shows the frame at the cursor: of those that come faster than pictures load, the newest.
+  /// Shows the frame at the cursor. Skips frames that the cursor passes while an image is loading.
   show() {
     if (this.loading) {
       this.missed = true;
@@ -25,8 +26,8 @@ export class Player {
     const image = new Image();
     image.onload = image.onerror = () => {
       this.loading = false;
-      this.picture.classList.toggle("missing", !image.naturalWidth);
-      if (image.naturalWidth) this.picture.src = url;
+      this.img.classList.toggle("missing", !image.naturalWidth);
+      if (image.naturalWidth) this.img.src = url;
       if (this.missed) {
         this.missed = false;
         this.show();
@@ -35,7 +36,7 @@ export class Player {
     image.src = url;
   }
 
-  /// Plays, plays faster, pauses.
+  /// Switches from paused to playing, to playing faster, to paused.
   toggle() {
     const playing = this.speed > 0;
     this.speed = kSpeeds[this.speed ? kSpeeds.indexOf(this.speed) + 1 : 0] ?? 0;
@@ -49,7 +50,7 @@ export class Player {
   advance(now) {
     if (!this.speed) return;
     const {cursor, frames} = this.getState();
-    // Pictures that load slowly slow it down instead of being skipped by the dozen.
+    // When drawing is slow, playback slows down rather than skipping many frames.
     const elapsed = Math.min(0.2, Math.max(0, now - this.last) / 1000);
     this.last = now;
     this.seek(cursor + elapsed * this.speed);

@@ -1,4 +1,5 @@
-// Going through what the model says: its answers as they come, and the stretches that it doubts.
+// Review of the model's opinion: receives its answers and steps through the stretches that it
+// questions.
 
 import {getAnswers} from "./api.js";
 import {findDoubts} from "./doubts.js";
@@ -8,18 +9,18 @@ export class Review {
   /// `page`: change(spans), show(), showStretch(from, to).
   constructor(state, page) {
     Object.assign(this, {state, page});
-    this.kept = [];  // [from, to, label] that a person has found right
+    this.kept = [];  // [from, to, label] that the user has confirmed
     this.fetching = false;
   }
 
-  /// Finds the doubts about the labels as they are now.
+  /// Finds the doubts about the current labels.
   update() {
     const {state} = this;
     state.doubts = findDoubts(state.answers, state.spans, this.kept, state.frames);
     state.chosen = Math.min(state.chosen, state.doubts.length - 1);
   }
 
-  /// Goes to one of the doubts.
+  /// Chooses a doubt and shows its stretch.
   choose(number) {
     const doubt = this.state.doubts[number];
     if (!doubt) return;
@@ -29,13 +30,13 @@ export class Review {
 
   step(count) { this.choose(Math.max(0, this.state.chosen + count)); }
 
-  /// Takes the model's answer.
+  /// Replaces the label by the model's answer.
   accept(doubt) {
     this.state.selection = null;
     this.page.change(paint(this.state.spans, doubt.from, doubt.to, doubt.place));
   }
 
-  /// The label is right.
+  /// Confirms the label.
   keep(doubt) {
     if (doubt.kind === "unlabelled") return;
     this.state.selection = null;
@@ -43,7 +44,7 @@ export class Review {
     this.page.show();
   }
 
-  /// Accepts or keeps the chosen stretch and goes on to the next one.
+  /// Accepts or keeps the chosen stretch (`how`: "accept" or "keep") and chooses the next one.
   settle(how) {
     const {chosen, doubts} = this.state;
     if (!doubts[chosen]) return;
@@ -51,14 +52,14 @@ export class Review {
     this.choose(Math.min(chosen, this.state.doubts.length - 1));
   }
 
-  /// Gives what has no label the model's answer.
+  /// Labels all unlabelled stretches with the model's answers.
   acceptRest() {
     const open = this.state.doubts.filter(doubt => doubt.kind === "unlabelled");
     this.page.change(open.reduce(
         (spans, {from, to, place}) => paint(spans, from, to, place), this.state.spans));
   }
 
-  /// Takes the model's status, and fetches the answers that it tells of.
+  /// Stores the model's status and fetches the answers that it announces.
   async hear(status) {
     const {state} = this;
     state.status = status;

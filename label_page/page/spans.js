@@ -1,7 +1,7 @@
 // Labels as spans {from, to, place} of time, s, in order and without overlap. The functions return
-// new lists and leave the old ones alone, so that a list can be kept for undo.
+// new lists and do not modify the old ones, so a list can be kept for undo.
 
-/// The index of the span that holds `time`, or -1.
+/// Returns the index of the span that contains `time`, or -1.
 export function spanAt(spans, time) {
   let low = 0, high = spans.length;
   while (low < high) {
@@ -11,8 +11,8 @@ export function spanAt(spans, time) {
   return low < spans.length && spans[low].from <= time ? low : -1;
 }
 
-/// Gives all between `from` and `to` the place; "" for no room. Spans of the same place that touch
-/// it become one with it.
+/// Labels everything between `from` and `to` with `place`; "" removes the labels. Merges adjacent
+/// spans of the same place.
 export function paint(spans, from, to, place) {
   if (!(from < to)) return spans;
   const before = [], after = [];
@@ -31,7 +31,7 @@ export function paint(spans, from, to, place) {
   return [...before, painted, ...after];
 }
 
-/// Makes two spans of the one that holds `time`.
+/// Splits the span that contains `time` in two.
 export function split(spans, time) {
   const at = spanAt(spans, time);
   if (at < 0 || spans[at].from >= time) return spans;
@@ -40,7 +40,7 @@ export function split(spans, time) {
           ...spans.slice(at + 1)];
 }
 
-/// The times at which a label begins or ends, ascending, each once.
+/// Returns the times at which a label begins or ends, ascending, without duplicates.
 export function borders(spans) {
   const times = [];
   for (const span of spans) {
@@ -50,13 +50,13 @@ export function borders(spans) {
   return times;
 }
 
-/// Where the stretch ends that holds `time`, labelled or not.
+/// Returns the end of the stretch, labelled or not, that contains `time`.
 export function endOfStretch(spans, time, duration) {
   return borders(spans).find(border => border > time) ?? duration;
 }
 
-/// Moves the border at `time` to `target`, but not past its neighbours; `least`: what is left of
-/// a span at least.
+/// Moves the border at `time` to `target`, but not past its neighbours. `least`: shortest length
+/// that a stretch may be left with, s.
 export function moveBorder(spans, time, target, duration, least) {
   const all = [0, ...borders(spans).filter(border => border > 0 && border < duration), duration];
   const at = all.indexOf(time);
@@ -69,7 +69,7 @@ export function moveBorder(spans, time, target, duration, least) {
                              to: span.to === time ? moved : span.to}));
 }
 
-/// Lists of spans as they followed each other.
+/// The history of the list of spans, for undo and redo.
 export class History {
   constructor(spans) {
     this.states = [spans];

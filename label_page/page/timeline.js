@@ -1,17 +1,17 @@
-// The strip: a ruler, thumbnails, the labels as coloured spans, and the model's answers below.
+// The strip: a ruler, thumbnails, the labels as coloured spans, and the model's answers.
 
 import {clock, niceStep} from "./format.js";
 import {firstFrom} from "./frames.js";
 import {borders, spanAt} from "./spans.js";
 import {prepare} from "./view.js";
 
-// Where the rows lie, pixels.
+// Positions of the rows, pixels.
 const kRuler = {top: 0, height: 22};
 const kThumbs = {top: 24, height: 96};
 const kLabels = {top: 126, height: 38};
 const kAnswers = {top: 168, height: 30};
 const kHeight = 206;
-const kGrip = 7;  // pixels around a border that take hold of it
+const kGrip = 7;  // distance from a border within which the mouse grabs it, pixels
 
 export class Timeline {
   /// `state`: {frames, spans, answers, answerTimes, cursor, selection, rooms}; `on`: seek(time),
@@ -40,7 +40,7 @@ export class Timeline {
     this.drawMarks(context);
   }
 
-  /// Between frames, as a rule, s.
+  /// Returns the mean interval between frames, s.
   interval() {
     const times = this.state.frames.times;
     return times.length > 1 ? Math.max(1e-3, (times.at(-1) - times[0]) / (times.length - 1)) : 1;
@@ -63,13 +63,14 @@ export class Timeline {
     context.stroke();
   }
 
-  /// Where thumbnails stand: {number, x, width}. Their grid is anchored in time and halves with the
-  /// scale, so that the same frames are shown while the strip moves.
+  /// Returns the positions of the thumbnails: {number, x, width}. If there are more frames in view
+  /// than fit, the grid is anchored in time and its step is a power of two seconds, so the same
+  /// frames stay visible while the strip scrolls.
   slots(width, interval) {
     const {view, state: {frames}} = this;
     const full = kThumbs.height * this.aspect;
     const step = Math.max(interval, 2 ** Math.floor(Math.log2(full / view.scale)));
-    const single = step < 2 * interval;  // each frame has its place
+    const single = step < 2 * interval;  // one slot per frame
     const slots = [];
     const add = (number, from, to) => slots.push(
         {number, x: view.x(from), width: Math.min(full, (to - from) * view.scale)});
@@ -118,7 +119,7 @@ export class Timeline {
       }
       context.restore();
     });
-    const middle = width / 2;  // what is in the middle comes first
+    const middle = width / 2;  // thumbnails in the middle are loaded first
     const order = slots.map((slot, i) => i).sort(
         (a, b) => Math.abs(slots[a].x - middle) - Math.abs(slots[b].x - middle));
     this.thumbnails.want(order.map(i => urls[i]));
@@ -152,7 +153,8 @@ export class Timeline {
     }
   }
 
-  /// A column a pixel: the answer's colour, as high as it is probable.
+  /// Draws one column per pixel, coloured by the answer; its height is proportional to the answer's
+  /// probability.
   drawAnswers(context, width) {
     const {top, height} = kAnswers;
     const {answers, rooms, spans} = this.state;
@@ -198,14 +200,14 @@ export class Timeline {
     context.fill();
   }
 
-  // pointer
+  // Pointer
 
   place(event) {
     const box = this.canvas.getBoundingClientRect();
     return {x: event.clientX - box.left, y: event.clientY - box.top};
   }
 
-  /// The border under the pointer, or undefined.
+  /// Returns the border under the pointer, or undefined.
   borderAt({x, y}) {
     if (y < kLabels.top || y > kLabels.top + kLabels.height) return undefined;
     const near = borders(this.state.spans)

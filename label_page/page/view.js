@@ -1,9 +1,10 @@
-// What of the recording is in view, and canvases to draw it on.
+// The part of the recording in view, and the canvases that show it.
 
-/// Left and right of the recording when all of it is seen, pixels.
+/// Margin to the left and right of the recording when all of it is in view, pixels.
 export const kMargin = 12;
 
-/// Makes a canvas as fine as the screen; returns its context and size in CSS pixels.
+/// Gives a canvas the resolution of the screen and clears it. Returns its context and size in CSS
+/// pixels.
 export function prepare(canvas) {
   const ratio = devicePixelRatio || 1;
   const {clientWidth: width, clientHeight: height} = canvas;
@@ -17,7 +18,7 @@ export function prepare(canvas) {
   return {context, width, height};
 }
 
-/// Which part of the recording is in view: `start`, s, at the left border; `scale`, pixels/s.
+/// The part of the recording in view: `start`, the time at the left border, s; `scale`, pixels/s.
 export class View {
   constructor(duration) {
     this.duration = duration;
@@ -58,7 +59,7 @@ export class View {
     this.keepWithin();
   }
 
-  /// Brings a stretch into view, with some of what is around it.
+  /// Brings a stretch into view, with some of its surroundings.
   revealStretch(from, to) {
     this.scale = Math.min(this.scale, this.width / Math.max(1e-3, (to - from) * 1.6));
     this.keepWithin();

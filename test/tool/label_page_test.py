@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool label in a real browser: what a person does with mouse and keys, and what is saved."""
+"""Tests place_tool label in a real browser: mouse and keyboard actions, and the labels saved."""
 import json
 import time
 import unittest
@@ -10,7 +10,7 @@ from page_case import LABELS, Keys, PageCase
 class LabellingTest(PageCase):
     def setUp(self):
         super().setUp()
-        self.record("run.bag", frames=100, rate=10)  # borders between them at .05, .15, ...
+        self.record("run.bag", frames=100, rate=10)  # borders between frames at .05, .15, ...
 
     def test_drag_keys_save_and_reload(self):
         self.open("run.bag")
@@ -58,7 +58,7 @@ class LabellingTest(PageCase):
         self.drag(5.0, 2.95, LABELS)
         moved = [("kitchen", 0, 30), ("corridor", 30, 100)]
         self.wait_for(*moved)
-        self.drag(2.95, .01, LABELS)  # not past what is before it
+        self.drag(2.95, .01, LABELS)  # not past the previous border
         self.assertEqual([label[0] for label in self.drafted()], ["kitchen", "corridor"])
         self.control("z")
         self.wait_for(*moved)
@@ -89,7 +89,7 @@ class LabellingTest(PageCase):
         self.wait_for(("galley", 0, 50), ("corridor", 50, 100))
         self.assertEqual(self.rooms_shown(), {"galley": "1", "corridor": "2", "no room": "0"})
 
-    def test_steps_and_the_picture(self):
+    def test_steps_and_the_image(self):
         self.labelled(("kitchen", 0, 5))
         self.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
         self.assertIn("frame 3 of 100", self.text("caption"))
@@ -125,7 +125,7 @@ class LabellingTest(PageCase):
         self.load()
         self.assertEqual([label[0] for label in self.drafted()], names)
 
-    def test_what_is_not_saved_survives_a_reload_and_ends_with_the_page(self):
+    def test_unsaved_changes_survive_a_reload_and_closing_the_page_ends_the_program(self):
         self.labelled(("kitchen", 0, 5))
         self.click(2.05)
         self.press("0")
@@ -140,7 +140,7 @@ class LabellingTest(PageCase):
         self.served.process.wait(timeout=30)
         self.assertEqual(self.served.stop(), (0, "The page was closed.\n"))
 
-    def test_a_page_from_elsewhere_learns_nothing_and_changes_nothing(self):
+    def test_a_foreign_page_can_neither_read_nor_change_anything(self):
         self.labelled(("kitchen", 0, 5))
         address = self.served.address
         (self.folder / "evil.html").write_text("<title>evil</title>")
@@ -187,7 +187,7 @@ class SizeTest(PageCase):
             };
             requestAnimationFrame(look);""")
         strip = self.element("timeline")
-        for _ in range(12):  # closer and closer, until there is a thumbnail for each frame
+        for _ in range(12):  # zooms in until there is a thumbnail for each frame
             self.script("""arguments[0].dispatchEvent(new WheelEvent("wheel",
                 {deltaY: -300, clientX: 700, clientY: arguments[0].getBoundingClientRect().top + 50,
                  cancelable: true}))""", strip)
@@ -197,7 +197,7 @@ class SizeTest(PageCase):
                 {deltaX: 200, cancelable: true}))""", strip)
         self.wait(self.strip_is_complete)
         frames = sorted(self.script("return frames_drawn"))
-        print(f"{len(frames)} times drawn, {frames[len(frames) // 2]:.0f} ms between, 99 % within "
+        print(f"{len(frames)} redraws, median {frames[len(frames) // 2]:.0f} ms, 99 % within "
               f"{frames[len(frames) * 99 // 100]:.0f} ms")
         self.press(Keys.END)
         self.assertIn(f"frame {self.FRAMES} of", self.text("caption"))
@@ -254,12 +254,12 @@ class DoubtsTest(PageCase):
         self.assertEqual({kind for _, kind in self.doubts()}, {"not labelled"})
         self.element("accept-all").click()
         self.wait(lambda: self.doubts() == [])
-        self.assertEqual(self.text("model-note"), "It agrees with all labels.")
+        self.assertEqual(self.text("model-note"), "The model agrees with all labels.")
         self.save()
         self.assertEqual(self.stretches("tuesday.bag"),
                          [("kitchen", 0, 7.5), ("corridor", 7.5, 15.5), ("office", 15.5, 23)])
 
-    def test_contradictions_come_first_the_worst_first(self):
+    def test_contradictions_come_first_in_order_of_severity(self):
         (self.folder / "tuesday.labels.yaml").write_text(json.dumps({"labels": [
             {"from": 0, "to": 7.5, "place": "kitchen"}, {"from": 7.5, "to": 9.5, "place": "office"},
             {"from": 9.5, "to": 12.5, "place": "corridor"},
@@ -269,16 +269,16 @@ class DoubtsTest(PageCase):
         self.assertEqual(self.doubts()[:2], [["kitchen → office", "contradicted"],
                                              ["office → corridor", "contradicted"]])
         self.assertEqual([kind for _, kind in self.doubts()[2:]], ["not labelled"] * 2)
-        self.press(".")  # goes there
+        self.press(".")  # goes to the first stretch
         self.assertIn("kitchen", self.text("caption"))
-        self.press(Keys.ENTER)  # takes the answer and goes to the next
+        self.press(Keys.ENTER)  # accepts the answer and goes to the next stretch
         self.wait(lambda: self.doubts()[0] == ["office → corridor", "contradicted"])
         self.press(Keys.BACKSPACE)  # keeps the label
         self.wait(lambda: {kind for _, kind in self.doubts()} == {"not labelled"})
         self.wait_for(("kitchen", 0, 8), ("office", 8, 10), ("corridor", 10, 13),
                       ("office", 16, 22))
 
-    def test_it_learns_from_what_is_labelled(self):
+    def test_it_learns_from_the_labels(self):
         self.open("tuesday.bag")
         self.assertFalse(self.element("learn").is_enabled())
         for i, room in enumerate(("kitchen", "corridor", "office")):

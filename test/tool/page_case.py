@@ -1,4 +1,4 @@
-"""The page of place_tool label in a real browser, for tests."""
+"""Shared code of the tests of place_tool label in a real browser."""
 import sys
 import tempfile
 from bisect import bisect_left
@@ -72,14 +72,14 @@ class PageCase(LabelCase):
         return self.script("return document.getElementById(arguments[0]).textContent", name)
 
     def rooms_shown(self):
-        """The list of rooms: name -> key."""
+        """Returns the list of rooms: name -> key."""
         return dict(self.script(
             "return [...document.querySelectorAll('.room')].map(button =>"
             "[button.querySelector('.room-name').textContent,"
             " button.querySelector('kbd')?.textContent ?? ''])"))
 
     def strip_is_complete(self):
-        """Whether every thumbnail in view is there: no pixel has the colour of an empty slot."""
+        """Returns whether all thumbnails in view are loaded: no pixel shows an empty slot."""
         return self.script("""
             const canvas = document.getElementById("timeline");
             const scale = canvas.width / canvas.clientWidth;
@@ -98,13 +98,13 @@ class PageCase(LabelCase):
             Keys.CONTROL).perform()
 
     def x(self, time_):
-        """Pixels from the strip's left where a time lies while all of the recording is in view."""
+        """Returns the x coordinate of a time when the whole recording is in view, pixels."""
         width = self.element("timeline").size["width"]
         duration = self.served.get("recording")["duration"]
         return 12 + time_ / duration * (width - 24)
 
     def at(self, time_, row):
-        """An action that moves the mouse there."""
+        """Returns an action that moves the mouse to a time in a row of the strip."""
         strip = self.element("timeline")
         return ActionChains(self.browser, duration=20).move_to_element_with_offset(
             strip, round(self.x(time_) - strip.size["width"] / 2), row - strip.size["height"] // 2)
@@ -131,7 +131,7 @@ class PageCase(LabelCase):
         self.wait(lambda: self.text("message").startswith("Saved"))
 
     def drafted(self):
-        """What the page has, as (place, first frame, frame behind the last)."""
+        """Returns the page's labels as (place, first frame, frame after the last)."""
         recording = self.served.get("recording")
         times = self.served.get("times?topic=" + recording["topic"])
         return [(label["place"], bisect_left(times, label["from"]), bisect_left(times, label["to"]))
