@@ -18,7 +18,7 @@ int main(int argc, char** argv) try {
   }
   const auto model = std::make_shared<const pr::Model>(pr::loadModel(argv[1]));
   const cv::Mat image = cv::imread(argv[2]);
-  if (image.empty()) throw pr::Error(std::string("There is no image ") + argv[2] + ".");
+  if (image.empty()) throw pr::Error(std::string("Cannot read the image ") + argv[2] + ".");
 
   pr::Recognizer recognizer(model);
   const pr::Recognition& answer = recognizer.recognize(image);

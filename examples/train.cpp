@@ -1,6 +1,6 @@
 // Learns the rooms of a folder of room/image files:
 //   train FOLDER MODEL.places [--tune]
-// --tune first finds the features that suit these rooms, which takes minutes.
+// --tune first searches for the features that suit these rooms, which takes minutes.
 
 #include <place_recognition/error.h>
 #include <place_recognition/model_file.h>
@@ -30,7 +30,7 @@ int main(int argc, char** argv) try {
   const pr::Training training = pr::train(recordings, options);
   pr::saveModel(training.model, argv[2]);
   std::cout << training.model.places.size() << " rooms from " << training.images << " images, "
-            << 100 * training.model.validation.average_rate << " % right on held-out ones\n";
+            << 100 * training.model.validation.average_rate << " % of held-out images correct\n";
   return 0;
 } catch (const pr::Error& e) {
   std::cerr << "train: " << e.what() << "\n";

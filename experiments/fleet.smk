@@ -1,19 +1,20 @@
-# A model for each of many buildings, and one report of all.
+# Trains a model for each of many buildings and writes one report on all of them.
 #
 #   snakemake -s experiments/fleet.smk --cores all --config buildings=site out=fleet
 #   snakemake -s experiments/fleet.smk --profile experiments/slurm --config buildings=site out=fleet
 #
-# `buildings` holds a folder for each building: BUILDING/train with the recordings to learn (bags, or
-# folders of room/image), and BUILDING/test, if there is one, with those to evaluate the model on.
-# `out` gets models/BUILDING.places, BUILDING/report/report.html and, of all, report.html and
-# report.md. It must lie on a disk that all machines see. A job that is killed is started again.
+# `buildings` contains a folder per building: BUILDING/train with the recordings to learn (bags, or
+# folders of room/image), and optionally BUILDING/test with the recordings to evaluate the model on.
+# `out` receives models/BUILDING.places, BUILDING/report/report.html and, for all buildings,
+# report.html and report.md. It must be on a disk that all machines share. A job that is killed is
+# restarted.
 # --config:
-#   config   preset or YAML file of `train`; left out: the default
-#   tune     1: search for a configuration of each building first; slow
-#   parts    jobs that share the search for a building; of more than 8, some have nothing to do
-#   search   further options of `tune`, as in "--same-light"
-#   options  further options of `train`, as in "--set sampling.rate=5"
-#   tool     place_tool, if it is not on PATH
+#   config   preset or YAML file for `train`; default: that of `train`
+#   tune     1: first search for a configuration for each building, which is slow
+#   parts    number of jobs that share the search for a building; jobs beyond 8 may be idle
+#   search   further options for `tune`, such as "--same-light"
+#   options  further options for `train`, such as "--set sampling.rate=5"
+#   tool     path of place_tool, if it is not on PATH
 
 import shlex
 from pathlib import Path
@@ -26,7 +27,7 @@ REPORT = Path(workflow.basedir) / "fleet_report.py"
 
 names = sorted(folder.name for folder in BUILDINGS.iterdir() if (folder / "train").is_dir())
 if not names:
-    raise SystemExit(f"{BUILDINGS} holds no BUILDING/train folder with recordings.")
+    raise SystemExit(f"{BUILDINGS} contains no BUILDING/train folder with recordings.")
 tested = [name for name in names if (BUILDINGS / name / "test").is_dir()]
 
 
@@ -55,7 +56,7 @@ rule all:
     input: OUT + "/report.html"
 
 
-# What the parts have found out lies in the folder `cells` beside them.
+# The parts store their results in the folder `cells` beside them.
 rule search:
     output: touch(OUT + "/{name}/search/{part}")
     params:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes report.html and report.md of all buildings that fleet.smk has learned: fleet_report.py OUT.
+"""Writes report.html and report.md on all buildings learned by fleet.smk: fleet_report.py OUT.
 
-OUT holds BUILDING/training.json and, if the model was evaluated, BUILDING/evaluation.json, as
-`place_tool train` and `evaluate` write them with --json. The worst building comes first.
+OUT contains BUILDING/training.json and, if the model was evaluated, BUILDING/evaluation.json, the
+--json output of `place_tool train` and `evaluate`. The worst building comes first.
 """
 import html
 import json
@@ -19,7 +19,7 @@ def percent(fraction):
 
 
 def row(name, training, evaluation):
-    """The cells of one building; those of a test are empty if there was none."""
+    """Returns the cells of one building. The cells on the test are empty if there was none."""
     validation = training["validation"]
     held_out = percent(validation["average_rate"]) if validation["rooms"] else ""
     cells = [name, str(len(training["rooms"])), str(training["images"]),
@@ -32,7 +32,8 @@ def row(name, training, evaluation):
 
 
 def read(out):
-    """[(row, warnings, whether there is a report)], by rate, of those without a test by name."""
+    """Returns [(row, warnings, whether there is a report)], by ascending rate; buildings without a
+    test come last, by name."""
     buildings = []
     for path in sorted(out.glob("*/training.json")):
         training = json.loads(path.read_text())
@@ -75,11 +76,11 @@ def page(buildings):
 
 def main():
     if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
-        sys.exit("usage: fleet_report.py OUT, the folder that fleet.smk has written")
+        sys.exit("usage: fleet_report.py OUT, where OUT is the output folder of fleet.smk")
     out = pathlib.Path(sys.argv[1])
     buildings = read(out)
     if not buildings:
-        sys.exit(f"fleet_report.py: {out} holds no BUILDING/training.json")
+        sys.exit(f"fleet_report.py: {out} contains no BUILDING/training.json")
     (out / "report.md").write_text(markdown(buildings))
     (out / "report.html").write_text(page(buildings))
 

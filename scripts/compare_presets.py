@@ -4,9 +4,9 @@
   . build/devel/setup.bash
   ./scripts/compare_presets.py RUN1 RUN2 [--presets crfh,sift] [--place-tool PATH]
 
-Prints a table in Markdown: the mean of the rooms' rates both ways, features extracted and compared
-in a second, size of the models. RUN1 and RUN2 are bags or folders of room/image files. Nothing is
-chosen on the run that is tested on.
+Prints a Markdown table with, for each direction, the mean of the rooms' recognition rates, the
+frames recognized per second, and the size of the model. RUN1 and RUN2 are bags or folders of
+room/image files. No choice depends on the run that is tested on.
 """
 import pathlib
 import tempfile
@@ -18,7 +18,7 @@ def main():
     options = parser(__doc__).parse_args()
     place_tool = PlaceTool(options)
     first, second = options.runs
-    print("| preset | there | back | frames a second | support vectors | model, KiB |")
+    print("| preset | forward | backward | frames per second | support vectors | model, KiB |")
     print("| --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as folder:
         model = pathlib.Path(folder) / "compared.places"

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""How well places that were never trained are told from those that were.
+"""Measures how well places that were never trained are distinguished from trained ones.
 
   . build/devel/setup.bash
   ./scripts/leave_rooms_out.py RUN1 RUN2 [--elsewhere RUN3] [--presets crfh,sift]
                                [--place-tool PATH]
 
-For every preset: each room in turn is left out of the training on one run, and the other run is
-tested, both ways. Prints a table in Markdown of the area under the ROC curve of known against
-unknown, mean over the rooms; and for the thresholds that `train` sets, the fractions of unknown and of
-known images that are answered 'unknown'. With --elsewhere the same for a place of another
-building, with all rooms trained. The runs are folders of room/image files.
+For every preset, leaves out each room in turn when training on one run and tests on the other run,
+in both directions. Prints a Markdown table of the means over the rooms: the area under the ROC
+curve of known against unknown and, at the threshold that `train` sets, the fractions of unknown and
+known images that are answered 'unknown'. --elsewhere adds a row for a run from another building,
+with all rooms trained. The runs are folders of room/image files.
 """
 import pathlib
 import tempfile
@@ -29,7 +29,7 @@ class Trial:
         self.place_tool, self.preset, self.folder = place_tool, preset, pathlib.Path(folder)
 
     def without(self, room, run, *tests):
-        """Trains on all rooms of `run` but `room`, and tests."""
+        """Trains on all rooms of `run` except `room` and returns the figures of the tests."""
         with tempfile.TemporaryDirectory(dir=self.folder) as rest:
             for other in sorted(pathlib.Path(run).iterdir()):
                 if other.name != room:
@@ -41,14 +41,14 @@ class Trial:
 
 def main():
     arguments = parser(__doc__)
-    arguments.add_argument("--elsewhere", metavar="RUN", help="a place never seen")
+    arguments.add_argument("--elsewhere", metavar="RUN", help="a run in other places")
     options = arguments.parse_args()
     place_tool = PlaceTool(options)
     first, second = options.runs
     rooms = sorted({path.name for run in options.runs for path in pathlib.Path(run).iterdir()
                     if path.is_dir()})
-    print("| preset | unknown | area, there | detected | false alarms "
-          "| area, back | detected | false alarms |")
+    print("| preset | unknown | area, forward | detected | false alarms "
+          "| area, backward | detected | false alarms |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as folder:
         for preset in presets(options):

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Shows what place_recognizer answers: a line whenever the named room changes.
+"""Prints the answers of place_recognizer: one line whenever the answer or the true label changes.
 
   rosrun place_recognition place_monitor.py [--recognizer /place_recognizer] [--label-topic /place_label]
 
-Where the label topic is published too (a labelled bag is replayed), the truth stands beside each
-answer. Ctrl-C, or the end of the frames for --idle-exit seconds, ends it with a summary.
+If the label topic is published, as when a labelled bag is replayed, the true label is printed
+beside each answer. Ends with a summary on Ctrl-C or after --idle-exit seconds without an answer.
 """
 import argparse
 import sys
@@ -24,7 +24,7 @@ class Monitor:
     def __init__(self, recognizer, label_topic):
         self.lock = threading.Lock()
         self.truth = ""
-        self.shown = None  # the answer and truth of the last line
+        self.shown = None  # (answer, truth) of the last line printed
         self.start = time.time()
         self.first = self.last = None  # wall time of the first and last answer
         self.first_stamp = None  # s
@@ -62,20 +62,21 @@ class Monitor:
               f" {100 * message.confidence:3.0f} %{verdict}", flush=True)
 
     def is_idle(self, seconds):
-        """Whether nothing was answered for so long; for the first answer ten times that."""
+        """Returns whether there has been no answer for `seconds`; allows ten times as long for the
+        first answer."""
         with self.lock:
             now = time.time()
             return now - self.last > seconds if self.last else now - self.start > 10 * seconds
 
     def summary(self):
         if len(self.seconds) < 2:
-            return "no frame was answered"
+            return "fewer than two frames were answered"
         rate = (len(self.seconds) - 1) / max(self.last - self.first, 1e-9)
-        text = (f"{len(self.seconds)} frames answered, {rate:.0f} a second; latency in the node "
+        text = (f"{len(self.seconds)} frames answered, {rate:.0f} per second; latency in the node "
                 f"{1e3 * percentile(self.seconds, 0.5):.1f} ms (median), "
-                f"{1e3 * percentile(self.seconds, 0.99):.1f} ms (99 %)")
+                f"{1e3 * percentile(self.seconds, 0.99):.1f} ms (99th percentile)")
         if self.labelled:
-            text += f"; {100 * self.right / self.labelled:.1f} % of the frames named right"
+            text += f"; {100 * self.right / self.labelled:.1f} % of the labelled frames correct"
         return text
 
 
@@ -85,8 +86,8 @@ def main():
     parser.add_argument("--recognizer", default="/place_recognizer", help="name of the node")
     parser.add_argument("--label-topic", default="/place_label", help="topic of the true labels")
     parser.add_argument("--idle-exit", type=float, default=0, metavar="S",
-                        help="end after so many seconds without an answer, ten times that at the "
-                             "start; 0: never")
+                        help="end after this many seconds without an answer, or ten times as many "
+                             "before the first one; 0: never")
     options = parser.parse_args(rospy.myargv(sys.argv)[1:])
     rospy.init_node("place_monitor", anonymous=True)
     for name in rospy.get_param("~", {}):

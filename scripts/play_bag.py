@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""rosbag play for replay.launch, which says by environment variables what a person asked for.
+"""Runs rosbag play for replay.launch, which passes its arguments as environment variables.
 
-BAG is an absolute path, one that starts with ~/ or $HOME/, or one from the folder where roslaunch was
-called; blanks and quotes may be in it. A list in brackets names the parts of a split recording. IMAGE and ODOMETRY are topics, with or without a slash at their
-start. RATE is how many times as fast as recorded, LOOP whether to start again at the end. Playing starts
-when somebody listens to the images: rosbag's own --wait-for-subscribers would wait until somebody
-listens to the labels, too.
+BAG is an absolute path, a path that starts with ~/ or $HOME/, or a path relative to the folder in
+which roslaunch was called; it may contain blanks and quotes. A list in brackets names the parts of
+a split recording. IMAGE and ODOMETRY are topics, with or without a leading slash. RATE is the
+playback speed relative to the recording, LOOP whether to start again at the end. Playback starts
+once the image topic has a subscriber; rosbag's --wait-for-subscribers would also wait for a
+subscriber to the labels.
 """
 import os
 import signal
@@ -19,8 +20,8 @@ import yaml
 
 YES = ("true", "yes", "on", "1")
 NO = ("false", "no", "off", "0")
-CONNECTING = "1"  # s that a subscriber may take to connect to a publisher
-PATIENCE = 5  # s
+CONNECTING = "1"  # time for a subscriber to connect to the player, s
+PATIENCE = 5  # time without a subscriber after which to say so, s
 
 
 def bag_path(bag):
@@ -32,7 +33,7 @@ def bag_path(bag):
 
 
 def bag_paths(given):
-    """One bag, or those of a list in brackets."""
+    """Returns the paths of the bags that `given`, a path or a list in brackets, names."""
     if not given.startswith("["):
         return [bag_path(given)]
     try:
@@ -60,7 +61,7 @@ def is_loop(loop):
 
 
 def recorded_topics(path):
-    """The topics of the bag, each with its type."""
+    """Returns the bag's topics and their message types."""
     try:
         with rosbag.Bag(path) as bag:
             return {name: topic.msg_type for name, topic in bag.get_type_and_topic_info().topics.items()}
@@ -71,13 +72,13 @@ def recorded_topics(path):
 
 
 def meant(names, recorded):
-    """The recorded topics of these names, with or without a slash at their start."""
+    """Returns the recorded topics with these names, ignoring leading slashes."""
     bare = {name.lstrip("/") for name in names}
     return [topic for topic in recorded if topic.lstrip("/") in bare]
 
 
 def wait_for_listener(topics):
-    """Until somebody listens to one of the topics, by what the master knows."""
+    """Waits until the master lists a subscriber to one of the topics."""
     master = rosgraph.Master("/play")
     wanted = {"/" + topic.lstrip("/") for topic in topics}
     warning = time.time() + PATIENCE
@@ -85,8 +86,8 @@ def wait_for_listener(topics):
         time.sleep(0.1)
         if time.time() > warning:
             warning = float("inf")
-            print(f"Waiting until somebody listens to {' or '.join(sorted(wanted))}, where the images of "
-                  "the bag are; see image_transport.", flush=True)
+            print(f"Waiting for a subscriber to {' or '.join(sorted(wanted))}, the topic of the "
+                  "bag's images; see image_transport.", flush=True)
 
 
 def main():
@@ -100,7 +101,7 @@ def main():
     images = meant([image, image + "/compressed"], recorded)
     if not images:
         there = ", ".join(name for name, kind in sorted(recorded.items()) if "Image" in kind)
-        sys.exit(f"{' '.join(paths)} has no images on {image}; topics of images are: {there or 'none'}.")
+        sys.exit(f"{' '.join(paths)} has no images on {image}; image topics: {there or 'none'}.")
     others = meant(["/place_label", "/tf", "/tf_static", os.environ["ODOMETRY"]], recorded)
     wait_for_listener(images)
     print(f"Playing {', '.join(paths)}.", flush=True)

@@ -1,4 +1,4 @@
-"""What the scripts share that train every preset and test it."""
+"""Shared code of the scripts that train and test every preset."""
 import argparse
 import json
 import os
@@ -11,12 +11,12 @@ CONFIG = pathlib.Path(__file__).resolve().parent.parent / "config"
 
 
 def parser(description):
-    """Of a command line with the options below; `description`: its help, set as it is."""
+    """Returns a parser of the common options; `description`: help text, printed verbatim."""
     arguments = argparse.ArgumentParser(description=description,
                                         formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("runs", nargs=2, metavar="RUN")
-    arguments.add_argument("--presets", help="names separated by commas; else all of config/")
-    arguments.add_argument("--place-tool", help="path of the program; else through rosrun")
+    arguments.add_argument("--presets", help="comma-separated names; default: all of config/")
+    arguments.add_argument("--place-tool", help="path of place_tool; default: through rosrun")
     return arguments
 
 
@@ -27,25 +27,26 @@ def presets(options):
 
 
 def has_its_network(path):
-    """Whether the networks that a configuration names are installed; says so if not."""
+    """Returns whether the networks that a configuration names are installed; prints one that is
+    missing."""
     home = pathlib.Path(os.environ.get("ROS_HOME") or pathlib.Path.home() / ".ros")
     for name in re.findall(r"^\s*network: *([\w-]+)", path.read_text(), re.MULTILINE):
         if not (home / "place_recognition/networks" / f"{name}.onnx").exists():
-            print(f"{path.stem} is left out: there is no network '{name}' (doc/networks.md).",
+            print(f"Skipping {path.stem}: the network '{name}' is not installed (doc/networks.md).",
                   file=sys.stderr)
             return False
     return True
 
 
 class PlaceTool:
-    """The program, as the command line says."""
+    """Runs place_tool as the command line selects it."""
 
     def __init__(self, options):
         self.command = ([options.place_tool] if options.place_tool
                         else ["rosrun", "place_recognition", "place_tool"])
 
     def figures(self, *words):
-        """What a verb writes with --json."""
+        """Returns the JSON output of a verb."""
         result = subprocess.run([*self.command, *map(str, words), "--json", "-", "--progress",
                                  "none"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                 universal_newlines=True)

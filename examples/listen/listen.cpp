@@ -1,4 +1,4 @@
-// Acts on the room: says where the robot has come to, and how sure the single frames are of it.
+// Acts on the room: logs where the robot is, and the answers to single frames.
 //   rosrun listen listen
 
 #include <place_recognition/PlaceRecognition.h>
@@ -7,10 +7,10 @@
 
 namespace {
 
-/// The room over time; it is latched, so the first one comes at once.
+/// Handles the room over time. The topic is latched, so the current room arrives at once.
 void onPlace(const std_msgs::String& place) { ROS_INFO("The robot is in: %s", place.data.c_str()); }
 
-/// The answer to one frame, with the probability of every room.
+/// Handles the answer to one frame, which includes the probability of every room.
 void onRecognition(const place_recognition::PlaceRecognition& answer) {
   if (!answer.known) return;
   ROS_INFO_THROTTLE(1, "This frame shows %s (%.0f %%)", answer.place.c_str(),

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Acts on the room: says where the robot has come to, and how sure the single frames are of it."""
+"""Acts on the room: logs where the robot is, and the answers to single frames."""
 import rospy
 from place_recognition.msg import PlaceRecognition
 from std_msgs.msg import String
 
 
 def on_place(place):
-    """The room over time; it is latched, so the first one comes at once."""
+    """Handles the room over time. The topic is latched, so the current room arrives at once."""
     rospy.loginfo("The robot is in: %s", place.data)
 
 
 def on_recognition(answer):
-    """The answer to one frame, with the probability of every room."""
+    """Handles the answer to one frame, which includes the probability of every room."""
     if answer.known:
         rospy.loginfo_throttle(1, f"This frame shows {answer.place} ({100 * answer.confidence:.0f} %)")
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Tells snakemake how the Slurm job $1 fares: running, success or failed.
+# Prints the status of Slurm job $1 for snakemake: running, success or failed.
 set -uo pipefail
 state=$(scontrol --oneliner show job "$1" 2>/dev/null | grep -o ' JobState=[A-Z_]*' | cut -d= -f2)
-# What scontrol has forgotten, the accounting may know, if the cluster has one.
+# Once scontrol has forgotten a job, the accounting database, if there is one, may still know it.
 state=${state:-$(sacct -X -n -P -o State -j "$1" 2>/dev/null | head -n 1)}
 case "$state" in
   COMPLETED) echo success ;;

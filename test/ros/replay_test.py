@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""replay.launch as people call it: nobody but the recognizer listens to what is played."""
+"""Tests replay.launch as users call it, with the recognizer as the only subscriber."""
 import os
 import sys
 import unittest
@@ -35,7 +35,7 @@ class ReplayTest(NodeCase):
         return path
 
     def replay(self, bag, *arguments):
-        """The stamps of the frames that were answered."""
+        """Returns the stamps of the frames that were answered."""
         heard = []
         subscriber = rospy.Subscriber("/place_recognizer/recognition", PlaceRecognition, heard.append)
         self.addCleanup(subscriber.unregister)
@@ -77,7 +77,7 @@ class ReplayTest(NodeCase):
                 ("RATE", "fast", "The argument rate is 'fast'; give a number above 0"),
                 ("RATE", "0", "give a number above 0"), ("RATE", "nan", "give a number above 0"),
                 ("LOOP", "maybe", "The argument loop is 'maybe'; give true or false"),
-                ("IMAGE", "/front", "has no images on /front; topics of images are: "
+                ("IMAGE", "/front", "has no images on /front; image topics: "
                                     "/camera/image_raw/compressed")):
             with self.subTest(f"{name} {value}"):
                 program = self.start("env", *(f"{key}={given}" for key, given in

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""experiments/fleet.smk on painted buildings, and the report of all of them."""
+"""experiments/fleet.smk on painted buildings, and the report on all of them."""
 import json
 import shutil
 import subprocess
@@ -111,7 +111,7 @@ class WorkflowTest(ToolCase):
         (self.folder / "site").mkdir()
         result = self.run_workflow()
         self.assertNotEqual(result.returncode, 0)
-        self.assertIn("site holds no BUILDING/train folder", result.stderr + result.stdout)
+        self.assertIn("site contains no BUILDING/train folder", result.stderr + result.stdout)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/reproduce on painted rooms, named as the published data sets are."""
+"""Tests scripts/reproduce on painted rooms that are named as in the published data sets."""
 import os
 import subprocess
 import unittest
@@ -26,19 +26,19 @@ class ReproduceTest(ToolCase):
         for seed, condition in enumerate(CONDITIONS):
             for room in ROOMS:
                 for view in range(4):
-                    self.write_picture(f"data/{condition}/{room}/{room}_01_{30 * view:03d}.png",
+                    self.write_image(f"data/{condition}/{room}/{room}_01_{30 * view:03d}.png",
                                        paint(room, view, seed))
         report = self.report("indecs", "indecs-global,learning-curve")
         for condition in CONDITIONS:
             self.assertIn(f"| {condition} | 12 | corridor, kitchen, office |", report)
             self.assertTrue((self.folder / f"out/bags/{condition}.bag").is_file())
-        for title in ("Table 8.6", "Table 8.1", "images per room", "viewpoint", "Everything took"):
+        for title in ("Table 8.6", "Table 8.1", "images per room", "viewpoint", "Total time"):
             self.assertIn(title, report)
 
     def test_idol(self):
         for seed, sequence in enumerate(("dum_cloudy1", "dum_night2", "min_sunny1")):
             for i, room in enumerate(sorted(ROOMS) * 3):
-                self.write_picture(f"data/{sequence}/t11254962{seed}{i}.5_r{IDOL_CODES[room]}_x1.0"
+                self.write_image(f"data/{sequence}/t11254962{seed}{i}.5_r{IDOL_CODES[room]}_x1.0"
                                    f"_y-2.0_a0.5.png", paint(room, i, seed))
         self.assertIn("| min_sunny1 | 9 | CR, EO, KT |", self.report("idol", "indecs-global"))
 
@@ -50,7 +50,7 @@ class ReproduceTest(ToolCase):
                 lines = []
                 for i in range(9):
                     name = f"t115288649{i}.25_x0.2_y0.0_a0.1.jpeg"
-                    self.write_picture(f"{folder}/std_cam/{name}",
+                    self.write_image(f"{folder}/std_cam/{name}",
                                        paint(rooms[i // 3], i, 2 * seed + sequence))
                     lines.append(f"{name} {rooms[i // 3]}{seed + 1}-A\n")
                 places = self.folder / folder / "localization/places.lst"
@@ -60,7 +60,7 @@ class ReproduceTest(ToolCase):
         self.assertIn("| ljubljana_seq1_sunny1 | 9 | corridor2-A, kitchen2-A, office2-A |", report)
         rows = [line.split() for line in report.splitlines()]
         self.assertEqual(rows.count(["place", "freiburg", "ljubljana", "saarbruecken"]), 2)
-        for room in rooms:  # corridor1-A, corridor2-A and corridor3-A are one kind
+        for room in rooms:  # corridor1-A, corridor2-A and corridor3-A are of one kind
             self.assertEqual(len([row for row in rows if row[:1] == [room]]), 2, report)
 
     def test_what_fails_is_in_the_report(self):
