@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-/// Whether `condition` has become true within `seconds` of wall time.
+/// Returns whether `condition` becomes true within `seconds` of wall time.
 template <typename Condition>
 bool eventually(Condition condition, double seconds = 15) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);

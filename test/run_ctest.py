@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs what ctest knows, for `catkin_make run_tests`: ctest's list is the only one.
+"""Runs all tests of ctest, the only list of tests, for `catkin_make run_tests`.
 
 run_ctest.py CTEST BUILD_FOLDER RESULT.xml: writes the outcome as JUnit XML, a case for each entry,
 where `catkin_test_results` looks for it. Like catkin's own targets it exits with 0 when tests fail,
@@ -26,7 +26,7 @@ def measurement(test, name):
 
 
 def case(test):
-    """The JUnit element of one test."""
+    """Returns the JUnit element of one test."""
     element = ET.Element("testcase", classname="ctest", name=test.findtext("Name"),
                          time=measurement(test, "Execution Time") or "0")
     if test.get("Status") == "passed":

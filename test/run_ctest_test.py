@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""run_ctest.py on a project of four tests: what ctest says is what catkin_test_results counts."""
+"""Tests run_ctest.py on a project of four tests: catkin_test_results counts what ctest reports."""
 import os
 import pathlib
 import subprocess

@@ -8,7 +8,7 @@
 
 namespace place_recognition {
 
-/// A folder for the files of one test, removed at its end.
+/// A folder for the files of one test, removed at the end of the test.
 class ScratchFolder {
  public:
   ScratchFolder() {

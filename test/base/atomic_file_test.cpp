@@ -62,7 +62,7 @@ TEST_F(AtomicFile, RefusesWhatCannotBeReadOrWritten) {
 }
 
 TEST_F(AtomicFile, LeavesNoTemporaryFileWhenTheLastStepFails) {
-  // A rename onto a folder fails, after the bytes were written.
+  // Renaming onto a folder fails after the bytes were written.
   fs::create_directories(fs::path(path_) / "inside");
   EXPECT_THROW(writeFileAtomically(path_, "x"), Error);
   EXPECT_EQ(filesInFolder(), 1u) << "the temporary file was left behind";

@@ -1,4 +1,4 @@
-// Every way out of the folders of bags that an enemy would try.
+// Every attempt of an attacker to leave the folders of bags.
 
 #include "base/confined_path.h"
 
@@ -104,7 +104,7 @@ TEST_F(ConfinedPaths, TheRefusalSaysWhatLiesBelowTheRootInstead) {
   ASSERT_EQ(mkfifo((root_ + "/pipe.bag").c_str(), 0666), 0);
   expectSays("pipe.bag", {"is a pipe or a device"});
   expectSays("missing.bag", {"is not a bag (*.bag) below " + root_});
-  expectSays("/etc", {"is not a bag (*.bag) below " + root_});  // nothing of what lies elsewhere
+  expectSays("/etc", {"is not a bag (*.bag) below " + root_});  // nothing about files elsewhere
   expectSays("..", {"is not a bag (*.bag) below " + root_});
 }
 
@@ -116,7 +116,7 @@ TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
   fs::create_symlink(elsewhere + "/d.bag", root_ + "/link.bag");
   fs::create_symlink(scratch_ / "gone/d.bag", root_ + "/dangling.bag");
   const std::string remedy = "add " + elsewhere + " to ~bag_roots";
-  // The same words whether the bag is there or not.
+  // The same message whether the bag exists or not.
   for (const std::string bag : {"d.bag", "missing.bag", "sub/d.bag"}) {
     expectSays("linked/" + bag, {root_ + "/linked, which leads to " + elsewhere + ",", remedy});
     expectSays(root_ + "/linked/" + bag, {root_ + "/linked", remedy});
@@ -125,7 +125,7 @@ TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
   expectSays("deep/relative/d.bag", {root_ + "/deep/relative, which leads to " + elsewhere});
   expectSays("link.bag", {root_ + "/link.bag", "leads to " + elsewhere + "/d.bag", remedy});
   expectSays("dangling.bag", {root_ + "/dangling.bag", "leads to " + (scratch_ / "gone/d.bag")});
-  // A way out by ".." or from outside is not explained.
+  // Leaving by "..", or a path outside, is not explained.
   expectSays("linked/../../elsewhere/d.bag", {"is not a bag (*.bag) below " + root_});
   expectSays(elsewhere + "/d.bag", {"is not a bag (*.bag) below " + root_});
 }

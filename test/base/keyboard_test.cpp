@@ -1,4 +1,4 @@
-// A terminal whose keys are read one by one.
+// A terminal from which single keys are read.
 
 #include "base/keyboard.h"
 

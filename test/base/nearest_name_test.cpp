@@ -10,8 +10,8 @@ namespace {
 const std::vector<std::string> kKnown = {"model", "lazy", "smoothing", "smoothing_lag", "bag"};
 
 TEST(NearestName, IsTheOneOfTheFewestEdits) {
-  EXPECT_EQ(nearestName("modle", kKnown), "model");         // two letters exchanged
-  EXPECT_EQ(nearestName("smothing", kKnown), "smoothing");  // one left out
+  EXPECT_EQ(nearestName("modle", kKnown), "model");         // two letters swapped
+  EXPECT_EQ(nearestName("smothing", kKnown), "smoothing");  // one missing
   EXPECT_EQ(nearestName("smoothing_lga", kKnown), "smoothing_lag");
   EXPECT_EQ(nearestName("smoothing-lag", kKnown), "smoothing_lag");
   EXPECT_EQ(nearestName("lazyy", kKnown), "lazy");
@@ -21,7 +21,7 @@ TEST(NearestName, IsTheOneOfTheFewestEdits) {
 
 TEST(NearestName, IsNoneIfNoneIsNear) {
   EXPECT_EQ(nearestName("frame_rate", kKnown), "");
-  EXPECT_EQ(nearestName("xy", kKnown), "");  // every letter replaced is another word
+  EXPECT_EQ(nearestName("xy", kKnown), "");  // with every letter replaced, it is another word
   EXPECT_EQ(nearestName("", kKnown), "");
   EXPECT_EQ(nearestName("model", {}), "");
 }

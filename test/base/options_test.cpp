@@ -79,7 +79,7 @@ TEST(Options, ReadNestedListsAndAlternatives) {
 
 TEST(Options, ReadBackWhatTheyWrite) {
   Whole whole = readWhole("{on: true, parts: [{shape: {type: square}}, {shape: {radius: 0.1}}]}");
-  whole.parts[1].name = "true";  // text that would read as another kind of value
+  whole.parts[1].name = "true";  // text that could be read as another type
   const std::string text = writeOptions(whole);
   EXPECT_EQ(writeOptions(readWhole(text)), text);
   EXPECT_NE(text.find("radius: 0.1\n"), std::string::npos) << text;

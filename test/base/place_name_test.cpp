@@ -41,7 +41,7 @@ TEST(PlaceName, KeepsWhatNamesAreMadeOf) {
   }
 }
 
-TEST(PlaceName, LeavesBadOnesForWhoRefusesThem) {
+TEST(PlaceName, LeavesBadOnesForTheCallerToRefuse) {
   EXPECT_EQ(placeName("a\nb"), "a\nb");
   EXPECT_EQ(placeName("\xff "), "\xff ");
 }

@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-/// ASCII and one other letter in UTF-16.
+/// Encodes ASCII and one other letter in UTF-16.
 std::string utf16(const std::string& ascii, bool big_endian, const std::string& mark) {
   std::string bytes = mark;
   for (const char c : ascii) bytes += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
@@ -24,7 +24,7 @@ TEST(Text, IsUtf8WhateverItWas) {
   EXPECT_EQ(toUtf8(utf16(text, false, "")), text);
   EXPECT_EQ(toUtf8(utf16(text, true, "")), text);
   EXPECT_EQ(toUtf8("K\xc3\xbc\n"), "K\xc3\xbc\n");
-  EXPECT_EQ(toUtf8("K\xfc\n"), "K\xfc\n");  // Latin-1 is left for who refuses it
+  EXPECT_EQ(toUtf8("K\xfc\n"), "K\xfc\n");  // Latin-1 is left unchanged, for callers to refuse
   EXPECT_EQ(toUtf8(""), "");
   EXPECT_EQ(toUtf8("\xff\xfe"), "");
 }
@@ -40,7 +40,7 @@ TEST(Text, IsTidiedToOneWayOfWritingIt) {
   EXPECT_EQ(tidied("\u00a0 living \u3000 room\t\n"), "living room");
   EXPECT_EQ(tidied("\ufeffkit\u200bch\u00aden\u200e"), "kitchen");
   EXPECT_EQ(tidied("\u202akitchen\u202c"), "kitchen");
-  EXPECT_EQ(tidied("u\u200b\u0308"), "\u00fc");  // composed behind what was between
+  EXPECT_EQ(tidied("u\u200b\u0308"), "\u00fc");  // composed across the removed character
   EXPECT_EQ(tidied("kit\u200b chen"), "kit chen");
   EXPECT_EQ(tidied("\u2060 \u200b"), "");
 }

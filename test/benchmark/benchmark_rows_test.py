@@ -18,7 +18,7 @@ from rows import ROWS  # noqa: E402
 
 
 class AskedFor:
-    """Stands for the context of rows and for its programs; notes which benchmarks are asked for."""
+    """Stands in for the context of rows and its programs; records the benchmarks requested."""
 
     def __init__(self):
         self.benchmarks = set()

@@ -1,4 +1,4 @@
-// Images of 16 bits in 8: every level that the camera tells is kept as far as 8 bits go.
+// 16-bit images in 8 bits: the camera's levels are kept as far as 8 bits allow.
 
 #include "datasets/depth_scale.h"
 
@@ -16,7 +16,7 @@
 namespace place_recognition {
 namespace {
 
-/// Values from `low` to `high` in equal parts.
+/// Returns an image with values from `low` to `high` in equal parts.
 cv::Mat ramp(int low, int high, int channels = 1) {
   cv::Mat image(64, 64, CV_16UC(channels));
   const int count = image.rows * image.cols * channels;
@@ -57,7 +57,7 @@ TEST(DepthScale, ShowsAThermalCameraThatIsFarFromZero) {
   DepthScale scale;
   const cv::Mat scaled = scale.toEightBits(ramp(7000, 9000));
   EXPECT_GT(levelsOf(scaled), 64u);
-  // What is somewhat colder or warmer is still told apart.
+  // Slightly colder and warmer objects are still distinguished.
   EXPECT_GT(scale.toEightBits(cv::Mat(4, 4, CV_16UC1, cv::Scalar(6800))).at<std::uint8_t>(0, 0), 0);
 }
 

@@ -98,7 +98,7 @@ std::string problemOf(const std::vector<std::uint8_t>& bytes) {
   return decoded.problem;
 }
 
-TEST(DecodeImage, TakesWhatCamerasSendOnly) {
+TEST(DecodeImage, AcceptsOnlyWhatCamerasSend) {
   EXPECT_EQ(problemOf(encoded(".png")), "");
   EXPECT_EQ(problemOf(encoded(".jpg")), "");
   EXPECT_EQ(problemOf(encoded(".webp")), "");

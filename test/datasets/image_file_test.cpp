@@ -1,4 +1,4 @@
-// Images as files: formats, damage, and what is taken for an image and is none.
+// Image files: formats, damage, and files that only resemble images.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// An image with something to lose in each of its blocks.
+/// Returns an image with detail in each of its blocks.
 cv::Mat noisyRoom() {
   cv::Mat image = drawRoom(1, 1), noise(image.size(), image.type());
   cv::resize(image, image, {}, 2, 2);
@@ -128,7 +128,7 @@ TEST(WebpInABufferOfZeros, IsUnusable) {
 }
 
 TEST(JpegOfOneColour, IsWhole) {
-  // Its blocks take a few bits each, and many of them are zeros.
+  // Its blocks take a few bits each, many of which are zeros.
   for (const int grey : {0, 128, 255}) {
     Bytes bytes;
     cv::imencode(".jpg", cv::Mat(480, 640, CV_8UC1, cv::Scalar(grey)), bytes,
@@ -138,7 +138,7 @@ TEST(JpegOfOneColour, IsWhole) {
   }
 }
 
-/// Formats of files, with how far a decoded image may be off.
+/// File formats and the tolerance of a decoded image.
 struct FileFormat {
   const char* extension;
   std::vector<int> parameters;

@@ -1,4 +1,4 @@
-// Which files of a folder are images of which room, and what is said of the others.
+// Which files of a folder are images of which room, and the warnings about the others.
 
 #include "datasets/image_folder.h"
 
@@ -26,7 +26,7 @@ class ImageFolders : public testing::Test {
 
   FoundImages found() { return findRoomImages(scratch_ / "run"); }
 
-  /// "place: path below the run" of each image.
+  /// Returns "place: path below the run" for each image.
   std::vector<std::string> images() {
     std::vector<std::string> texts;
     for (const PlacedImage& image : found().images) {
@@ -36,7 +36,7 @@ class ImageFolders : public testing::Test {
     return texts;
   }
 
-  /// Whether some warning names all of `words`.
+  /// Returns whether a warning contains all of `words`.
   bool warnsOf(const std::vector<std::string>& words) {
     const auto warnings = found().warnings;
     return std::any_of(warnings.begin(), warnings.end(), [&words](const std::string& warning) {

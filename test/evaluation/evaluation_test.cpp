@@ -44,7 +44,7 @@ TEST(Summary, ConfusionHasARowForEveryTruth) {
 TEST(Summary, TellsKnownFromUnknown) {
   const Summary summary = summarize(madeUpEvaluation());
   ASSERT_TRUE(summary.unknown);
-  // Learned 0.9 0.8 0.95 0.7 0.6 0 against 0.4 0.5: ten of twelve pairs in order.
+  // Learned 0.9 0.8 0.95 0.7 0.6 0 against 0.4 0.5: ten of twelve pairs are in order.
   EXPECT_DOUBLE_EQ(summary.unknown->roc_area, 10.0 / 12);
   EXPECT_DOUBLE_EQ(summary.unknown->detection_rate, 0.5);
   EXPECT_DOUBLE_EQ(summary.unknown->false_alarm_rate, 2.0 / 6);
@@ -78,7 +78,7 @@ TEST(Evaluate, AnswersEveryLabelledImage) {
   std::vector<Frame> frames = drawFrames(4, 6, 200);  // room3 was never learned
   frames[0].place.clear();
   frames[7].image = cv::Mat();
-  frames[8].image = cv::Mat::zeros(72, 96, CV_8UC3);  // no fault of the model
+  frames[8].image = cv::Mat::zeros(72, 96, CV_8UC3);  // not an error of the model
   const Evaluation evaluation =
       evaluate(model(), {opener(frames, "day"), opener(drawFrames(2, 3, 300), "night")}, 2);
   EXPECT_EQ(evaluation.frames.size(), 24u - 3 + 6);

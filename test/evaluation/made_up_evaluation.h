@@ -4,8 +4,8 @@
 
 namespace place_recognition {
 
-/// Answers of which every figure can be counted by hand. The model has learned kitchen (0) and
-/// office (1), not the lift (2).
+/// Answers whose figures can all be counted by hand. The model has learned kitchen (0) and office
+/// (1), but not the lift (2).
 ///
 /// | run   | truth   | answers                                   |
 /// | day   | kitchen | kitchen 0.9, kitchen 0.8, office 0.95     |

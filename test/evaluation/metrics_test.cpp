@@ -46,7 +46,7 @@ TEST(Metrics, RocCurveBoundsTheRocArea) {
 TEST(Metrics, RiskGrowsAsLessConfidentAnswersAreGiven) {
   const std::vector<RiskPoint> points =
       riskCoverage({0.9, 0.5, 0.7, 0.5}, {true, false, true, true});
-  ASSERT_EQ(points.size(), 3u);  // the two of equal confidence come together
+  ASSERT_EQ(points.size(), 3u);  // two answers share one confidence
   EXPECT_EQ(points[0].coverage, 0.25);
   EXPECT_EQ(points[0].risk, 0);
   EXPECT_EQ(points[1].coverage, 0.5);

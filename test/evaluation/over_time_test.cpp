@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// Frames a second apart; truth and answers: a digit each, '-': unknown.
+/// A drive with one frame per second. Truth and answers are one digit per frame; '-' is unknown.
 Evaluation driveOf(const std::string& truth, const std::string& single, const std::string& filtered,
                    const std::string& smoothed) {
   Evaluation evaluation;
@@ -45,7 +45,7 @@ TEST(OverTime, CountsWrongAndUnknownFramesAndDelays) {
 }
 
 TEST(OverTime, CountsTheDoorwaysApart) {
-  // Frames of a second: one before and two from a change on are in a doorway.
+  // At one frame per second, a doorway is one frame before a change of room and two from it on.
   const auto result = overTime(driveOf("000011110000",    //
                                        "01122---2212",    //
                                        "011111100221",    //
@@ -58,7 +58,7 @@ TEST(OverTime, CountsTheDoorwaysApart) {
   EXPECT_EQ(result->settled.smoothed.wrong, 6u);
 }
 
-TEST(OverTime, ImagesSortedByRoomAreNoDrive) {
+TEST(OverTime, ImagesSortedByRoomAreNotADrive) {
   EXPECT_FALSE(overTime(driveOf("000111222", "000111222", "000111222", "000111222")));
 }
 

@@ -52,7 +52,7 @@ TEST(ResultTable, ShowsRoomsRunsAndConfusion) {
       << table;
 }
 
-/// Whether every element that is opened is closed, in order.
+/// Returns whether every opened element is closed, in order.
 bool isWellFormed(const std::string& html) {
   std::vector<std::string> open;
   for (std::size_t at = 0; (at = html.find('<', at)) != std::string::npos;) {
@@ -83,7 +83,7 @@ TEST(Report, IsOneWellFormedPage) {
   EXPECT_EQ(html.find("nan"), std::string::npos);
 }
 
-TEST(Report, ShowsUnknownPlacesIfThereAre) {
+TEST(Report, ShowsUnknownPlacesIfAny) {
   Evaluation evaluation = madeUpEvaluation();
   const char* const kTitle = "Known and unknown places";
   EXPECT_NE(htmlReport(evaluation, summarize(evaluation)).find(kTitle), std::string::npos);
@@ -94,7 +94,7 @@ TEST(Report, ShowsUnknownPlacesIfThereAre) {
 TEST(Timeline, ShowsAnswersOverTimeOfDrivesOnly) {
   Evaluation evaluation = madeUpEvaluation();
   evaluation.frames.clear();
-  for (int i = 0; i < 100; ++i) {  // twenty seconds here, twenty there, and so on
+  for (int i = 0; i < 100; ++i) {  // twenty seconds per room, in turn
     FrameResult frame;
     frame.stamp = i;
     frame.truth = frame.place_over_time = i / 20 % 2;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""examples/ as their users have them: built against an installed tree, and run.
+"""Tests examples/ as users see them: built against an installed tree, and run.
 
 examples_test.py CMAKE BUILD_FOLDER [ros]
 """
@@ -63,7 +63,7 @@ class PlainTest(InstalledCase):
 
     def test_train_tune_and_recognize(self):
         self.write_run("rooms", views=6)
-        picture = self.write_picture("now.png", paint("office", 7))
+        picture = self.write_image("now.png", paint("office", 7))
         programs = self.build(SOURCE / "examples")
         report = run(programs / "train", self.folder / "rooms", self.folder / "home.places")
         self.assertIn("3 rooms from 18 images", report)

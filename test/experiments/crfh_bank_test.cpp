@@ -30,7 +30,7 @@ TEST(CrfhBank, GivesTheHistogramsOfTheExtractor) {
   for (const ThesisRow& row : table84()) {
     histograms.push_back(histogram(row.descriptors, row.scales, 15));
   }
-  // Shared responses at another number of bins, and an index of nearly 64 bits.
+  // Shared responses with another number of bins, and an index of nearly 64 bits.
   histograms.push_back(histogram({"Lx", "Ly"}, {1, 2, 4}, 35));
   histograms.push_back(histogram({"Lx", "Ly", "Lxx", "Lyy"}, {1, 2, 3, 5}, 15));
   CrfhBank bank(histograms);

@@ -10,7 +10,7 @@
 namespace place_recognition {
 namespace {
 
-/// Squares of 0..9; stops after `patience` of them.
+/// Computes the squares of 0..9; stops after `patience` of them.
 class Squares : public Experiment {
  public:
   explicit Squares(std::size_t patience = 100) : patience_(patience) {}

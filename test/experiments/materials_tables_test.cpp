@@ -41,7 +41,7 @@ const Table& tableOf(const Findings& findings, const std::string& name) {
 }
 
 TEST(MaterialTables, RejectClassifiersBelow30PerCent) {
-  // Gaussian kernels of gamma 10 are below, all others are not.
+  // Only Gaussian kernels with gamma 10 are below.
   const Findings findings = materialFindings(grid([](const MaterialClassifier& classifier) {
     return classifier.kernel.type == "gaussian" && classifier.kernel.gamma == 10 ? 0.29 : 0.31;
   }));

@@ -24,12 +24,13 @@ PlaneMachine machineOfOne(const KernelOptions& kernel, double weight, double bia
   return {{0}, svms, kernel};
 }
 
-/// Fraction of the square.
+/// Returns the fraction of the square inside a contour.
 double fractionOf(const std::vector<cv::Point>& contour) {
   return cv::contourArea(contour) / (DecisionRegions::kSize * DecisionRegions::kSize);
 }
 
-/// Vectors left, and the largest change of the discriminant function, of a reduction to rounding.
+/// Expects that a reduction that is exact up to rounding leaves `rank` vectors and does not change
+/// the discriminant function.
 void expectRank(const KernelOptions& kernel, std::size_t rank) {
   const PlanePoints points = planePoints(PlaneBorder::kLine);
   const PlaneMachine machine = trainInPlane(points, kernel, 100);

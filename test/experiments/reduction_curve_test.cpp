@@ -10,7 +10,7 @@ namespace {
 TEST(FewestVectors, IsTheFewestOfAnyPointThatKeepsTheShare) {
   const ReductionCurve curve = {{100, 0.8}, {80, 0.82}, {60, 0.7}, {40, 0.76}, {20, 0.5}};
   EXPECT_EQ(fewestVectors(curve, 1), 80);
-  EXPECT_EQ(fewestVectors(curve, 0.95), 40);  // although 60 vectors keep less
+  EXPECT_EQ(fewestVectors(curve, 0.95), 40);  // although 60 vectors keep less of it
   EXPECT_EQ(fewestVectors(curve, 0.6), 20);
   EXPECT_EQ(fewestVectors({curve, {{100, 0.8}, {10, 0.8}}}, 1), 10);
 }
@@ -33,7 +33,7 @@ TEST(PointAt, IsTheLastOneOfNoLargerTau) {
 }
 
 TEST(ReductionCurve, DropsCopiesForNothing) {
-  // Eight vectors that are two, four times over, under a linear kernel: K has rank two.
+  // Two vectors, each four times, under a linear kernel: K has rank two.
   Eigen::MatrixXd vectors(8, 2);
   BinarySvms machines;
   machines.places = 2;

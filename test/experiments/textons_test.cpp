@@ -39,7 +39,7 @@ double squaredDistance(const float* a, const float* b) {
   return sum;
 }
 
-/// The row of `centres` in begin..end-1 that is nearest, by the definition.
+/// Returns the nearest row of `centres` in begin..end-1, by the definition.
 int nearest(const cv::Mat1f& centres, int begin, int end, const float* point) {
   int best = begin;
   for (int i = begin; i < end; ++i) {
@@ -62,8 +62,8 @@ TEST(SampledPixels, LieEvenlyOverTheImage) {
   EXPECT_EQ(sampledPixels(responses, 99).rows, 20) << "no pixel twice";
 }
 
-// What k-means ends at: each centre is the mean of those pixels of its own material that are
-// nearest to it.
+// Convergence of k-means: each centre is the mean of the pixels of its material that are nearest to
+// it.
 TEST(TextonDictionary, HoldsCentresOfEachMaterial) {
   const std::vector<cv::Mat1f> materials = {sampledPixels(drawnResponses({60, 50}, 1), 2000),
                                             sampledPixels(drawnResponses({60, 50}, 2), 2000)};
@@ -164,7 +164,7 @@ TEST_F(MaterialFeaturesTest, TextonsAreLearnedFromTrainingSamplesOnly) {
   }
 }
 
-TEST_F(MaterialFeaturesTest, AImageThatCannotBeReadIsNamed) {
+TEST_F(MaterialFeaturesTest, AnImageThatCannotBeReadIsNamed) {
   std::remove(sets_[2].images[1].path.c_str());
   try {
     extractMaterials("mr8", sets_, {{0}}, 1, {});

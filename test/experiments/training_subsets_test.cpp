@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// Forty images of one set: thirty of place 0, then ten of place 1.
+/// Forty images in one set: thirty of place 0, then ten of place 1.
 SetSamples fortyImages() {
   SetSamples samples;
   samples.places.assign(30, 0);

@@ -20,7 +20,7 @@ void expectCounts(BinCounter& counter, const std::map<std::uint64_t, int>& expec
   }
 }
 
-// From a single bin to more than the table first has room for, in a small and in the whole range.
+// From a single bin to more than the table's initial capacity, in a small range and the full one.
 TEST(BinCounter, CountsAsAMapDoes) {
   std::mt19937_64 random(3);
   BinCounter counter;

@@ -48,7 +48,8 @@ ROUNDING = 255 * 2.0 ** -22
 
 
 def kernels(t, half):
-    """Gaussian and its first two derivatives, exact for parabolas, for correlation."""
+    """Returns the Gaussian and its first two derivatives as correlation kernels that are exact for
+    parabolas."""
     x = np.arange(-half, half + 1)
     g = np.exp(-x ** 2 / (2 * t))
     g /= g.sum()
@@ -58,7 +59,7 @@ def kernels(t, half):
 
 
 def jet(plane, t, options):
-    """Function giving the derivative of given orders in x and y."""
+    """Returns a function that computes the derivative of given orders in x and y."""
     half = max(int(np.ceil(options["half_width"] * np.sqrt(t))), 1)
     gaussian = kernels(t, half)
     if options["derivatives"] == "gaussian":
@@ -75,7 +76,7 @@ def channel(image, name):
 
 
 def response(image, descriptor, t, options):
-    """The normalized response and its range."""
+    """Returns the normalized response and its range."""
     limit = options["derivative_range"]
     if descriptor.endswith(")"):
         function, name = descriptor[:-1].split("(")
@@ -94,8 +95,8 @@ def response(image, descriptor, t, options):
 
 
 def digits(image, options):
-    """For each dimension: the digit of every counted pixel, and those of the values that rounding
-    might make of it, and the number of bins."""
+    """Returns, for each dimension, the digit of every counted pixel, the digits that rounding could
+    give it, and the number of bins."""
     half = max(int(np.ceil(options["half_width"] * np.sqrt(max(options["scales"])))), 1)
     border = max(options["border"], half + 1)
     inside = (slice(border, -border),) * 2
@@ -117,9 +118,9 @@ def count(indices):
 
 
 def check(image, measured, options):
-    """Returns the number of counted pixels and of those in another bin than here."""
+    """Returns the number of counted pixels and the number of them in another bin than here."""
     index, weight = np.uint64(0), 1
-    unsure = []  # What rounding may add to the index; modulo 2^64.
+    unsure = []  # Possible change of the index by rounding, modulo 2^64.
     for here, below, above, bins in digits(image, options):
         index = index + here * np.uint64(weight)
         unsure.append(((below - here) * np.uint64(weight), (above - here) * np.uint64(weight)))

@@ -9,14 +9,14 @@
 
 namespace place_recognition {
 
-/// The CRFH of an image that has one.
+/// Returns the CRFH of an image and expects that it has one.
 inline SparseVector extractCrfh(const CrfhOptions& options, const cv::Mat& image) {
   Feature feature;
   makeFeatureExtractor(options)->extract(image, feature);
   return std::get<SparseVector>(feature);
 }
 
-/// A grey image from a formula.
+/// Returns a grey image computed from a formula.
 inline cv::Mat draw(int width, int height, const std::function<double(int x, int y)>& formula) {
   cv::Mat image(height, width, CV_8UC1);
   for (int y = 0; y < height; ++y) {

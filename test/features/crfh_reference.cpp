@@ -96,7 +96,7 @@ std::map<std::uint64_t, int> referenceCrfh(const cv::Mat& image, const CrfhOptio
         for (std::size_t i = 0; i < options.descriptors.size(); ++i) {
           const int bins = options.bins[options.bins.size() == 1 ? 0 : i];
           const auto [value, low, high] = respond(image, options.descriptors[i], t, options, x, y);
-          // What is zero on paper is not to fall below it by rounding.
+          // Rounding must not make a value negative that is exactly zero in theory.
           const double level = std::floor((value - low) * bins / (high - low) + 1e-9);
           index += weight * static_cast<std::uint64_t>(std::clamp(level, 0.0, bins - 1.0));
           weight *= bins;

@@ -8,8 +8,8 @@
 
 namespace place_recognition {
 
-/// How many pixels are in each bin of a CRFH with central differences: straight from the
-/// definition, pixel by pixel in double precision.
+/// Counts the pixels in each bin of a CRFH with central differences, by the definition: pixel by
+/// pixel in double precision.
 std::map<std::uint64_t, int> referenceCrfh(const cv::Mat& image, const CrfhOptions& options);
 
 }  // namespace place_recognition

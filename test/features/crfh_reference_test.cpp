@@ -1,4 +1,4 @@
-// CRFH against its definition in plain loops, on random images and those at the edge.
+// CRFH against its definition in plain loops, on random images and edge cases.
 #include <gtest/gtest.h>
 
 #include <cctype>

@@ -17,7 +17,7 @@ CrfhOptions one(const std::string& descriptor, double t, int bins) {
   return options;
 }
 
-/// All pixels give the same response: it falls in the bin that the formula says.
+/// All pixels give the same response. Expects it in the bin given by the formula.
 void expectConstantResponse(const CrfhOptions& options, const cv::Mat& image, double response,
                             double low, double high) {
   const SparseVector histogram = extractCrfh(options, image);
@@ -83,7 +83,7 @@ TEST_P(CrfhDerivatives, OfAFlatImageAreExactlyZero) {
   }
 }
 
-// So small a scale does not smooth at all, and this image has a single pixel inside its border.
+// At this scale there is no smoothing, and this image has a single pixel inside its border.
 TEST(Crfh, IndexIsMixedRadixWithTheFirstDigitFastest) {
   CrfhOptions options;
   options.descriptors = {"R", "G", "B", "C1", "C2"};

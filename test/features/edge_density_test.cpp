@@ -9,7 +9,7 @@ namespace {
 
 double densityOf(const cv::Mat& image) { return EdgeDensity().of(image); }
 
-/// Grey levels that rise by `slope` per pixel.
+/// Returns an image whose grey levels rise by `slope` per pixel.
 cv::Mat1b ramp(int slope) {
   cv::Mat1b image(20, 30);
   for (int y = 0; y < image.rows; ++y) {

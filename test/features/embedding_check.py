@@ -30,7 +30,7 @@ def weights(*shape):
 
 
 def build(channels, w):
-    """Convolution (3 x 3, stride 2, padding 1), ReLU, depthwise convolution, clipped, 1 x 1."""
+    """Convolution (3 x 3, stride 2, padding 1), ReLU, clipped depthwise convolution, 1 x 1."""
     nodes = [
         helper.make_node("Conv", ["image", "w1", "b1"], ["c1"], "first", strides=[2, 2],
                          pads=[1, 1, 1, 1], kernel_shape=[3, 3]),
@@ -83,8 +83,9 @@ def expected(blob, w, layer):
 
 
 def blob_of(image, options):
-    """Planes of the image as the network takes them; halved exactly if it is twice as large."""
-    if options.get("fit") == "crop":  # of the images below, 8 columns at each side go
+    """Returns the image's planes as the network's input; averages 2 x 2 pixels if it is twice as
+    large."""
+    if options.get("fit") == "crop":  # removes 8 columns at each side of the images below
         image = image[:, 8:-8]
     if image.shape[0] == 2 * HEIGHT:
         sums = image.astype(int).reshape(HEIGHT, 2, WIDTH, 2, -1).sum(axis=(1, 3))

@@ -33,7 +33,7 @@ std::vector<float> extract(const cv::Mat& image, const EmbeddingOptions& options
   return std::get<DenseVector>(feature).values;
 }
 
-/// The message of the Error that loading `onnx` from a file throws; empty: it throws none.
+/// Returns the message of the Error that loading `onnx` from a file throws; empty if none.
 std::string problemOf(const std::string& onnx, EmbeddingOptions options = {}) {
   const ScratchFolder folder;
   options.network = folder.write("tried.onnx", onnx);
@@ -54,7 +54,7 @@ void expectRefused(const std::string& onnx, const std::string& words,
   EXPECT_NE(problem.find(words), std::string::npos) << problem;
 }
 
-/// A network of 16 x 16 pixels of these fields of its graph.
+/// Returns a network with 16 x 16 input pixels and these fields in its graph.
 std::string networkOf(const std::string& fields) {
   return SmallNetwork::number(1, 6) +
          SmallNetwork::bytes(
@@ -83,7 +83,7 @@ TEST(Embedding, TakesWhatTheLayerNeedsAndNoMore) {
   EXPECT_LT(part->onnx.size(), whole->onnx.size());
   EXPECT_EQ(OnnxGraph(part->onnx).layers(), 2u);
   EXPECT_EQ(part->sha256, whole->sha256);
-  options.layer = "r1";  // the same by the name of its output
+  options.layer = "r1";  // the same layer, by the name of its output
   EXPECT_EQ(loadNetwork(options)->onnx, part->onnx);
 }
 
@@ -180,7 +180,7 @@ TEST(LoadNetwork, NamesWhatIsMissing) {
   EXPECT_THROW(loadNetwork(options), Error);
 }
 
-TEST(LoadNetwork, RefusesWhatIsNoNetwork) {
+TEST(LoadNetwork, RefusesFilesThatAreNotNetworks) {
   const std::string sound = SmallNetwork::onnx();
   EXPECT_EQ(problemOf(sound), "");
   expectRefused("", "not an ONNX file");
@@ -195,7 +195,7 @@ TEST(LoadNetwork, NamesTheLayerThatOpenCvDoesNotRun) {
       networkOf(pool + SmallNetwork::node("strange", "NoSuchOperator", {"mean"}, "odd", "") +
                 SmallNetwork::node("after", "Relu", {"odd"}, "out", "")),
       "layer 'strange' (NoSuchOperator)");
-  // Three channels where the weights are for four.
+  // Three channels, but weights for four.
   expectRefused(networkOf(SmallNetwork::node("mixing", "Conv", {"image", "w"}, "out",
                                              SmallNetwork::ints("kernel_shape", {1, 1})) +
                           SmallNetwork::tensor("w", {6, 4, 1, 1})),
@@ -214,7 +214,7 @@ TEST(LoadNetwork, RefusesWhatWouldHarmOpenCv) {
   expectRefused(conv(kernel + SmallNetwork::ints("pads", {1 << 30, 0, 0, 0}), weights),
                 "out of range");
   expectRefused(conv(kernel, ""), "uses 'w', which nothing before it provides");
-  // A shape that says more than there is.
+  // A shape that is larger than the data.
   std::string longer = weights;
   const std::string six = SmallNetwork::number(1, 6);
   longer.replace(longer.find(six), six.size(), SmallNetwork::number(1, 7));

@@ -35,7 +35,7 @@ cv::Mat1f randomImage(cv::Size size) {
   return image;
 }
 
-/// By the definition.
+/// The transform by its definition.
 Complex transformed(const std::vector<Numbers>& sequences, int lane, int k) {
   const int n = static_cast<int>(sequences.size());
   Complex sum = 0;

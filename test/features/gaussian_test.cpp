@@ -7,7 +7,7 @@
 namespace place_recognition {
 namespace {
 
-/// sum over x of kernel(x) x^power.
+/// Returns the sum over x of kernel(x) x^power.
 double moment(const HalfKernel& kernel, int power) {
   double sum = power == 0 && kernel.order != 1 ? kernel.taps[0] : 0;
   for (int x = 1; x <= kernel.halfWidth(); ++x) {

@@ -22,7 +22,8 @@ STEPS, ALPHA, CORNERNESS, LAPLACIAN, BORDER = 4, 0.05, 100, 5, 4
 
 
 def sigma(n):
-    """Of scale n: 0 is the first differentiation scale, 2 the first integration scale."""
+    """Returns the sigma of scale n: 0 is the first differentiation scale, 2 the first integration
+    scale."""
     return 2 / np.sqrt(2) * 2 ** (n / STEPS)
 
 
@@ -67,7 +68,7 @@ def detect(image):
 
 
 def share(points, others):
-    """Fraction of points that are among the others too."""
+    """Returns the fraction of points that are also among the others."""
     return np.mean([np.any((np.hypot(others[:, 0] - x, others[:, 1] - y) < 0.01) &
                            (np.abs(others[:, 2] / s - 1) < 0.05) &
                            (np.abs(others[:, 3] / c - 1) < 0.001)) for x, y, s, c in points])

@@ -93,7 +93,7 @@ TEST(HarrisLaplace, IgnoresBrightnessAndScalesWithContrast) {
   ASSERT_GT(points.size(), 20u);
   EXPECT_NEAR(points.size(), brighter.size(), 0.02 * points.size());
 
-  // Powers of two change no rounding.
+  // Powers of two do not affect rounding.
   HarrisLaplace::Options stricter = options();
   stricter.cornerness_threshold *= 16;
   stricter.laplacian_threshold *= 2;

@@ -38,7 +38,8 @@ TEST(Lbp, CodesOfSmallPatches) {
   EXPECT_EQ(codeOf(patch({0, 200, 0, 0, 100, 0, 0, 200, 0})), 9) << "a line: changes four times";
 }
 
-/// The definition in double precision; `unsure` if a neighbour is within rounding of the centre.
+/// Returns the code by the definition, in double precision. Sets `unsure` if a neighbour is within
+/// rounding of the centre.
 int reference(const cv::Mat1b& image, int x, int y, const LbpCircle& circle, bool& unsure) {
   std::vector<int> bits;
   unsure = false;
@@ -62,7 +63,7 @@ int reference(const cv::Mat1b& image, int x, int y, const LbpCircle& circle, boo
 
 TEST(Lbp, CodesAreThoseOfTheDefinition) {
   cv::Mat1b image = noise(24, 20);
-  cv::GaussianBlur(image, image, cv::Size(), 1.5);  // else hardly a pattern is uniform
+  cv::GaussianBlur(image, image, cv::Size(), 1.5);  // otherwise hardly any pattern is uniform
   for (const LbpCircle& circle : std::vector<LbpCircle>{{8, 1}, {16, 2}, {24, 3}, {5, 1.7}}) {
     LbpOperator op(circle);
     int compared = 0;

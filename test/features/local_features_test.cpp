@@ -73,7 +73,7 @@ TEST(LocalFeatures, AreMissingBelowTheMinimum) {
   EXPECT_TRUE(isMissing(extract(cv::Mat1b(480, 640, std::uint8_t{90}))));
 }
 
-TEST(LocalFeatures, UprightGiveOneDescriptorAPoint) {
+TEST(LocalFeatures, UprightGiveOneDescriptorPerPoint) {
   LocalFeatureOptions options;
   options.max_points = 20000;
   const std::size_t turned = std::get<DescriptorSet>(extract(image(), options)).size();

@@ -6,8 +6,8 @@
 
 namespace place_recognition {
 
-/// Some real images of rooms, grey, in a fixed order; none where the folder of test data is
-/// absent. Takes one file out of `every`.
+/// Returns every n-th of the real images of rooms, with n = `every`, grey, in a fixed order; none
+/// if the folder of test data is absent.
 std::vector<cv::Mat1b> realImages(int every);
 
 /// Smooth random texture with grey levels 0..255: something to detect and describe everywhere.

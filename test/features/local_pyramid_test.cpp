@@ -27,8 +27,8 @@ TEST(GaussianPyramid, NumbersScalesThroughTheOctaves) {
 class DotTest : public testing::TestWithParam<int> {};
 
 TEST_P(DotTest, IsAGaussian) {
-  // The dot is taken as a Gaussian of the camera's blur, which it is not: so each level has the
-  // variance sigma^2 less that blur. A wide pyramid leaves nothing at the edges.
+  // The pyramid assumes that the camera has blurred the dot, which it has not: so each level has
+  // the variance sigma^2 less that of the blur. A wide pyramid leaves nothing at the edges.
   constexpr int kMiddle = 128;
   cv::Mat1f dot(GetParam(), GetParam(), 0.0f);
   dot(kMiddle, kMiddle) = 10000;

@@ -36,7 +36,7 @@ Points detectVlfeat(const cv::Mat1b& image) {
   const cv::Mat1f pixels = cv::Mat1f(image) / 255;
   VlCovDet* detector = vl_covdet_new(VL_COVDET_METHOD_HARRIS_LAPLACE);
   vl_covdet_set_first_octave(detector, 0);
-  vl_covdet_set_peak_threshold(detector, 1e-9);  // as many points as it has
+  vl_covdet_set_peak_threshold(detector, 1e-9);  // all its points
   vl_covdet_put_image(detector, pixels.ptr<float>(), pixels.cols, pixels.rows);
   vl_covdet_detect(detector);
   const auto* features = static_cast<const VlCovDetFeature*>(vl_covdet_get_features(detector));
@@ -54,7 +54,7 @@ Points detectVlfeat(const cv::Mat1b& image) {
 }
 #endif
 
-/// A changed image, and where its pixels were: changed = map * original.
+/// A transformed image and the mapping of its pixels: transformed = map * original.
 struct Change {
   std::string name;
   cv::Mat1b image;
@@ -120,7 +120,7 @@ bool isInside(const cv::Vec3d& p, const cv::Size& size) {
          p[1] < size.height - kMargin;
 }
 
-/// The points of one image that the other shows too, at their places there.
+/// Returns the points of one image that are visible in the other, at their positions there.
 Points moved(const Points& points, const cv::Matx33d& map, cv::Size from, cv::Size to) {
   const double scale = std::sqrt(std::abs(cv::determinant(map)));
   Points result;
@@ -134,7 +134,8 @@ Points moved(const Points& points, const cv::Matx33d& map, cv::Size from, cv::Si
   return result;
 }
 
-/// Fraction of points with a partner (one to one, best overlap first), of the fewer points.
+/// Returns the fraction of points with a partner (one to one, best overlap first), relative to the
+/// smaller number of points.
 double repeatability(const Points& before, const Points& after, const Change& change,
                      cv::Size size) {
   const Points a = moved(before, change.map, size, change.image.size());
@@ -159,7 +160,7 @@ double repeatability(const Points& before, const Points& after, const Change& ch
   return found / std::max<std::size_t>(1, std::min(a.size(), b.size()));
 }
 
-/// What all detectors find, each cut to as many points as the one with the fewest has.
+/// Returns the points of all detectors, each truncated to the smallest number that any of them has.
 std::vector<Points> detectEqually(const std::vector<Detector>& detectors, const cv::Mat1b& image) {
   std::vector<Points> points;
   std::size_t fewest = kMaxPoints;
@@ -207,7 +208,7 @@ TEST(Repeatability, OnRealImages) {
 #ifdef PLACE_RECOGNITION_HAS_VLFEAT
   EXPECT_GT(mean[0], 0.88);
 #else
-  EXPECT_GT(mean[0], 0.8);  // of all our points, the weaker ones as well
+  EXPECT_GT(mean[0], 0.8);  // of all our points, including the weaker ones
 #endif
 }
 

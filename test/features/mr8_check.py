@@ -26,7 +26,7 @@ def normalized(f, zero_mean=True):
 
 
 def filters():
-    """Six edges and six bars of each scale, the Gaussian, the Laplacian of Gaussian."""
+    """Returns six edges and six bars at each scale, the Gaussian, and the Laplacian of Gaussian."""
     y, x = np.mgrid[:SIDE, :SIDE] - SIDE // 2
     bank = []
     for s in (1, 2, 4):

@@ -33,7 +33,7 @@ double respond(const cv::Mat1f& image, int x, int y, const cv::Mat1f& filter) {
   return sum;
 }
 
-/// The definition: every filter by itself, then the maximum over orientations.
+/// The definition: each filter separately, then the maximum over orientations.
 std::array<double, Mr8FilterBank::kResponses> reference(const cv::Mat1f& image, int x, int y) {
   std::array<double, Mr8FilterBank::kResponses> responses{};
   for (int scale = 0; scale < Mr8FilterBank::kScales; ++scale) {
@@ -77,7 +77,7 @@ TEST(Mr8FilterBank, RespondsAsTheDefinitionSays) {
   }
 }
 
-/// The same for all pixels, by OpenCV's filters.
+/// The same for all pixels, with OpenCV's filters.
 Mr8FilterBank::Responses reference(const cv::Mat1f& image) {
   const auto filtered = [&](const cv::Mat1f& filter) {
     cv::Mat1f response;
@@ -98,7 +98,7 @@ Mr8FilterBank::Responses reference(const cv::Mat1f& image) {
   return responses;
 }
 
-// One tile, several, and some that are not whole.
+// One tile, several, and partial ones.
 TEST(Mr8FilterBank, RespondsToImagesOfAnySize) {
   Mr8FilterBank bank;
   Mr8FilterBank::Responses responses;
@@ -129,7 +129,7 @@ TEST(Mr8FilterBank, TurnsWithTheImageByQuarters) {
   }
 }
 
-/// Waves of 9 to 30 pixels in all directions, seen turned by an angle about the middle.
+/// Waves of 9 to 30 pixels in all directions, rotated by an angle about the centre.
 cv::Mat1f waves(int size, double angle) {
   cv::Mat1f image(size, size);
   for (int row = 0; row < size; ++row) {
@@ -149,7 +149,8 @@ cv::Mat1f waves(int size, double angle) {
   return image;
 }
 
-// Nearly: the finest filters are sampled coarsely and the widest are cut by their square support.
+// Only nearly, because the finest filters are sampled coarsely and the widest are cut by their
+// square support.
 TEST(Mr8FilterBank, NearlyIgnoresTurnsByTheStepOfOrientations) {
   constexpr int kSize = 101, kMiddle = 50;
   Mr8FilterBank bank;
@@ -166,7 +167,7 @@ TEST(Mr8FilterBank, NearlyIgnoresTurnsByTheStepOfOrientations) {
 }
 
 TEST(Mr8Responses, AreScaledByContrast) {
-  // At the right a thousandth of the contrast.
+  // A thousandth of the contrast on the right.
   cv::Mat1f image = texture(120, 90, 6);
   image.colRange(60, 120) = image.colRange(60, 120) / 100 + 128;
   Mr8Responses plain(false), scaled(true);

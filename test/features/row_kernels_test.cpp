@@ -1,4 +1,4 @@
-// The vectorised loops against plain ones, bit for bit: whatever instruction set runs them.
+// The vectorized loops against plain ones, bit for bit, with the instruction set in use.
 #include "features/row_kernels.h"
 
 #include <gtest/gtest.h>

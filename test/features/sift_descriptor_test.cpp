@@ -37,7 +37,7 @@ Descriptor reference(const cv::Mat1f& level, double x, double y, double sigma, d
       const double dx = column - x, dy = row - y;
       const double u = (std::cos(angle) * dx + std::sin(angle) * dy) / cell;
       const double v = (-std::sin(angle) * dx + std::cos(angle) * dy) / cell;
-      if (std::max(std::abs(u), std::abs(v)) > 2.5) continue;  // in no histogram
+      if (std::max(std::abs(u), std::abs(v)) > 2.5) continue;  // outside every histogram
       const double gx = level(row, column + 1) - level(row, column - 1);
       const double gy = level(row + 1, column) - level(row - 1, column);
       const double weight = std::hypot(gx, gy) * std::exp(-(u * u + v * v) / 8);
@@ -68,7 +68,7 @@ TEST(SiftDescriptor, AgreesWithTheDefinition) {
   const cv::Mat1f level = texture(120, 100, 1);
   cv::RNG random(1);
   for (int i = 0; i < 30; ++i) {
-    // Places beyond the image's middle, whose patch is cut, too.
+    // Including points near the edge, whose patch is cut.
     const double x = random.uniform(0.0, 119.0), y = random.uniform(0.0, 99.0);
     const double sigma = random.uniform(1.6, 3.2), angle = random.uniform(-CV_PI, CV_PI);
     EXPECT_LE(largestDifference(describe(level, x, y, sigma, angle),
@@ -134,8 +134,8 @@ TEST(SiftDescriptor, HasTheLengthOf512) {
 
 #if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 4)
 
-/// OpenCV's octaves have the first of every two pixels, ours lie symmetrically. They are the same
-/// where each octave has an odd number of pixels, except for the last one, which OpenCV lacks.
+/// OpenCV's octaves keep the first of every two pixels, ours are symmetric. The two agree if each
+/// octave has an odd number of pixels, except for the last pixel, which OpenCV lacks.
 cv::Mat1b cutToOddOctaves(const cv::Mat1b& image) {
   constexpr int kCoarsestPixel = 16;
   const auto cut = [](int side) { return (side - 1) / kCoarsestPixel * kCoarsestPixel + 1; };
@@ -162,8 +162,8 @@ Described describeBoth(const cv::Mat1b& image) {
     const int octave = pyramid.octaveOf(scale);
     const cv::Mat1f& level = pyramid.level(octave, scale);
     const float pixel = std::exp2(static_cast<float>(octave));
-    // OpenCV rounds keypoints to pixels of their octave; so that both describe the same place,
-    // these are such pixels. Not rounded, 95 % of the nearest neighbours agree.
+    // OpenCV rounds keypoints to pixels of their octave. These points are rounded too, so that both
+    // describe the same location. Without rounding, 95 % of the nearest neighbours agree.
     const float x = std::round(point.x / pixel), y = std::round(point.y / pixel);
     const float sigma = point.sigma / pixel;
     const float reach = 11 * sigma;  // the corner of 5 x 5 cells of 3 sigma is 10.6 away

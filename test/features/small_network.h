@@ -11,8 +11,8 @@
 
 namespace place_recognition {
 
-/// An ONNX file, put together field by field: a convolution of 3 x 3 pixels in steps of two, ReLU,
-/// another convolution; of 16 x 16 pixels in three channels, with 6 values everywhere in the end.
+/// An ONNX file, assembled field by field: a 3 x 3 convolution with stride 2, ReLU, and another
+/// convolution. The input is 16 x 16 pixels in three channels; the output has 6 channels.
 class SmallNetwork {
  public:
   static constexpr std::size_t kDimension = 6;
@@ -40,7 +40,7 @@ class SmallNetwork {
     return options;
   }
 
-  // Protocol buffers' encoding of a number, and of anything with a length.
+  // Protocol Buffers' encoding of a number, and of a length-delimited field.
   static std::string varint(std::uint64_t value) {
     std::string text;
     for (; value > 127; value >>= 7) text += static_cast<char>(value | 128);

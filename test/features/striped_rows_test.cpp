@@ -1,4 +1,4 @@
-// Rows divided into lanes, compared with the definition pixel by pixel; and the ring of rows.
+// The striped row layout, compared with its definition pixel by pixel, and the ring of rows.
 #include "features/striped_rows.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(StripedRows, AreLengthenedByWhatFollows) {
       for (int k = 0; k < kLanes; ++k) {
         for (int i = 0; i < length + n; ++i) {
           const int x = k * length + i;
-          // Which padding the last lanes get is left open.
+          // The padding of the last lanes is unspecified.
           if (x < pixels) {
             ASSERT_EQ(laid[i * kLanes + k], x + 1);
           }

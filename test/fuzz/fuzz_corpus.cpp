@@ -1,4 +1,4 @@
-// fuzz_corpus FOLDER: what the fuzzers start from, FOLDER/model, FOLDER/image and
+// fuzz_corpus FOLDER: writes the initial corpora of the fuzzers to FOLDER/model, FOLDER/image and
 // FOLDER/network.
 
 #include <filesystem>

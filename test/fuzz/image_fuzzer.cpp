@@ -1,5 +1,5 @@
-// Any bytes as an image message: the first tells whether they are a compressed image, or what the
-// fields of a raw image are, then its pixels.
+// Feeds arbitrary bytes as an image message. The first bytes select a compressed image or the
+// fields of a raw image; the pixels follow.
 
 #include <algorithm>
 #include <cstring>
@@ -40,7 +40,7 @@ template <typename Message>
 void use(const Message& message) {
   try {
     const cv::Mat image = toImage(message);
-    // Every pixel is read, so that memory which is not the message's would show.
+    // Read every pixel, so that access outside the message is detected.
     if (image.empty() || cv::sum(image)[0] < 0) abort();
   } catch (const Error&) {
   }

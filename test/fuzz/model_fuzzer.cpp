@@ -1,4 +1,4 @@
-// Arbitrary bytes as a model file, with a matching header, which would otherwise reject them all.
+// Feeds arbitrary bytes as a model file. The header is made to match, or it would reject them all.
 
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
@@ -10,7 +10,7 @@ using namespace place_recognition;
 
 namespace {
 
-/// What was accepted must be usable and come back as it was written.
+/// An accepted model must be usable and survive a round trip.
 void use(Model parsed) {
   const std::string bytes = serializeModel(parsed);
   if (serializeModel(parseModel(bytes, "again")) != bytes) abort();

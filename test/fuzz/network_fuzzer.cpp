@@ -1,4 +1,4 @@
-// Any bytes as an ONNX file.
+// Feeds arbitrary bytes as an ONNX file.
 
 #include <cmath>
 #include <opencv2/core.hpp>

@@ -1,4 +1,4 @@
-// Keys and buttons that say places.
+// Keys and buttons for labelling places.
 
 #include "labels/label_keys.h"
 
@@ -54,7 +54,7 @@ TEST(LabelKeys, AButtonSpeaksOnceWhenItIsPressed) {
   EXPECT_EQ(keys.placeOfButtons({0, 1, 0, 0, 0}), std::nullopt);  // still down
   EXPECT_EQ(keys.placeOfButtons({1, 1, 0, 0, 0}), "kitchen");
   EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 1}), "");
-  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 1, 0}), std::nullopt);  // of no place
+  EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 1, 0}), std::nullopt);  // assigned to no place
   EXPECT_EQ(keys.placeOfButtons({}), std::nullopt);
 }
 

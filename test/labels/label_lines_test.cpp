@@ -1,4 +1,4 @@
-// Files of lines `timestamp label`: what is one label, and what could be more.
+// Files of lines `timestamp label`: valid labels, and lines that are ambiguous.
 
 #include "labels/label_lines.h"
 
@@ -65,7 +65,7 @@ TEST_F(LabelLinesFile, NanosecondsApartAreRefused) {
   EXPECT_EQ(labels("1000 007 lab\n").at(1001), "007 lab");
 }
 
-TEST_F(LabelLinesFile, NumbersOfRoomsAreNoTimes) {
+TEST_F(LabelLinesFile, RoomNumbersAreNotTimes) {
   EXPECT_EQ(labels("1000 101 lab\n").at(1001), "101 lab");
   EXPECT_EQ(labels("1000 2.14 seminar\n").at(1001), "2.14 seminar");
   EXPECT_EQ(labels("1000 seminar 2.14\n").at(1001), "seminar 2.14");

@@ -1,4 +1,4 @@
-// Labels from files, and what is refused.
+// Labels from files, and files that are refused.
 
 #include "labels/labels.h"
 
@@ -64,7 +64,7 @@ TEST_F(LabelFiles, AbsoluteIntervalsInAnyOrder) {
 TEST_F(LabelFiles, AnEmptyListMeansNoLabels) {
   EXPECT_EQ(read("run.labels.yaml", "labels: []\n").at(1050), "");
   EXPECT_NE(errorOf("run.labels.yaml", "times: relative\n"), "");
-  for (const char* text : {"labels:\n", "labels: {}\n"}) {  // not certainly on purpose
+  for (const char* text : {"labels:\n", "labels: {}\n"}) {  // possibly unintended
     EXPECT_NE(errorOf("run.labels.yaml", text).find("write 'labels: []'"), std::string::npos);
   }
   EXPECT_NE(errorOf("run.labels.yaml", "times: bag\nlabels: []\n").find("'bag'"),
@@ -80,7 +80,7 @@ TEST_F(LabelFiles, ColdLinesHoldUntilTheNext) {
   EXPECT_EQ(labels.at(1000.4), "");
   EXPECT_EQ(labels.at(1000.5), "corridor");
   EXPECT_EQ(labels.at(1010.2), "corridor");
-  EXPECT_EQ(labels.at(1010.25), "kitchen");  // of two at one time the later
+  EXPECT_EQ(labels.at(1010.25), "kitchen");  // the later of two labels at one time
   EXPECT_EQ(labels.at(1099), "kitchen");
 }
 
@@ -114,7 +114,7 @@ TEST_F(LabelFiles, FaultsAreNamed) {
   EXPECT_NE(yaml("labels: ["), "");
 }
 
-/// Labels of lines whose times are 1000 and 1010, as each of the files in the tests below has them.
+/// Reads lines with the times 1000 and 1010, as in each of the files in the tests below.
 void expectKitchenThenMeetingRoom(const Labels& labels) {
   EXPECT_EQ(labels.at(999), "");
   EXPECT_EQ(labels.at(1000.5), "kitchen");
@@ -203,7 +203,7 @@ TEST_F(LabelFiles, WhatCouldBeMisreadIsRefusedByItsLine) {
   refused("kitchen,1000.0\n", "1");
   refused("label,timestamp\nkitchen,1000.0\n", "1");
   refused("1000.0kitchen\n", "1");
-  refused("1000,\"kitchen\n", "1");  // a quote that does not end
+  refused("1000,\"kitchen\n", "1");  // an unterminated quote
   refused("1000,\"kitchen\" small\n", "1");
   refused("0x3e8 kitchen\n", "1");
   refused("1000 a\ntimestamp label\n", "2");  // a header in the middle

@@ -1,4 +1,4 @@
-// Polygons: moments by formulas and by counting a grid, triangles that cover what they should.
+// Polygons: moments against formulas and a fine grid, and triangulations that cover the polygon.
 
 #include "labels/polygon.h"
 
@@ -26,7 +26,7 @@ Matrix2d matrix(double xx, double xy, double yy) {
   return values;
 }
 
-/// Corners at equal angles around the origin.
+/// Returns corners at equal angles around the origin.
 Polygon regular(int corners, double radius) {
   Polygon polygon;
   for (int i = 0; i < corners; ++i) {
@@ -36,7 +36,7 @@ Polygon regular(int corners, double radius) {
   return polygon;
 }
 
-/// A star of that many corners, whose distances from the origin are drawn.
+/// Returns a star with that many corners at random distances from the origin.
 Polygon star(int corners, unsigned seed) {
   std::mt19937 random(seed);
   Polygon polygon = regular(corners, 1);
@@ -49,7 +49,7 @@ struct Shape {
   Polygon polygon;
 };
 
-/// Rooms that are drawn in practice, and some that are not.
+/// Shapes of rooms, typical and unusual.
 std::vector<Shape> shapes() {
   std::vector<Shape> all = {
       {"Triangle", {{0, 0}, {3, 0}, {1, 2}}},
@@ -74,7 +74,7 @@ std::vector<Shape> shapes() {
         {5, 1},
         {0, 1}}},
       {"CornersOnWalls", {{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 1}, {4, 3}, {2, 3}, {0, 3}, {0, 2}}},
-      // A corridor around a block, joined to its inner wall by an edge that is walked twice.
+      // A corridor around a block, joined to its inner wall by an edge that is traversed twice.
       {"Ring", {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}},
       {"FarAway", rectangle(5e5, 4e6, 4, 3)},
   };
@@ -82,7 +82,7 @@ std::vector<Shape> shapes() {
     all.push_back({"Star" + std::to_string(seed), star(5 + static_cast<int>(seed), seed)});
   }
   const std::size_t count = all.size();
-  for (std::size_t i = 0; i < count; ++i) {  // each from another corner on, the other way round
+  for (std::size_t i = 0; i < count; ++i) {  // each starting at another corner, in reverse order
     Polygon turned = all[i].polygon;
     std::rotate(turned.begin(), turned.begin() + 2, turned.end());
     std::reverse(turned.begin(), turned.end());
@@ -96,7 +96,7 @@ std::string nameOf(const testing::TestParamInfo<Shape>& info) { return info.para
 class Shapes : public testing::TestWithParam<Shape> {};
 INSTANTIATE_TEST_SUITE_P(All, Shapes, testing::ValuesIn(shapes()), nameOf);
 
-/// By the points of a fine grid that lie in the polygon.
+/// Computes the moments from the points of a fine grid that lie in the polygon.
 UniformDistribution counted(const Polygon& polygon) {
   constexpr int kSteps = 400;
   Vector2d low = polygon.front();
@@ -211,7 +211,7 @@ TEST(Moments, OfPartsAreThoseOfTheWhole) {
   EXPECT_NEAR(joined.area, whole.area, 1e-12);
   EXPECT_LT((joined.mean - whole.mean).norm(), 1e-12);
   EXPECT_LT((joined.covariance - whole.covariance).norm(), 1e-12);
-  // Two rooms of one name, 10 m apart: most of the variance is that between them.
+  // Two rooms with one name, 10 m apart: most of the variance is between them.
   const UniformDistribution apart = uniformDistribution(
       {uniformDistribution(rectangle(0, 0, 2, 2)), uniformDistribution(rectangle(10, 0, 2, 2))});
   EXPECT_LT((apart.mean - Vector2d(6, 1)).norm(), 1e-12);
@@ -236,7 +236,7 @@ TEST(Triangles, OfADrawnCombAreAsManyAsItHasCornersLessTwo) {
   }
 }
 
-TEST(Triangles, OfWhatIsNoRoomComeToAnEnd) {
+TEST(Triangles, OfInvalidPolygonsTerminate) {
   EXPECT_TRUE(triangulated({{0, 0}, {1, 1}, {2, 2}}).empty());
   EXPECT_LE(triangulated({{0, 0}, {4, 0}, {0, 3}, {4, 3}}).size(), 2u);
 }

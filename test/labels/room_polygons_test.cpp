@@ -1,4 +1,4 @@
-// Rooms on a map: which room a point is in, and what is refused in a file of them.
+// Rooms on a map: the room of a point, and files that are refused.
 
 #include "labels/room_polygons.h"
 
@@ -71,7 +71,7 @@ TEST(RoomPolygons, MayBeOfAnyShape) {
   EXPECT_EQ(rooms.at({5, 1}, 0.5), "hall");
   EXPECT_EQ(rooms.at({1, 5}, 0.5), "hall");
   EXPECT_EQ(rooms.at({4, 4}, 0), "");
-  // At the inner corner, the distance is that to the corner itself.
+  // At the inner corner, the distance is measured to the corner itself.
   EXPECT_EQ(rooms.at({1.6, 1.6}, 0.4 * std::sqrt(2.0) - 1e-9), "hall");
   EXPECT_EQ(rooms.at({1.6, 1.6}, 0.4 * std::sqrt(2.0) + 1e-9), "");
 }

@@ -82,7 +82,7 @@ struct ModelDeleter {
   void operator()(svm_model* model) const { svm_free_and_destroy_model(&model); }
 };
 
-/// libsvm's own decision values for place against the rest.
+/// Returns libsvm's decision values for `place` against the rest.
 Eigen::VectorXd libsvmDecisionValues(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
                                      int place, double c) {
   const Eigen::Index n = gram.rows();
@@ -176,8 +176,8 @@ TEST(BinarySvms, VotesAndTies) {
   machines.one_against_one = true;
   Eigen::MatrixXd decision_values(3, 3);  // (0,1), (0,2), (1,2)
   decision_values << 1, 2, 3,             // place 0 beats both
-      1, -2, 4,                           // a ring: sums -1, 3, -2
-      1e9, -1e-9, 1e-9;                   // a ring of very unequal decision values
+      1, -2, 4,                           // a cycle: sums -1, 3, -2
+      1e9, -1e-9, 1e-9;                   // a cycle of very unequal decision values
   const Eigen::MatrixXd votes = placeValues(machines, decision_values);
   const auto squash = [](double sum) { return sum / (3 * (std::abs(sum) + 1)); };
   EXPECT_NEAR(votes(0, 0), 2 + squash(3), 1e-15);

@@ -21,7 +21,7 @@ TEST(Calibration, RecoversTheSlopeThatMadeTheData) {
     labels.push_back(draw < p[0] ? 0 : draw < p[0] + p[1] ? 1 : 2);
   }
   EXPECT_NEAR(fitCalibration(decision_values, labels).slope, 2.5, 0.1);
-  // Decision values in other units are the same evidence.
+  // The unit of the decision values does not change the evidence.
   EXPECT_NEAR(fitCalibration(1000 * decision_values, labels).slope, 0.0025, 0.0001);
 }
 
@@ -82,7 +82,7 @@ TEST(Calibration, SurvivesDegenerateInput) {
       (Eigen::MatrixXd(4, 2) << 1, -1, 2, -2, -1, 1, -2, 2).finished();
   expectUsable(separated, {0, 0, 1, 1});
   expectUsable(separated, {0, 0, 0, 0});  // one place only
-  expectUsable(separated, {1, 1, 0, 0});  // decision values tell the opposite
+  expectUsable(separated, {1, 1, 0, 0});  // decision values that favour the wrong place
   expectUsable(Eigen::MatrixXd::Constant(4, 2, 0.5), {0, 1, 0, 1});
   expectUsable(Eigen::MatrixXd::Zero(4, 2), {0, 1, 0, 1});
   expectUsable(1e6 * separated, {0, 0, 1, 1});
@@ -120,7 +120,7 @@ TEST(Evidence, IsOneHalfWhereTheWantedShareLiesBelowAndNearlyOneAtTheMedian) {
   }
   EXPECT_NEAR(below_half, 200, 1);
   EXPECT_NEAR(below_median, 1000, 1);
-  // Each counts in units of its own spread.
+  // Each is measured in units of its own spread.
   EXPECT_NEAR(calibration.weights.decision_values * 3, calibration.weights.familiarity * 0.01, 0.2);
 }
 

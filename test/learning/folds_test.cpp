@@ -10,8 +10,8 @@
 namespace place_recognition {
 namespace {
 
-/// `length` samples of each of `places` in each of `recordings`, in a shuffled but fixed order;
-/// stamps within a run and place are 0, 1, 2, ...
+/// Returns `length` samples of each of `places` in each of `recordings`, in a fixed shuffled order.
+/// The stamps within a run and place are 0, 1, 2, ...
 std::vector<SampleOrigin> samplesOf(int recordings, int places, int length) {
   std::vector<SampleOrigin> samples;
   for (int stamp = 0; stamp < length; ++stamp) {
@@ -41,14 +41,15 @@ std::vector<TimeBlocks> blocks(double length, double gap) {
   return std::vector<TimeBlocks>(10, TimeBlocks{length, gap});
 }
 
-/// Samples of one room, `step` s apart.
+/// Returns samples of one room, `step` s apart.
 std::vector<SampleOrigin> roomAt(double start, double step, int length, int place = 0) {
   std::vector<SampleOrigin> samples;
   for (int i = 0; i < length; ++i) samples.push_back({place, 0, start + step * i});
   return samples;
 }
 
-/// s between a tested sample of a fold and the nearest trained one of its run and place.
+/// Returns the time between a test sample of a fold and the nearest training sample of the same run
+/// and place, s.
 double nearestTrained(const std::vector<SampleOrigin>& samples, const Fold& fold, int test) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const int train : fold.train) {
@@ -61,13 +62,13 @@ double nearestTrained(const std::vector<SampleOrigin>& samples, const Fold& fold
 }
 
 TEST(Folds, AreShortBlocksOfTimeInTurnWithGaps) {
-  // Five frames a second for a minute, from the time of a real clock: blocks of 0.4 s.
+  // Five frames per second for a minute, with stamps of a real clock: blocks of 0.4 s.
   const std::vector<SampleOrigin> samples = roomAt(1.7e9, 0.2, 300);
   const std::vector<Fold> folds = timeBlockFolds(samples, 5, blocks(0.4, 0.3));
   expectEachTestedOnce(folds, samples.size());
   for (const Fold& fold : folds) {
     EXPECT_EQ(fold.test.size(), 60u);
-    EXPECT_NEAR(static_cast<double>(fold.train.size()), 180, 1);  // two frames more at each side
+    EXPECT_NEAR(static_cast<double>(fold.train.size()), 180, 1);  // two more frames on each side
     for (const int test : fold.test) {
       EXPECT_GE(nearestTrained(samples, fold, test), 0.4 - 1e-6);
       EXPECT_LE(nearestTrained(samples, fold, test), 0.6 + 1e-6);  // at either end of the recording
@@ -76,14 +77,14 @@ TEST(Folds, AreShortBlocksOfTimeInTurnWithGaps) {
 }
 
 TEST(Folds, LeaveOutWhatIsBehindTheDoorToo) {
-  // A drive through three rooms, half a minute in each, five frames a second.
+  // A drive through three rooms, half a minute in each, at five frames per second.
   std::vector<SampleOrigin> samples;
   for (int place = 0; place < 3; ++place) {
     for (const SampleOrigin& sample : roomAt(30 * place, 0.2, 150, place)) {
       samples.push_back(sample);
     }
   }
-  samples.push_back({1, 1, 30});  // another run has another clock
+  samples.push_back({1, 1, 30});  // another run, with its own clock
   const std::vector<Fold> folds = timeBlockFolds(samples, 5, blocks(1, 0.9));
   expectEachTestedOnce(folds, samples.size());
   for (const Fold& fold : folds) {
@@ -121,7 +122,7 @@ TEST(Folds, LeaveTwoFifthsToTrainOnAtTheLargestGap) {
   for (const int count : {2, 3, 5, 20}) {
     for (const Fold& fold : timeBlockFolds(samples, count, blocks(1, largestGap(1, count)))) {
       EXPECT_GT(static_cast<double>(fold.train.size()), 0.38 * 6000) << count;
-      EXPECT_LT(static_cast<double>(fold.train.size()), 0.5 * 6000) << count;  // ends lose less
+      EXPECT_LT(static_cast<double>(fold.train.size()), 0.5 * 6000) << count;  // the ends lose less
     }
   }
 }
@@ -146,13 +147,13 @@ TEST(Folds, CutEveryRoomIntoAsManyBlocksAtLeast) {
   for (const Fold& fold : folds) {
     EXPECT_NEAR(static_cast<double>(fold.test.size()), samples.size() / 5.0, 6);
     for (const int test : fold.test) EXPECT_GT(nearestTrained(samples, fold, test), gap);
-    // Nothing further away than the gap is wasted: 6 sequences lose at most two gaps each.
+    // Samples beyond the gap are kept: 6 sequences lose at most two gaps each.
     EXPECT_GE(fold.train.size() + fold.test.size() + 6 * 2 * gap, samples.size());
   }
 }
 
 TEST(Folds, LeaveSmallRoomsSomethingToLearnFrom) {
-  // A gap of a minute, and a room that was seen for ten seconds only.
+  // A gap of one minute, and a room that was seen for only ten seconds.
   std::vector<SampleOrigin> samples = roomAt(0, 1, 600);
   for (const SampleOrigin& sample : roomAt(600, 1, 10, 1)) samples.push_back(sample);
   for (const Fold& fold : timeBlockFolds(samples, 5, blocks(60, 60))) {
@@ -194,7 +195,7 @@ TEST(Folds, AreWholeRunsWhenEnoughHoldEveryPlace) {
 }
 
 TEST(Folds, AreBlocksWhenRunsLackPlaces) {
-  // Three runs, but place 1 is in one of them only: whole runs would leave it untrained.
+  // Three runs, but place 1 is in only one of them: whole runs would leave it untrained.
   std::vector<SampleOrigin> samples = samplesOf(1, 2, 9);
   for (int i = 0; i < 9; ++i) {
     samples.push_back({0, 1, static_cast<double>(i)});

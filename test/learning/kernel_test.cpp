@@ -74,7 +74,7 @@ TEST(Kernel, TakesEmptyAndForeignBins) {
   EXPECT_EQ(chi_squared.measure(DenseVector{{0, 1}}, DenseVector{{0, 1}}), 0);
 }
 
-/// A descriptor that is zero except for element 0.
+/// Returns a descriptor that is zero except for element 0.
 void append(DescriptorSet& set, int element) {
   set.descriptors.resize(set.descriptors.size() + DescriptorSet::kDimension, 0);
   set.descriptors[set.descriptors.size() - DescriptorSet::kDimension] =

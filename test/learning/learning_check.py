@@ -19,7 +19,7 @@ except ImportError as error:
 
 
 def as_vectors(features):
-    """Histograms of any bins as rows of one matrix."""
+    """Returns sparse histograms as the rows of one matrix."""
     if not isinstance(features[0], dict):
         return np.array(features)
     bins = sorted({i for f in features for i in f["indices"]})
@@ -60,7 +60,7 @@ def check_kernel(case):
 
 
 def check_machines(case):
-    """What the primal problem costs is hardly more than the dual one's value: both are optimal."""
+    """Checks that the duality gap is almost zero, so both solutions are optimal."""
     gram, weights = np.array(case["gram"]), np.array(case["weights"])
     for place, (a, bias) in enumerate(zip(weights.T, case["biases"][0])):
         signs = np.where(np.array(case["labels"]) == place, 1, -1)
@@ -96,7 +96,7 @@ def pivots_of_all(gram, weights, tau, normalize):
 
 
 def greedy_basis(gram, weights, tau, _):
-    """By trying every vector at every step."""
+    """The greedy reduction, which tries every vector at every step."""
     vectors = list(np.flatnonzero(weights.any(axis=1)))
     values = gram @ weights
     basis = []
@@ -129,7 +129,7 @@ def check_reduction(case):
 def check_calibration(case):
     values, labels = np.array(case["decision_values"]), np.array(case["labels"])
     frames, places = values.shape
-    wanted = np.full(values.shape, 1 / (places * (frames + 1)))  # one frame tells nothing
+    wanted = np.full(values.shape, 1 / (places * (frames + 1)))  # one frame contains no information
     wanted[np.arange(frames), labels] += frames / (frames + 1)
 
     def loss(slope):

@@ -1,4 +1,4 @@
-// Prints made-up problems and what the learning layer makes of them as JSON, for learning_check.py.
+// Prints synthetic problems and the learning layer's results as JSON, for learning_check.py.
 #include <iostream>
 #include <limits>
 
@@ -46,7 +46,7 @@ void print(const Feature& feature) {
   }
 }
 
-/// One JSON object a line.
+/// Prints one JSON object per line.
 void printKernel(const KernelOptions& options, const std::vector<Feature>& features) {
   const Kernel kernel(options);
   std::cout << "{\"check\":\"kernel\",\"type\":\"" << options.type

@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// What check() says about options changed by `change`.
+/// Returns the error of check() for options modified by `change`.
 template <typename Options, typename Change>
 std::string complaint(Change change) {
   Options options;

@@ -18,7 +18,8 @@ std::int32_t squaredDistance(const std::uint8_t* a, const std::uint8_t* b) {
   return sum;
 }
 
-/// Every way to match finds the exact nearest distances between two sets of descriptors.
+/// Expects that every way of matching finds the exact nearest distances between two sets of
+/// descriptors.
 void expectNearest(const DescriptorSet& a, const DescriptorSet& b) {
   DescriptorBlock block;
   for (std::size_t i = 0; i < a.size(); ++i) block.set(i, a.row(i));

@@ -16,7 +16,7 @@ std::vector<int> everyOther(int begin, int count) {
   return indices;
 }
 
-/// Random, symmetric as far as it is square.
+/// Returns a random matrix whose square part is symmetric.
 Eigen::MatrixXd randomMeasures(Eigen::Index rows, Eigen::Index columns) {
   Eigen::MatrixXd measures = Eigen::MatrixXd::Random(rows, columns).cwiseAbs();
   auto square = measures.topRows(columns);

@@ -10,7 +10,7 @@
 
 namespace place_recognition {
 
-/// Made-up features for the tests, the same for the same seed.
+/// Random features for tests, reproducible by the seed.
 class RandomFeatures {
  public:
   explicit RandomFeatures(unsigned seed) : generator_(seed) {}
@@ -19,8 +19,8 @@ class RandomFeatures {
     return low + (high - low) * static_cast<double>(generator_()) / 4294967296.0;
   }
 
-  /// A normalized histogram in which bin i of `bins` is not empty with a chance that falls with i,
-  /// so that some bins are common to most histograms and others to hardly any.
+  /// Returns a normalized histogram. The probability that bin i of `bins` is not empty falls with
+  /// i, so some bins are common to most histograms and others are rare.
   SparseVector histogram(std::size_t bins) {
     SparseVector histogram;
     float sum = 0;
@@ -54,7 +54,7 @@ class RandomFeatures {
   std::mt19937 generator_;
 };
 
-/// Points of the plane as features, for kernels of which everything is known.
+/// Points of the plane as features, for kernels with known properties.
 inline Feature point(double x, double y) {
   return DenseVector{{static_cast<float>(x), static_cast<float>(y)}};
 }

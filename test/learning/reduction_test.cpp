@@ -137,7 +137,7 @@ TEST_P(Method, HoldsEveryReductionByTau) {
   ASSERT_GT(thresholds.size(), 10u);
   EXPECT_TRUE(std::is_sorted(thresholds.rbegin(), thresholds.rend()));
   EXPECT_EQ(thresholds.front(), 1);
-  // Just below a threshold its vector is there, at it no longer.
+  // Just below a threshold, its vector is kept; at the threshold, it is not.
   const auto weights = [&](double tau) { return (all->withTau(tau).weights.array() != 0).count(); };
   EXPECT_GT(weights(thresholds[5] * (1 - 1e-9)), weights(thresholds[5]));
 }
@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Method, testing::Values("qr", "shared-qr", "shar
                            return name;
                          });
 
-/// Eq. 6.19-6.21 with Householder's transformations, as the thesis has it.
+/// Eq. 6.19-6.21 with Householder transformations, as in the thesis.
 Eigen::VectorXd thesisReduction(const Eigen::MatrixXd& gram, const Eigen::VectorXd& weights,
                                 double tau, bool normalize) {
   std::vector<Eigen::Index> vectors;
@@ -191,7 +191,7 @@ Eigen::VectorXd thesisReduction(const Eigen::MatrixXd& gram, const Eigen::Vector
   }
   Eigen::RowVectorXd scales = Eigen::RowVectorXd::Ones(m);
   if (normalize) scales = k.colwise().norm();
-  if (normalize) scales[0] *= 1 - 1e-9;  // settles the tie of all norms for the first
+  if (normalize) scales[0] *= 1 - 1e-9;  // breaks the tie of equal norms in favour of the first
   k.array().rowwise() /= scales.array();
   alpha.array() *= scales.transpose().array();
 

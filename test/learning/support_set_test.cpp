@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.ker
 
 class SupportSetOf : public testing::TestWithParam<Case> {
  protected:
-  /// Kernel::measure is the plain definition.
+  /// Kernel::measure is the reference, a plain implementation of the definition.
   void expectPlainMeasures(const SupportSet& set, const Feature& x) {
     const std::vector<Feature> vectors = set.vectors();
     Eigen::VectorXd measures(set.size());
@@ -61,7 +61,7 @@ class SupportSetOf : public testing::TestWithParam<Case> {
 };
 
 TEST_P(SupportSetOf, EqualsThePlainKernel) {
-  // More vectors than one chunk of postings holds.
+  // More vectors than fit in one chunk of postings.
   const SupportSet set(kernel_, draw(500));
   for (const Feature& x : draw(5)) expectPlainMeasures(set, x);
   expectPlainMeasures(set, set.vectors()[7]);

@@ -1,4 +1,4 @@
-"""Checks that the arrows between the folders of src/ point one way.
+"""Checks that the dependencies between the folders of src/ point in one direction.
 
 The table of folders in doc/design.md is the rule: a source may include the public headers, its own
 folder, and the folders and libraries that the table's row for it names. The folders inside a layer
@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-# Libraries as the table calls them, and what their includes begin with.
+# The table's names of libraries, and the first components of their includes.
 LIBRARIES = {
     "Eigen": {"Eigen"},
     "ICU": {"unicode"},
@@ -38,7 +38,7 @@ def names(cell):
 
 
 class Rule:
-    """What each folder may use, as the table says."""
+    """The dependencies that the table allows for each folder."""
 
     def __init__(self, table):
         self.layers = {folder: names(cell) for folder, cell in ROW.findall(table)}
@@ -47,13 +47,13 @@ class Rule:
             self.inside.setdefault(layer, {})[folder] = names(cell)
 
     def mistakes(self, root):
-        """Rows without a folder, folders without a row, and names of neither folder nor library."""
+        """Yields rows without a folder, folders without a row, and names that are neither."""
         folders = {path.name for path in (root / "src").iterdir() if path.is_dir()}
         for name in sorted(folders ^ set(self.layers)):
             yield f"src/{name} is either no folder or not in the table of doc/design.md"
         for layer, uses in self.layers.items():
             for name in sorted(uses - set(self.layers) - set(LIBRARIES)):
-                yield f"doc/design.md lets src/{layer} use {name}, which nobody knows"
+                yield f"doc/design.md lets src/{layer} use {name}, which is not known"
 
 
 def library_of(include):
@@ -62,7 +62,7 @@ def library_of(include):
 
 
 def complaint(root, rule, path, include):
-    """Why `path` may not include `include`, or None."""
+    """Returns why `path` may not include `include`, or None."""
     parts = path.relative_to(root / "src").parts
     layer, heads = parts[0], include.split("/")
     if (root / "src" / include).exists():
@@ -92,7 +92,7 @@ def source_complaints(root, rule):
 
 
 def shown(header):
-    """The lines that users of a header may use: not those of private members."""
+    """Yields the lines that users of a header may use, without private members."""
     private = False
     for line in header.splitlines():
         word = line.strip()

@@ -7,7 +7,7 @@
 namespace place_recognition {
 namespace {
 
-/// One bin, as the kernel |x - y|^2 sees it: a place on a line.
+/// A feature of one bin, which the kernel |x - y|^2 treats as a point on a line.
 CueOptions positionCue() {
   CueOptions cue;
   cue.kernel.type = "gaussian";
@@ -49,7 +49,7 @@ Recording circle(double rate) {
 TEST(BlockChoice, LikenessFallsAsTheCameraMoves) {
   const LikenessOverTime likeness = circle(5).likeness();
   EXPECT_NEAR(likeness.step, 0.2, 1e-9);
-  EXPECT_GE(likeness.next_is_nearest, 0.99);     // the last frame meets the first
+  EXPECT_GE(likeness.next_is_nearest, 0.99);     // the last frame is next to the first
   EXPECT_NEAR(likeness.distances[49], 1, 0.01);  // a quarter of the circle
   EXPECT_NEAR(likeness.distances[99], 2, 0.02);  // half of it
 }
@@ -73,7 +73,8 @@ TEST(BlockChoice, GapIsAsLongHoweverManyFramesAreUsed) {
     EXPECT_NEAR(some.likeness().step, 1.0 / 30, 1e-9) << every;
     EXPECT_NEAR(some.blocks().gap, 3.2, every / 30.0) << every;
   }
-  // Views 5 s apart are the most alike; of those 15 s apart, no next one is used.
+  // Views 5 s apart are the most similar, but those used are 15 s apart: no view's successor is
+  // used.
   Recording sparse;
   const Recording all = circle(0.2);
   for (const std::size_t i : {0u, 3u, 6u}) {
@@ -96,12 +97,12 @@ TEST(BlockChoice, LooksAtEachCameraByItself) {
 }
 
 TEST(BlockChoice, LeavesTheNextImageOutIfItIsTheMostAlike) {
-  const TimeBlocks blocks = circle(0.2).blocks();  // 5 s apart: already less alike than an eighth
+  const TimeBlocks blocks = circle(0.2).blocks();  // 5 s apart: more than an eighth of the mean
   EXPECT_DOUBLE_EQ(blocks.gap, 1.5 * 5);
 }
 
 TEST(BlockChoice, LeavesNoneOutIfTimeSaysNothingOfLikeness) {
-  // A tripod: four directions at each marker, which look alike from marker to marker.
+  // A tripod: four directions per marker, each of which looks alike at all markers.
   Recording recording;
   for (int i = 0; i < 80; ++i) {
     const double direction = i % 4, marker = i / 4;

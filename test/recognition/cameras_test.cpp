@@ -1,4 +1,4 @@
-// Several cameras of one robot: how alike they err, and what they amount to over time.
+// Several cameras on one robot: the correlation of their errors, and their combination over time.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@
 namespace place_recognition {
 namespace {
 
-/// What two cameras held out said of two rooms at `count` moments, a second apart, the second one
-/// `offset` s after the first. Their log odds are Gaussian, with correlation `shared`.
+/// Held-out answers of two cameras about two rooms at `count` moments, one second apart. The second
+/// camera's frames are `offset` s later. Their log odds are Gaussian with correlation `shared`.
 struct Moments {
   Moments(int count, double shared, double offset) {
     std::mt19937 random(1);
@@ -46,7 +46,7 @@ struct Moments {
     return learnCameraCorrelation(cameras, samples, held_out, {}).coefficients(0, 1);
   }
 
-  /// By its definition.
+  /// The correlation by its definition.
   double correlation() const {
     double means[2] = {0, 0};
     const auto count = static_cast<double>(said[0].size());
@@ -78,10 +78,11 @@ TEST(CameraCorrelation, IsThatOfTheLogOddsAtTheSameMoments) {
 
 TEST(CameraCorrelation, IsNotKnownFromFewMomentsOrOneCamera) {
   EXPECT_EQ(Moments(20, 0.9, 0).learned(), kUnknownCorrelation);
-  EXPECT_EQ(Moments(500, 0.9, 0.3).learned(), kUnknownCorrelation);  // they never see the same
+  EXPECT_EQ(Moments(500, 0.9, 0.3).learned(), kUnknownCorrelation);  // no common moments
   const Moments moments(500, 0.9, 0);
   EXPECT_FALSE(learnCameraCorrelation({"/front"}, moments.samples, moments.held_out, {}).known());
-  // As many topics as the runs of several robots have; their model must be one that can be saved.
+  // As many topics as the runs of several robots have; the model must still be one that can be
+  // saved.
   std::vector<std::string> many;
   for (std::size_t i = 0; i <= kMaxCameras; ++i) many.push_back("/camera" + std::to_string(i));
   EXPECT_FALSE(learnCameraCorrelation(many, moments.samples, moments.held_out, {}).known());
@@ -133,7 +134,7 @@ TemporalFilter filterOf(int cameras, double correlation) {
       std::vector<const Model*>(static_cast<std::size_t>(cameras), &model), all, Adjacency(3), {}};
 }
 
-/// The belief after frames of a second or less, each (stamp, camera, place), by the equations.
+/// Returns the belief after frames (stamp, camera, place) within one second, by the equations.
 struct Shown {
   double stamp;
   std::size_t camera;
@@ -162,7 +163,7 @@ Eigen::RowVectorXd expected(const std::vector<Shown>& frames) {
 }
 
 TEST(TemporalFilterOfCameras, CountsEachByItsOwnTimeAndWhatTheOthersDoNotSay) {
-  // Decorrelation time 0.2 s; the second frame of a moment shares 0.25 of what it says.
+  // Decorrelation time 0.2 s; the second frame of a moment shares 0.25 of its evidence.
   const std::vector<Shown> frames{{10, 0, 0, 1},
                                   {10, 1, 1, 1 / 1.25},
                                   {10.1, 0, 0, 0.5 / 1.25},
@@ -179,7 +180,7 @@ TEST(TemporalFilterOfCameras, CountsEachByItsOwnTimeAndWhatTheOthersDoNotSay) {
 
 TEST(TemporalFilterOfCameras, CamerasThatAlwaysErrTogetherCountAsOne) {
   TemporalFilter one = filterOf(1, 1), three = filterOf(3, 1);
-  // Once each has its fraction, three frames a moment say what one does.
+  // Weighted by their fractions, three frames per moment carry the evidence of one.
   const auto show = [&](double stamp) {
     one.update(stamp, seen(0));
     for (const std::size_t camera : {0, 1, 2}) three.update(stamp, seen(0), std::nullopt, camera);
@@ -190,8 +191,8 @@ TEST(TemporalFilterOfCameras, CamerasThatAlwaysErrTogetherCountAsOne) {
   EXPECT_NEAR(odds[1] / odds[0], 1, 0.05);
 }
 
-/// How far an update spoke for the first room against the second, in log odds: `before` is the
-/// belief before it, `changes` the mean number of changes of room since.
+/// Returns the evidence of an update for the first room against the second, in log odds. `before`:
+/// the belief before it; `changes`: the mean number of changes of room since.
 double spoken(Eigen::RowVectorXd before, double changes, const Eigen::RowVectorXd& after) {
   const TemporalFilterOptions options;
   TransitionModel(Adjacency(3), options.unknown_share, options.jump_share).advance(changes, before);
@@ -210,7 +211,7 @@ TEST(TemporalFilterOfCameras, OneThatIsSilentOrSaysNothingStopsCounting) {
       filter.update(t, nothing);
       if (blind) filter.update(t, nothing, std::nullopt, 1);
     }
-    // Rooms of which little is known, for odds that can be told.
+    // Little evidence for the rooms, so that the odds can be distinguished.
     const Eigen::RowVectorXd before = filter.update(silence - 0.1, nothing).probabilities;
     return spoken(before, 0.1 / options.dwell_time, filter.update(silence, seen(0)).probabilities);
   };
@@ -245,7 +246,7 @@ TEST(TemporalFilterOfCameras, MotionSinceTheLastFrameIsNewToAll) {
                   filter.answer().probabilities);
   };
   const double full = weightOf(0, 1);
-  EXPECT_NEAR(weightOf(1, 0), full, 1e-6);  // of the metre that came before the other's frame
+  EXPECT_NEAR(weightOf(1, 0), full, 1e-6);  // for the metre before the other camera's frame
   EXPECT_NEAR(weightOf(1, 0.05), full / 2, 1e-6);
   EXPECT_NEAR(weightOf(0, 0), full / 2, 1e-6);
 }
@@ -257,7 +258,7 @@ TEST(TemporalFilterOfCameras, EachHasTheThresholdAndSharesOfItsModel) {
   const Model model = threeRooms();
   TemporalFilter both({&model, &other}, Eigen::Matrix2d::Identity(), Adjacency(3), {});
   TemporalFilter first(model, Adjacency(3), {}), second(other, Adjacency(3), {});
-  // If all rooms have the same belief, the likelihoods can be read from it.
+  // From equal beliefs in all rooms, the likelihoods can be derived.
   EXPECT_EQ(both.update(0, seen(0), std::nullopt, 0).probabilities,
             first.update(0, seen(0)).probabilities);
   both.reset();

@@ -86,7 +86,7 @@ TEST(Combination, PrefersTheCueThatTellsAndElseThePrior) {
       chooseCueWeights({heldOut(bad, all), heldOut(good, all)}, half, samples, 2);
   EXPECT_GT(chosen[1], 0.5);
   EXPECT_EQ(chooseCueWeights({heldOut(good, all)}, {1}, samples, 2), std::vector<double>{1});
-  // A prior that lies between the steps, of five cues.
+  // A prior of five cues that lies between the steps.
   const std::vector<double> prior{0.15, 0.15, 0.15, 0.15, 0.4};
   EXPECT_EQ(chooseCueWeights(std::vector<HeldOutValues>(5, heldOut(good, all)), prior, samples, 2),
             prior);
@@ -112,7 +112,7 @@ TEST(Validation, ThresholdLetsTheWantedShareFall) {
                  ? 1
                  : 0;
   }
-  EXPECT_NEAR(below, 10, 2);  // each fold was judged by the slope of the others
+  EXPECT_NEAR(below, 10, 2);  // each fold was judged with the slope of the others
 }
 
 TEST(Validation, SamplesThatDoNotJudgeUnknownOnlyTellHowSureAnAnswerIs) {
@@ -121,7 +121,7 @@ TEST(Validation, SamplesThatDoNotJudgeUnknownOnlyTellHowSureAnAnswerIs) {
   std::vector<bool> judges(40, true);
   for (int i = 0; i < 40; ++i) {
     samples.push_back({i % 2, 0, static_cast<double>(i)});
-    const double f = (i < 20 ? 0.1 : 0.001) * (1 + i % 20);  // the later ones are far less evident
+    const double f = (i < 20 ? 0.1 : 0.001) * (1 + i % 20);  // far less for the later samples
     decision_values.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
     judges[static_cast<std::size_t>(i)] = i < 20;
   }

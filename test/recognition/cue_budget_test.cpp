@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kAnyTime = std::numeric_limits<double>::infinity();
 
-/// A budget of cues that take as long as `costs` say, s.
+/// A budget for cues that take `costs`, s.
 class CueBudgetTest : public testing::Test {
  protected:
   /// Computes the cues of a frame that fit into the budget. Returns them in the order of
@@ -37,7 +37,7 @@ using Cues = std::vector<std::size_t>;
 
 TEST_F(CueBudgetTest, WithoutALimitAllCuesAreComputed) {
   EXPECT_EQ(frame(kAnyTime), (Cues{0, 1, 2}));
-  EXPECT_EQ(frame(kAnyTime), (Cues{1, 2, 0}));  // now it is known what they take
+  EXPECT_EQ(frame(kAnyTime), (Cues{1, 2, 0}));  // now their costs are known
 }
 
 TEST_F(CueBudgetTest, LeavesOutTheDearest) {
@@ -62,7 +62,7 @@ TEST_F(CueBudgetTest, TimeThatIsGoneBeforeTheCuesCounts) {
 TEST_F(CueBudgetTest, ABusyMachineIsNoticedWithinAFrame) {
   frame(kAnyTime);
   for (double& cost : costs_) cost *= 10;
-  EXPECT_EQ(frame(0.0121), (Cues{1, 2}));  // 0.01, and 0.002 were expected of the next
+  EXPECT_EQ(frame(0.0121), (Cues{1, 2}));  // 0.01, and 0.002 expected for the next cue
   EXPECT_EQ(frame(0.0121), (Cues{1}));
   EXPECT_EQ(frame(0.009), Cues{});
 }
@@ -71,7 +71,7 @@ TEST_F(CueBudgetTest, OnceItIsIdleAgainEveryCueReturns) {
   for (double& cost : costs_) cost *= 10;
   frame(kAnyTime);
   for (double& cost : costs_) cost /= 10;
-  // The others tell how much faster the dearest has become.
+  // The other cues show how much faster the most expensive one has become.
   int frames = 1;
   while (frame(0.008).size() < 3) ASSERT_LT(++frames, 50);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(frame(0.008).size(), 3u);
@@ -83,7 +83,7 @@ TEST_F(CueBudgetTest, ACueThatWasSlowOnceReturnsLater) {
   costs_[0] /= 10;
   int frames = 1;
   while (frame(0.008).size() < 3) ASSERT_LT(++frames, 200);
-  // 0.04 s was expected of it, of which 0.98 are left after each frame without it.
+  // Its expected cost, 0.04 s, is multiplied by 0.98 after each frame without it.
   EXPECT_NEAR(frames, std::log(0.04 / 0.005) / -std::log(0.98), 2);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(frame(0.008).size(), 3u);
 }
@@ -93,7 +93,7 @@ TEST_F(CueBudgetTest, ACueThatNeverFitsIsSeldomTried) {
   frame(kAnyTime);
   int tried = 0;
   for (int i = 0; i < 1000; ++i) tried += frame(0.033).size() == 3 ? 1 : 0;
-  // It is expected to fit after this many frames without it.
+  // After this many frames without it, it is expected to fit.
   const double frames = std::log(0.1 / 0.03) / -std::log(0.98);
   EXPECT_GT(tried, 0);
   EXPECT_LE(tried, 1000 / frames + 1);

@@ -12,8 +12,8 @@
 
 namespace place_recognition {
 
-/// An image of a made-up room: blobs whose size and spacing tell the room, their positions the
-/// frame. 96 x 72.
+/// Returns an image of an artificial room, 96 x 72: the size and spacing of its blobs depend on the
+/// room, their positions on the frame.
 inline cv::Mat drawRoom(int room, unsigned frame) {
   std::mt19937 generator(1000u * static_cast<unsigned>(room) + frame);
   cv::Mat image(72, 96, CV_8UC3, cv::Scalar(90 + 20 * room, 120, 140 - 15 * room));
@@ -25,7 +25,7 @@ inline cv::Mat drawRoom(int room, unsigned frame) {
   return image;
 }
 
-/// A run of given frames.
+/// A recording of given frames.
 class FrameList : public Recording {
  public:
   FrameList(const std::string& name, std::vector<Frame> frames,
@@ -49,7 +49,7 @@ class FrameList : public Recording {
   std::size_t position_ = 0;
 };
 
-/// `count` frames of each of `rooms` drawn rooms, named room0, room1, ...
+/// Returns `count` frames of each of `rooms` drawn rooms, named room0, room1, ...
 inline std::vector<Frame> drawFrames(int rooms, int count, unsigned first_frame = 0) {
   std::vector<Frame> frames;
   for (int room = 0; room < rooms; ++room) {
@@ -70,7 +70,7 @@ inline RecordingOpener opener(const std::vector<Frame>& frames, const std::strin
   return [frames, name, cameras] { return std::make_unique<FrameList>(name, frames, cameras); };
 }
 
-/// Options that train on drawn rooms within a moment.
+/// Returns options that train on drawn rooms quickly.
 inline TrainingOptions quickOptions() {
   TrainingOptions options;
   CrfhOptions crfh;
@@ -82,7 +82,7 @@ inline TrainingOptions quickOptions() {
   return options;
 }
 
-/// The same with a second cue, of colour.
+/// Returns the same options with a second cue, which uses colour.
 inline TrainingOptions twoCueOptions() {
   TrainingOptions options = quickOptions();
   CueOptions colour;

@@ -12,8 +12,8 @@
 namespace place_recognition {
 namespace {
 
-/// A model of one cue whose held-out frames have decision values of `lead` before -1, familiarity
-/// `known`.
+/// Returns a model of one cue whose held-out frames have familiarity `known` and decision values of
+/// `lead` - 1 for their room and -1 for the others.
 Model modelOf(int places, double lead, double known) {
   Model model;
   model.cue_weights = {1};
@@ -30,8 +30,8 @@ Model modelOf(int places, double lead, double known) {
   return model;
 }
 
-/// Frames of all rooms in turn, one per second: decision values of `lead` before -1, familiarity
-/// `known`.
+/// Frames of `places` rooms in turn, one per second, with familiarity `known` and decision values
+/// of `lead` - 1 for the room and -1 for the others.
 class Stream {
  public:
   explicit Stream(const Model& model)
@@ -70,7 +70,7 @@ TEST(EvidenceShift, FollowsTheFormula) {
 }
 
 TEST(EvidenceShift, MakesUpForOtherLight) {
-  // Familiarity has fallen by 0.2, two units of evidence; one room stands out as clearly as ever.
+  // Familiarity has fallen by 0.2, two units of evidence; one room still stands out as clearly.
   Stream stream(modelOf(4, 2, 0.9));
   stream.show(60, 2, 0.7, 4);
   EXPECT_GT(stream.shift(), 1.8);
@@ -91,7 +91,7 @@ TEST(EvidenceShift, IsBoundedAndNeverLowersEvidence) {
 TEST(EvidenceShift, StaysWhereNoRoomStandsOut) {
   const Model model = modelOf(4, 2, 0.9);
   EvidenceShift shift(model);
-  const Eigen::RowVector4d decision_values(-0.5, -0.6, -0.9, -1);  // a strange building
+  const Eigen::RowVector4d decision_values(-0.5, -0.6, -0.9, -1);  // an unknown building
   for (int i = 0; i < 300; ++i) {
     shift.beginFrame(i);
     shift.add(model.calibration.probabilities(decision_values), decision_values,
@@ -101,13 +101,13 @@ TEST(EvidenceShift, StaysWhereNoRoomStandsOut) {
 }
 
 TEST(EvidenceShift, DoesNotFollowARobotThatStandsForAnHour) {
-  // All of an hour in one place that looks unlike the training counts as five views of it.
+  // A whole hour in one place that looks unlike the training counts as five views.
   Stream stream(modelOf(4, 2, 0.9));
   stream.show(3600, 2, 0.6, 1);
   EXPECT_LT(stream.shift(), 3 * 5.0 / 6);
 }
 
-TEST(EvidenceShift, OutlivesDecisionValuesThatAreNotFinite) {
+TEST(EvidenceShift, SurvivesDecisionValuesThatAreNotFinite) {
   const Model model = modelOf(4, 2, 0.9);
   EvidenceShift shift(model);
   for (const double decision_value : {1e200, std::numeric_limits<double>::infinity()}) {

@@ -4,26 +4,26 @@
 
 #include "place_recognition/temporal_filter.h"
 
-/// What the filter is for, measured on made-up answers to the frames of a drive.
+/// The filter's purpose, measured on simulated answers to the frames of a drive.
 namespace place_recognition {
 namespace {
 
 constexpr int kRooms = 5;
-constexpr double kRate = 5;   // frames a second
+constexpr double kRate = 5;   // frames per second
 constexpr double kStay = 14;  // s in each room
 constexpr double kWrong = 0.3;
 
 struct Counts {
   int frames = 0, wrong = 0, filtered_wrong = 0;
-  double slowest = 0;  // s, until a change of room was followed
+  double slowest = 0;  // longest delay until a change of room was followed, s
 };
 
-/// Uniform in low..high, the same on every platform.
+/// Returns a uniform random number in low..high, the same on every platform.
 double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }
 
-/// The answer to a frame in `room`: wrong at random, less sure of itself where it is.
+/// Returns the answer to a frame in `room`: randomly wrong, and less confident if wrong.
 Recognition answerIn(int room, std::mt19937& random) {
   Recognition frame;
   const bool wrong = uniform(random, 0, 1) < kWrong;
@@ -37,7 +37,7 @@ Recognition answerIn(int room, std::mt19937& random) {
   return frame;
 }
 
-/// Through the rooms in the order 0 1 2 3 4 3 2 1 0.
+/// Drives through the rooms in the order 0 1 2 3 4 3 2 1 0.
 Counts drive(const Adjacency& adjacency, unsigned seed) {
   std::mt19937 random(seed);
   Model model;

@@ -9,8 +9,8 @@
 
 namespace place_recognition {
 
-/// The model file `bytes` with lengths and checksums made to fit what is behind its header. How
-/// much of that is the message stays as the header says, as far as that can be.
+/// Returns the model file `bytes` with lengths and checksums that match the contents after its
+/// header. The length of the message stays as stated in the header if possible.
 inline std::string withFittingHeader(std::string bytes) {
   constexpr std::size_t kHeaderSize = 32, kMessageSizeAt = 12;
   bytes.resize(std::max(bytes.size(), kHeaderSize));

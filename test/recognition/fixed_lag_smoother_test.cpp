@@ -44,7 +44,7 @@ std::vector<FilteredAnswer> readyOnes(FixedLagSmoother& smoother) {
   return answers;
 }
 
-/// The answers to frames that come every kPeriod from stamp 100, to the end.
+/// Returns the answers to frames that come every kPeriod from stamp 100, up to the last one.
 std::vector<FilteredAnswer> smoothed(const std::vector<Recognition>& frames, double lag) {
   TemporalFilter filter = filterOf();
   FixedLagSmoother smoother(row(), {}, lag);
@@ -56,7 +56,7 @@ std::vector<FilteredAnswer> smoothed(const std::vector<Recognition>& frames, dou
   return readyOnes(smoother);
 }
 
-/// The probabilities of the state at frame `index` when all `frames` are known, by summing over all
+/// Returns the probabilities of the state at frame `index` given all `frames`, by summing over all
 /// sequences of states.
 Eigen::RowVectorXd bySummation(const std::vector<Recognition>& frames, std::size_t index) {
   const TemporalFilterOptions options;
@@ -69,7 +69,7 @@ Eigen::RowVectorXd bySummation(const std::vector<Recognition>& frames, std::size
   }
   TemporalFilter filter = filterOf();
   Eigen::RowVectorXd belief = chain.prior();
-  std::vector<Eigen::RowVectorXd> likelihoods;  // what each frame multiplied the belief by
+  std::vector<Eigen::RowVectorXd> likelihoods;  // factor by which each frame multiplied the belief
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (i > 0) belief *= move;
     filter.update(100 + kPeriod * static_cast<double>(i), frames[i]);
@@ -123,8 +123,8 @@ TEST(FixedLagSmoother, WithoutALagItIsTheFilter) {
 }
 
 TEST(FixedLagSmoother, KnowsHowItWentOn) {
-  // Two frames of another room are a mistake where the first room comes back, and a change of room
-  // from their first on where it does not.
+  // Two frames of another room are errors if the first room comes back; otherwise they begin a
+  // change of room.
   std::vector<Recognition> frames(20, seen(0));
   frames[10] = frames[11] = seen(1);
   for (const FilteredAnswer& answer : smoothed(frames, 1)) EXPECT_EQ(answer.place, 0);
@@ -137,7 +137,7 @@ TEST(FixedLagSmoother, KnowsHowItWentOn) {
   }
 }
 
-TEST(FixedLagSmoother, EveryFrameComesOnceAsSoonAsItsLagIsOver) {
+TEST(FixedLagSmoother, EveryFrameIsAnsweredOnceWhenItsLagIsOver) {
   TemporalFilter filter = filterOf();
   FixedLagSmoother smoother(row(), {}, 1);
   std::size_t answered = 0;
@@ -152,7 +152,7 @@ TEST(FixedLagSmoother, EveryFrameComesOnceAsSoonAsItsLagIsOver) {
   EXPECT_FALSE(smoother.ready());
 }
 
-TEST(FixedLagSmoother, WhereTheFilterBeginsAnewNothingIsWaitedFor) {
+TEST(FixedLagSmoother, DoesNotWaitWhereTheFilterRestarts) {
   TemporalFilter filter = filterOf();
   FixedLagSmoother smoother(row(), {}, 1);
   for (const double stamp : {100.0, 100.1, 50.0}) {  // back in time, as in a looped bag

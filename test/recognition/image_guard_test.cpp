@@ -11,7 +11,7 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-/// That of drawn rooms.
+/// The profile of drawn rooms.
 ImageProfile drawn() {
   ImageProfile profile;
   profile.width = 96;
@@ -34,7 +34,7 @@ cv::Mat resized(const cv::Mat& image, cv::Size size) {
   return changed;
 }
 
-/// A uniform image with the noise of a sensor.
+/// Returns a uniform image with sensor noise.
 cv::Mat uniform(double brightness, unsigned frame) {
   cv::Mat image(72, 96, CV_8UC3);
   cv::RNG random(frame + 1);
@@ -50,7 +50,7 @@ TEST(ImageGuard, SaysNothingOfImagesLikeThoseTrainedOn) {
   }
 }
 
-/// Shows an image for which `sentence` is to be said, then more of them, then a good one.
+/// Shows images for which `sentence` must be reported once, and then a good image.
 void expectSaidOnce(const std::vector<cv::Mat>& images, const std::string& word) {
   ImageGuard guard(drawn(), {});
   EXPECT_EQ(guard.judge(drawRoom(0, 1000), 0), Sentences());
@@ -86,7 +86,7 @@ TEST(ImageGuard, KnowsACameraThatShowsOneColour) {
   ASSERT_EQ(guard.judge(uniform(100, 2), 2).size(), 1u);
   EXPECT_EQ(guard.problem(), "Images show nothing but one colour");
   EXPECT_TRUE(guard.blind());
-  const cv::Mat green(72, 96, CV_8UC3, cv::Scalar(0, 135, 0));  // zeros as YUV
+  const cv::Mat green(72, 96, CV_8UC3, cv::Scalar(0, 135, 0));  // all zeros in YUV
   guard.judge(green, 3);
   EXPECT_EQ(guard.problem(), "Images show nothing but one colour");
   guard.judge(drawRoom(0, 1), 4);
@@ -94,7 +94,7 @@ TEST(ImageGuard, KnowsACameraThatShowsOneColour) {
   EXPECT_FALSE(guard.blind());
 }
 
-TEST(ImageGuard, LargerImagesAreNoProblemButWorthAWord) {
+TEST(ImageGuard, LargerImagesAreMentionedButNoProblem) {
   ImageGuard guard(drawn(), {});
   const Sentences said = guard.judge(resized(drawRoom(1, 1), {192, 144}), 0);
   ASSERT_EQ(said.size(), 1u);
@@ -120,10 +120,10 @@ TEST(ImageGuard, KnowsACameraThatIsFrozen) {
   EXPECT_EQ(guard.problem(), "");
 }
 
-TEST(ImageGuard, HoldsNothingAgainstAModelThatDoesNotKnowItsImages) {
+TEST(ImageGuard, AcceptsAModelThatDoesNotKnowItsImages) {
   ImageGuard guard(ImageProfile(), {});
   EXPECT_EQ(guard.judge(grey(resized(drawRoom(0, 1), {300, 90})), 0), Sentences());
-  EXPECT_EQ(guard.judge(uniform(3, 0), 1).size(), 1u);  // but for a camera that shows nothing
+  EXPECT_EQ(guard.judge(uniform(3, 0), 1).size(), 1u);  // except for a camera that shows nothing
 }
 
 TEST(ImageProfile, TrainingKeepsSizeColourAndBrightness) {
@@ -137,7 +137,7 @@ TEST(ImageProfile, TrainingKeepsSizeColourAndBrightness) {
     darkest = std::min(darkest, (mean[0] + mean[1] + mean[2]) / 3);
     brightest = std::max(brightest, (mean[0] + mean[1] + mean[2]) / 3);
   }
-  EXPECT_NEAR(profile.darkest, darkest, 3);  // of every row, not of some
+  EXPECT_NEAR(profile.darkest, darkest, 3);  // of all rows, not of some
   EXPECT_NEAR(profile.brightest, brightest, 3);
 }
 

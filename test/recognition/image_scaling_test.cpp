@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// Clouds of noise whose amplitude falls with frequency, as that of photographs does.
+/// Noise whose amplitude falls with frequency, as in photographs.
 cv::Mat texture(int width, int height, int type) {
   cv::Mat sum = cv::Mat::zeros(height, width, CV_MAKETYPE(CV_32F, CV_MAT_CN(type)));
   cv::RNG random(7);
@@ -30,7 +30,7 @@ cv::Mat shrunk(const cv::Mat& image, double factor) {
   return small;
 }
 
-/// Without the border, where pixels have no neighbours.
+/// Returns the image without its border, where pixels lack neighbours.
 cv::Mat interior(const cv::Mat& image) {
   return image(cv::Rect(6, 6, image.cols - 12, image.rows - 12));
 }
@@ -40,7 +40,7 @@ double meanDifference(const cv::Mat& a, const cv::Mat& b) {
          static_cast<double>(interior(a).total() * static_cast<std::size_t>(a.channels()));
 }
 
-/// Mean |Laplacian| at t = 1.
+/// Returns the mean |Laplacian| at t = 1.
 double detail(const cv::Mat& image) {
   cv::Mat smooth, laplacian;
   cv::GaussianBlur(image, smooth, {}, 1);
@@ -103,7 +103,7 @@ TEST(ImageScaler, TheLongerSideBecomesThatOfTheTrainingImages) {
   EXPECT_EQ(scaler.sizeFor({320, 240}), cv::Size(640, 480));
   EXPECT_EQ(scaler.sizeFor({1280, 720}), cv::Size(640, 360));
   EXPECT_EQ(scaler.sizeFor({480, 640}), cv::Size(480, 640));
-  EXPECT_EQ(scaler.sizeFor({64, 48}), cv::Size(256, 192));  // no more than fourfold
+  EXPECT_EQ(scaler.sizeFor({64, 48}), cv::Size(256, 192));  // at most fourfold
 }
 
 TEST(ImageScaler, TrainingImagesKeepToTheGreatestWidth) {

@@ -14,7 +14,7 @@
 namespace place_recognition {
 namespace {
 
-/// Fraction of right answers to new frames of all drawn rooms.
+/// Returns the fraction of correct answers to new frames of all drawn rooms.
 double rateOn(Model model, int rooms) {
   const auto shared = std::make_shared<const Model>(std::move(model));
   Recognizer recognizer(shared);
@@ -97,7 +97,7 @@ TEST(TrainIncrementally, FromALoadedModelGivesTheSameBytesWhateverTheThreads) {
             once);
 }
 
-/// Fraction of new frames of some rooms that are answered right, and of those answered 'unknown'.
+/// The fractions of new frames of some rooms that are answered correctly and 'unknown'.
 struct Fractions {
   double right = 0;
   double unknown = 0;
@@ -163,7 +163,7 @@ std::vector<Frame> realFrames(const std::string& run, double light) {
   return darker(std::move(frames), light);
 }
 
-// The light, which is new, must not become the mark of the place that is learned in it.
+// The new light must not become the distinguishing feature of the place learned in it.
 TEST(TrainIncrementally, APlaceInTheDarkTakesNothingFromTheOtherPlacesOfARealCorridor) {
   constexpr double kDark = 0.35;
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
@@ -174,7 +174,7 @@ TEST(TrainIncrementally, APlaceInTheDarkTakesNothingFromTheOtherPlacesOfARealCor
   const auto before = std::make_shared<const Model>(
       train({opener(realFrames(root + "run1_ref", 1))}, TrainingOptions()).model);
   const std::vector<Frame> dark = realFrames(root + "run2_query", kDark);
-  double change = 0;  // of the rates of the other places, sum over the places
+  double change = 0;  // change of the rates of the other places, summed over the places
   for (const std::string& place : before->places) {
     std::vector<Frame> own, others;
     for (const Frame& frame : dark) (frame.place == place ? own : others).push_back(frame);
@@ -205,7 +205,7 @@ TEST(TrainIncrementally, WithoutALimitKeepsAsManyVectorsAsItNeeds) {
   const Training after = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, {0});
   EXPECT_EQ(after.model.asked.reduction.method, "auto");
   EXPECT_EQ(after.model.supportVectorCount(), after.unreduced_vectors[0]);
-  // A limit holds for the run that it was given for.
+  // A limit applies only to the run that it was given for.
   const Training limited = trainIncrementally(before.model, {opener(framesOf("room1", 900))}, {10});
   EXPECT_LE(limited.model.supportVectorCount(), 10u);
   EXPECT_EQ(limited.model.asked.reduction.method, "auto");
@@ -281,7 +281,7 @@ TEST(TrainIncrementally, AModelOfOtherFeaturesCannotJoin) {
   EXPECT_NE(problem(options, drawFrames(2, 8)).find("pixels"), std::string::npos);
 }
 
-/// How many of a model's support vectors are of some age, of a room or, if empty, of all.
+/// Counts a model's support vectors of a given age, in one room or, if `room` is empty, in all.
 int countOfAge(const Model& model, int age, const std::string& room) {
   int count = 0;
   for (const VectorOrigin& origin : ClassifierParts::of(model.classifiers[0]).origins) {
@@ -298,7 +298,7 @@ TEST(TrainIncrementally, ViewsAgeAsTheirRoomIsLearnedAgain) {
   EXPECT_EQ(countOfAge(model, 0, ""), static_cast<int>(model.supportVectorCount()));
   for (const unsigned first_frame : {100u, 200u}) {
     const Model read = parseModel(serializeModel(model), "read");
-    std::vector<Frame> darker = framesOf("room1", first_frame);  // else they are known already
+    std::vector<Frame> darker = framesOf("room1", first_frame);  // unlike those already known
     for (Frame& frame : darker) frame.image = frame.image * (40.0 / first_frame);
     model = trainIncrementally(read, {opener(darker)}, {}).model;
   }
@@ -310,7 +310,7 @@ TEST(TrainIncrementally, ViewsAgeAsTheirRoomIsLearnedAgain) {
       << "a room that does not come again is not forgotten";
 }
 
-// After the light has changed, the views of before only matter for themselves.
+// After a change of light, earlier views only matter for recognizing similar views.
 TEST(TrainIncrementally, ForgettingKeepsFewerOldViews) {
   TrainingOptions options = quickOptions();
   options.reduction.method = "none";

@@ -48,7 +48,7 @@ std::vector<int> all() {
   return rows;
 }
 
-/// Changes of the added points that are drawn at random; none for one of them.
+/// Random changes of the added points; none for one of them.
 Eigen::MatrixXd drawnChanges() {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> change(-1, 1);
@@ -83,14 +83,15 @@ TEST(LearningOn, NoChangeChangesNothing) {
 }
 
 TEST(ChangesToLead, AreTheSmallestOnes) {
-  // The own place lacks 1 to lead the second by 0.4 and 0.2 to lead the third.
+  // The true place falls 1 short of the required lead of 0.4 over the second place, and 0.2 short
+  // of that over the third.
   const Eigen::RowVector4d values(-0.2, 0.4, -0.4, -0.9);
   const Eigen::MatrixXd changes = changesToLead(values, {0}, 0.4);
   EXPECT_LT((changes - Eigen::RowVector4d(0.5, -0.5, 0, 0)).norm(), 1e-12);
 }
 
-// Of all changes x under the constraints x_own - x_k >= needed_k, the smallest is a sum of the
-// constraints' normals with weights that are not negative, and zero unless they hold exactly.
+// Of all changes x with x_own - x_k >= needed_k, the smallest is a sum of the constraints' normals
+// with non-negative weights, which are zero unless the constraint holds with equality.
 TEST(ChangesToLead, ObeyTheConditionsOfKarushKuhnAndTucker) {
   constexpr double kLead = 0.5;
   std::mt19937 random(10);

@@ -109,7 +109,7 @@ TEST(LightEstimate, DependsOnTimeNotOnTheFrameRate) {
                    0.01);
 }
 
-TEST(LightEstimate, BeginsAnewWhenTimeJumpsBackAndForgetsInTime) {
+TEST(LightEstimate, RestartsWhenTimeJumpsBackAndForgetsOverTime) {
   LightEstimate estimate(fourRooms());
   Stream dark({0.4, 0.4, 0.4});
   dark.show(estimate, 240);
@@ -175,7 +175,7 @@ TEST(ColourNormalization, TakesLogarithmsOnce) {
   EXPECT_EQ(pixel(), cv::Vec3b(113, 161, 193));
 }
 
-/// Of three drawn rooms, with a cue that follows the light of the recording.
+/// A model of three drawn rooms with a cue that adapts to the light of the recording.
 std::shared_ptr<const Model> modelThatFollowsLight() {
   CrfhOptions levels;
   levels.descriptors = {"R", "G", "B"};

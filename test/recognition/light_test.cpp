@@ -69,7 +69,8 @@ bool same(const Light& a, const Light& b) {
 TEST(LightDraw, GivesEveryLightItsTurnButNoAngleTheSameLight) {
   const std::vector<Light>& lights = otherLights();
   LightDraw draw(1), again(1), other(2);
-  constexpr std::size_t kAngles = 12;  // of a tripod; four lights in turn would always meet three
+  constexpr std::size_t kAngles = 12;  // per turn of a tripod; with a fixed order of four lights,
+                                       // each would meet only three angles
   std::vector<std::vector<int>> count(kAngles, std::vector<int>(lights.size()));
   bool differs = false;
   for (std::size_t i = 0; i < 40 * kAngles; ++i) {
@@ -80,7 +81,7 @@ TEST(LightDraw, GivesEveryLightItsTurnButNoAngleTheSameLight) {
         std::find_if(lights.begin(), lights.end(), [&](const Light& l) { return same(l, light); }) -
         lights.begin();
     ++count[i % kAngles][static_cast<std::size_t>(which)];
-    if (i % 3 == 0) again.next("corridor");  // each room has its own turns
+    if (i % 3 == 0) again.next("corridor");  // each room has its own order of lights
     if (i % 3 == 0) draw.next("corridor");
   }
   EXPECT_TRUE(differs);
@@ -94,7 +95,7 @@ TEST(LightDraw, GivesEveryLightItsTurnButNoAngleTheSameLight) {
   }
 }
 
-TEST(Light, FoldsKeepAImageAndItsCopyTogether) {
+TEST(Light, FoldsKeepAnImageAndItsCopyTogether) {
   const std::vector<Fold> folds = withCopies({{{0, 1}, {2}}}, {0, 1, 2, 0, 2}, true);
   EXPECT_EQ(folds[0].train, (std::vector<int>{0, 1, 3}));
   EXPECT_EQ(folds[0].test, (std::vector<int>{2, 4}));

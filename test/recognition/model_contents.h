@@ -12,14 +12,14 @@
 
 namespace place_recognition {
 
-/// What is inside a model file.
+/// The contents of a model file.
 struct ModelContents {
   proto::Model message;
   std::vector<ClassifierNumbers> classifiers;
-  std::vector<std::vector<char>> networks;  // one for each cue `embedding`
+  std::vector<std::vector<char>> networks;  // one per `embedding` cue
 };
 
-/// The model file `bytes`, changed, with a header that fits.
+/// Returns the model file `bytes` with changed contents and a matching header.
 inline std::string tampered(const std::string& bytes,
                             const std::function<void(ModelContents&)>& change) {
   std::istringstream file(bytes);

@@ -1,4 +1,4 @@
-// Exchanging the model in use.
+// Replacing the model in use.
 
 #include "recognition/recognizer/model_slot.h"
 
@@ -55,7 +55,7 @@ TEST_F(ModelSlots, ExchangeTheModel) {
   EXPECT_EQ(two->name, "two");
   slot_.load("three");
   EXPECT_EQ(slot_.model()->places.size(), 3u);
-  EXPECT_EQ(two->places.size(), 2u);  // whoever still works with it keeps it
+  EXPECT_EQ(two->places.size(), 2u);  // users of the old model keep it
 }
 
 TEST_F(ModelSlots, KeepTheModelIfTheNextIsBad) {
@@ -90,7 +90,7 @@ TEST_F(ModelSlots, AreNotConfusedByManyAtOnce) {
       while (!done) errorOf(name);
     });
   }
-  // The file is replaced while it is read.
+  // The file is replaced while it is being read.
   for (int i = 0; i < 20; ++i) save("three", 3);
   for (int i = 0; i < 2000; ++i) {
     const std::shared_ptr<const Model> model = slot_.model();

@@ -5,7 +5,7 @@
 
 namespace place_recognition {
 
-/// quickOptions() with a second cue, of a small network.
+/// Returns quickOptions() with a second cue, which uses a small network.
 inline TrainingOptions networkOptions() {
   TrainingOptions options = quickOptions();
   CueOptions cue;

@@ -1,4 +1,4 @@
-// The way between frames, from poses of odometry, good and bad.
+// The path between frames, from good and bad odometry poses.
 
 #include "recognition/over_time/odometry_accumulator.h"
 
@@ -17,7 +17,7 @@ TEST(OdometryAccumulator, AddsUpDistanceAndTurning) {
   way.add({0, 0, 0, 0});
   EXPECT_FALSE(way.take(0));  // counting starts here
   way.add({0.1, 0.3, 0.4, 0.2});
-  way.add({0.2, 0, 0, -0.1});  // back again: a way all the same
+  way.add({0.2, 0, 0, -0.1});  // back again, which still adds to the path
   const auto motion = way.take(0.2);
   ASSERT_TRUE(motion);
   EXPECT_DOUBLE_EQ(motion->distance, 1.0);
@@ -57,12 +57,12 @@ TEST(OdometryAccumulator, KnowsNothingWithoutOdometryNearTheFrame) {
   way.add({0, 0, 0, 0});
   EXPECT_FALSE(way.take(10));
   way.add({10, 1, 0, 0});
-  EXPECT_FALSE(way.take(10));  // what was before it is not known
+  EXPECT_FALSE(way.take(10));  // the path before it is not known
   EXPECT_TRUE(way.take(10.1));
   EXPECT_FALSE(way.take(11));
 }
 
-TEST(OdometryAccumulator, PosesThatAreNoNumbersAreLeftOut) {
+TEST(OdometryAccumulator, PosesThatAreNotNumbersAreIgnored) {
   OdometryAccumulator way;
   way.add({0, 0, 0, 0});
   way.take(0);
@@ -76,7 +76,7 @@ TEST(OdometryAccumulator, PosesThatAreNoNumbersAreLeftOut) {
   EXPECT_DOUBLE_EQ(motion->distance, 0.5);
 }
 
-TEST(OdometryAccumulator, AJumpStartsAnew) {
+TEST(OdometryAccumulator, AJumpRestartsIt) {
   OdometryAccumulator way;
   for (const OdometryPose& jump : {OdometryPose{0.1, 50, 0, 0}, OdometryPose{-5, 0, 0, 0}}) {
     way.add({0, 0, 0, 0});

@@ -1,4 +1,4 @@
-// Omnidirectional images: rings that are unrolled, found, learned and recognized.
+// Omnidirectional images: unrolling and finding the ring, training and recognition.
 
 #include "recognition/frames/panorama.h"
 
@@ -21,8 +21,8 @@
 namespace place_recognition {
 namespace {
 
-/// An image of `size` whose ring shows what `value(angle, share)` tells: rad anticlockwise from
-/// below, 0..1 from the rim to the inner circle.
+/// Returns an image of `size` whose ring shows `value(angle, share)`. `angle`: rad,
+/// counterclockwise from below; `share`: 0..1 from the rim to the inner circle.
 template <typename Value>
 cv::Mat drawRing(cv::Size size, const MirrorRing& ring, const Value& value) {
   cv::Mat image(size, CV_8UC1, cv::Scalar(8));
@@ -40,7 +40,7 @@ cv::Mat drawRing(cv::Size size, const MirrorRing& ring, const Value& value) {
   return image;
 }
 
-/// The image of a mirror in which that panorama is seen.
+/// Returns the image of a mirror that shows this panorama.
 cv::Mat rolled(const cv::Mat& panorama, cv::Size size, const MirrorRing& ring) {
   cv::Mat map(size, CV_32FC2);
   for (int y = 0; y < size.height; ++y) {
@@ -158,7 +158,7 @@ TEST(MirrorSearch, FindsNoneInOrdinaryImages) {
   EXPECT_FALSE(findMirror(cv::Mat(16, 16, CV_8UC3, cv::Scalar::all(3))));
 }
 
-/// Frames of drawn rooms as an omnidirectional camera sees them.
+/// Returns frames of drawn rooms as seen by an omnidirectional camera.
 std::vector<Frame> omniFrames(int rooms, int count, unsigned first = 0) {
   std::vector<Frame> frames = drawFrames(rooms, count, first);
   for (Frame& frame : frames) frame.image = rolled(frame.image, kSize, kRing);
@@ -190,7 +190,7 @@ TEST(OmniTraining, FindsTheMirrorOnceAndKeepsIt) {
   }
   EXPECT_GE(right, 14);
 
-  // What is learned later is unrolled likewise, though no mirror can be found in it.
+  // Images learned later are unrolled in the same way, although no mirror can be found in them.
   std::vector<Frame> dark = omniFrames(3, 6, 900);
   for (Frame& frame : dark) frame.image = frame.image * 0.1;
   const Model more = trainIncrementally(*model, {opener(dark)}, {0}).model;

@@ -17,8 +17,8 @@ Model drawnModel(int rooms = 3) {
 
 TEST(Recalibrate, FitsSlopeAndThresholdToAnotherRun) {
   Model model = drawnModel();
-  model.calibration.slope = 100;            // far too sure
-  model.calibration.weights.offset = -1e6;  // and yet never sure enough
+  model.calibration.slope = 100;            // far too confident
+  model.calibration.weights.offset = -1e6;  // but never above the threshold
   const Recalibration result = recalibrate(std::move(model), {opener(drawFrames(3, 40, 800))});
   EXPECT_EQ(result.images, 120u);
   EXPECT_GT(result.before.unknown, 0.9);
@@ -29,7 +29,7 @@ TEST(Recalibrate, FitsSlopeAndThresholdToAnotherRun) {
 }
 
 TEST(Recalibrate, LeavesAsManyFramesOfAStreamUnknownAsAskedFor) {
-  // A stretch in the dark, which the recognizer makes up for as it goes.
+  // A dark stretch, for which the recognizer compensates over time.
   std::vector<Frame> frames = drawFrames(3, 100, 800);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (i % 100 >= 70) frames[i].image = inLight(frames[i].image, {0.5, 0.5, 0.5});

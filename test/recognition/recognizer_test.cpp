@@ -96,7 +96,7 @@ TEST(Recognizer, AnswersImagesOfOneColourWithTheReason) {
 }
 
 TEST(Recognizer, LeavesOutACueThatTheImageLacks) {
-  // The second cue needs a higher image than is shown: the answer is that of the first alone.
+  // The second cue needs a taller image: the answer is that of the first cue alone.
   TrainingOptions options = twoCueOptions();
   std::get<CrfhOptions>(options.cues[0].feature).border = 5;
   Model model = train({opener(drawFrames(3, 12))}, options).model;
@@ -134,7 +134,7 @@ std::shared_ptr<const Model> modelWithNetwork() {
   return std::make_shared<const Model>(std::move(model));
 }
 
-/// Decision values of one cue for an image.
+/// Returns the decision values of one cue for an image.
 Eigen::RowVectorXd decisionValues(const Model& model, std::size_t cue, const cv::Mat& image) {
   std::vector<Feature> features;
   CueExtraction(model).extract(image, features);
@@ -154,7 +154,7 @@ TEST(Recognizer, HoldsDecisionValuesOfEmbeddingsAndLetsThemAge) {
   recognizer.recognize(first, start);
   for (const double age : {0.1, 0.3, 0.45}) {
     const cv::Mat image = drawRoom(1, 400);
-    recognizer.recognize(drawRoom(2, 500));  // an image by itself changes nothing of the stream
+    recognizer.recognize(drawRoom(2, 500));  // a single image does not affect the stream
     const double held = 0.75 * std::exp(-age / 0.4);
     const Eigen::RowVectorXd expected =
         (0.25 * decisionValues(*model, 0, image) + held * decisionValues(*model, 1, first)) /
@@ -163,7 +163,7 @@ TEST(Recognizer, HoldsDecisionValuesOfEmbeddingsAndLetsThemAge) {
         recognizer.recognize(image, start + age).decision_values;
     EXPECT_TRUE(decision_values.isApprox(expected, 1e-12)) << decision_values << " at " << age;
   }
-  // Due again; and when time jumps back.
+  // Due again, and after time jumps back.
   for (const double stamp : {start + 1, start - 50}) {
     const cv::Mat image = drawRoom(1, 600);
     EXPECT_EQ(recognizer.recognize(image, stamp).decision_values,
@@ -180,13 +180,13 @@ TEST(Recognizer, HoldsDecisionValuesOfCuesForWhichThereIsNoTime) {
   recognizer.setDecorrelationTime(0.4);
   const cv::Mat first = drawRoom(0, 300);
   EXPECT_TRUE(recognizer.recognize(first, 100).held.empty());
-  std::array<cv::Mat, 2> last{first, first};  // the image that each cue was computed of
+  std::array<cv::Mat, 2> last{first, first};  // the image that each cue was computed from
   std::array<double, 2> at{0, 0};             // and its age
   for (const double age : {0.1, 0.3}) {
     const cv::Mat image = drawRoom(1, 400);
     const Recognition& answer = recognizer.recognize(image, 100 + age, 0);
     ASSERT_EQ(answer.held.size(), 1u);
-    const std::size_t held = answer.held[0];  // whichever took longer
+    const std::size_t held = answer.held[0];  // the cue that took longer
     const std::size_t computed = 1 - held;
     const double weight = model->cue_weights[computed];
     const double held_weight = model->cue_weights[held] * std::exp((at[held] - age) / 0.4);
@@ -195,10 +195,10 @@ TEST(Recognizer, HoldsDecisionValuesOfCuesForWhichThereIsNoTime) {
                                         (weight + held_weight);
     EXPECT_TRUE(answer.decision_values.isApprox(expected, 1e-12))
         << answer.decision_values << " at " << age;
-    last[computed] = image;  // next time the other one may have taken longer
+    last[computed] = image;  // next time, the other cue may have taken longer
     at[computed] = age;
   }
-  // After a jump back in time, and in a new stream, what was seen counts no more.
+  // After a jump back in time and in a new stream, earlier decision values are not used.
   const cv::Mat image = drawRoom(2, 500);
   for (const double stamp : {50.0, 200.0}) {
     const Recognition& answer = recognizer.recognize(image, stamp, 0);
@@ -242,7 +242,7 @@ TEST(Recognizer, DoesNotExtractCuesThatDoNotCount) {
   EXPECT_FALSE(isMissing(features[1]));
 }
 
-/// Fraction of right answers to new frames of three drawn rooms, each `factor` times as large.
+/// Returns the fraction of correct answers to new frames of three drawn rooms, scaled by `factor`.
 double rateAt(const std::shared_ptr<const Model>& model, double factor) {
   Recognizer recognizer(model);
   double right = 0;
@@ -262,7 +262,7 @@ TEST(Recognizer, KnowsRoomsFromImagesOfAnotherSize) {
     TrainingOptions options = quickOptions();
     CrfhOptions& crfh = std::get<CrfhOptions>(options.cues[0].feature);
     crfh.descriptors = {"L", descriptor};
-    crfh.scales = {4};  // detail that half the size still shows
+    crfh.scales = {4};  // detail that is still visible at half the size
     const std::shared_ptr<const Model> model = modelOf(options);
     const double rate = rateAt(model, 1);
     for (const double factor : {0.5, 0.75, 1.25, 2.0, 4.0}) {

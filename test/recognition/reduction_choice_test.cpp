@@ -5,7 +5,7 @@
 namespace place_recognition {
 namespace {
 
-/// Answers to 40 samples of two places, of which the first `wrong` of each place are wrong.
+/// Answers to 40 samples of two places; the first `wrong` of each place are wrong.
 struct Answered {
   std::vector<SampleOrigin> samples;
   HeldOutValues held_out{Eigen::MatrixXd(40, 2), std::vector<bool>(40, true)};
@@ -27,7 +27,7 @@ ReductionOptions reduction(const std::string& method, double fraction) {
   return options;
 }
 
-/// The choice among reductions with these numbers of wrong answers per place.
+/// Returns the choice among reductions with these numbers of wrong answers per place.
 std::size_t choice(const std::vector<ReductionOptions>& reductions, const std::vector<int>& wrong) {
   std::vector<HeldOutValues> held_out;
   for (const int count : wrong) held_out.push_back(Answered(count).held_out);
@@ -61,8 +61,8 @@ TEST(ReductionChoice, TakesTheFewestVectorsAtNoLossThatCanBeTold) {
                                                  reduction("qr", 0.3), reduction("qr", 0.1)};
   EXPECT_EQ(choice(reductions, {2, 2, 2, 2}), 3u);
   EXPECT_EQ(choice(reductions, {2, 1, 2, 8}), 2u);
-  EXPECT_EQ(choice(reductions, {2, 9, 2, 2}), 0u);  // few vectors that do well by luck
-  // One more wrong in 20 of each place: a loss of 0.05, with an error of 0.034.
+  EXPECT_EQ(choice(reductions, {2, 9, 2, 2}), 0u);  // few vectors that are right by chance
+  // One more of 20 wrong in each place: a loss of 0.05, with a standard error of 0.034.
   EXPECT_EQ(choice(reductions, {2, 2, 2, 3}), 2u);
 }
 
@@ -75,7 +75,7 @@ TEST(ReductionChoice, OfEqualSharesTakesTheBetterRate) {
 }
 
 TEST(ReductionChoice, LosesNoRateForProbabilitiesThatFitBetter) {
-  // The reduced machines are wrong more often, but less sure of it than the full ones.
+  // The reduced machines are wrong more often than the full ones, but with less confidence.
   Answered full(4);
   Answered reduced(5);
   for (int i = 0; i < 40; ++i) {

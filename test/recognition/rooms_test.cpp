@@ -1,5 +1,5 @@
-// Real rooms: two clips of each, one to train on and one to test on. The bounds are what a plain
-// prototype of the method reached on them, less two points.
+// Real rooms, with one clip of each for training and one for testing. The bounds are the rates of a
+// plain prototype of the method, minus two percentage points.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ struct RoomsCase {
   std::vector<double> scales;
   int bins;
   double forward;   // trained on clip1, tested on clip2
-  double backward;  // the other way round
+  double backward;  // in the other direction
 };
 
 class RealRooms : public testing::TestWithParam<RoomsCase> {};

@@ -1,4 +1,4 @@
-// A model of every kind answers bit for bit the same after it was saved and loaded.
+// Every kind of model gives bit-identical answers after it was saved and loaded.
 #include <gtest/gtest.h>
 
 #include "features/small_network.h"
@@ -31,7 +31,7 @@ TrainingOptions withKernel(const std::string& type, const FeatureOptions& featur
   return options;
 }
 
-/// Each kernel with each form of feature that it takes, several cues, and each reduction.
+/// Each kernel with each form of feature that it accepts, several cues, and each reduction.
 std::vector<Kind> kindsOfEitherMulticlass() {
   const FeatureOptions sparse = quickOptions().cues[0].feature;
   std::vector<Kind> kinds;

@@ -24,7 +24,7 @@ std::size_t admitted(double rate, double fps, int count) {
   return result;
 }
 
-TEST(FrameRate, ThinsOutToSoManyASecond) {
+TEST(FrameRate, ThinsOutToANumberPerSecond) {
   EXPECT_NEAR(admitted(5, 30, 300), 50, 1);
   EXPECT_EQ(admitted(5, 5, 300), 300u);
   EXPECT_EQ(admitted(5, 1, 300), 300u);
@@ -62,7 +62,7 @@ TEST(StratifiedSample, KeepsSomethingOfEveryGroupAndAllWhereThereAreFew) {
   EXPECT_TRUE(stratifiedSample({}, 5, 1).empty());
 }
 
-/// Number of `kept` samples at each of the twelve angles of a tripod that turns at every marker.
+/// Counts the `kept` samples at each of the twelve angles of a tripod that turns at every marker.
 std::array<int, 12> angles(const std::vector<bool>& kept) {
   std::array<int, 12> count{};
   for (std::size_t i = 0; i < kept.size(); ++i) count[i % 12] += kept[i] ? 1 : 0;
@@ -70,7 +70,7 @@ std::array<int, 12> angles(const std::vector<bool>& kept) {
 }
 
 TEST(StratifiedSample, SeesEveryAngleOfATripod) {
-  // A fixed step of 6 or 12 would see two of them, or one.
+  // A fixed step of 6 or 12 would see only two angles or one.
   const std::vector<int> one_room(1200, 0);
   for (const std::size_t most : {200u, 100u}) {
     for (const int count : angles(stratifiedSample(one_room, most, 1))) EXPECT_GT(count, 0) << most;
@@ -80,7 +80,7 @@ TEST(StratifiedSample, SeesEveryAngleOfATripod) {
 }
 
 TEST(HeldOutFrames, AreNoMoreThanAModelKeeps) {
-  // Fractions of 1000 that all have a rest.
+  // Fractions that do not divide 1000.
   const std::vector<int> rooms{231, 252, 249, 341, 458};
   CalibrationSet calibration_set;
   for (std::size_t k = 0; k < rooms.size(); ++k) {
@@ -140,14 +140,14 @@ TEST(StratifiedLevels, SeeEveryAngleOfATripod) {
   for (const int count : angles(kept)) EXPECT_GT(count, 0);
 }
 
-/// A hundred frames of each of two rooms, 20 a second.
+/// A hundred frames of each of two rooms, at 20 Hz.
 Training trainFast(const TrainingOptions& options) {
   std::vector<Frame> frames = drawFrames(2, 100);
   for (Frame& frame : frames) frame.stamp /= 20;
   return train({opener(frames, "fast.bag")}, options);
 }
 
-TEST(Sampling, LearnsAllFramesOrSoManyASecond) {
+TEST(Sampling, LearnsAllFramesOrANumberPerSecond) {
   EXPECT_EQ(trainFast(quickOptions()).images, 200u);
   TrainingOptions options = quickOptions();
   options.sampling.rate = 5;
@@ -168,13 +168,13 @@ TEST(Sampling, LearnsNoMoreThanItMayAndSaysSo) {
   EXPECT_NE(training.warnings[0].find("sampling.most"), std::string::npos);
 
   options.augmentation.other_light = true;
-  EXPECT_EQ(trainFast(options).images, 20u);  // and the same in other light
+  EXPECT_EQ(trainFast(options).images, 20u);  // and as many in other light
 }
 
-TEST(Sampling, OfALongRunFewerAndFewerImagesAreLookedAt) {
+TEST(Sampling, LooksAtFewerAndFewerImagesOfALongRun) {
   const std::vector<Frame> frames = drawFrames(2, 400);
   TrainingOptions options = quickOptions();
-  options.sampling.most = 40;  // 20, and the same changed
+  options.sampling.most = 40;  // 20, and 20 changed copies
   int looked_at = 0;
   const auto change = [&](const cv::Mat& image, const std::string&) {
     ++looked_at;
@@ -189,7 +189,7 @@ TEST(Sampling, OfALongRunFewerAndFewerImagesAreLookedAt) {
   ASSERT_EQ(samples.warnings.size(), 1u);
   EXPECT_NE(samples.warnings[0].find("Of 800 images 20 are learned"), std::string::npos)
       << samples.warnings[0];
-  std::array<int, 4> quarters{};  // of each room, by the order of its frames
+  std::array<int, 4> quarters{};  // of each room, in the order of its frames
   for (std::size_t i = 0; i < samples.recorded; ++i) {
     const auto quarter = static_cast<std::size_t>(samples.origins[i].stamp / 200);
     ++quarters.at(quarter);

@@ -7,7 +7,7 @@
 
 namespace place_recognition {
 
-/// A model of three drawn rooms with two cues, trained once, and its bytes.
+/// A model of three drawn rooms with two cues, trained once, and its serialized bytes.
 inline Training trainSmall() { return train({opener(drawFrames(3, 12))}, twoCueOptions(), 1); }
 
 inline const Model& smallModel() {

@@ -1,4 +1,4 @@
-// Model files that were damaged or altered, and what their reader says of them.
+// Damaged and altered model files, and the errors of their reader.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ TEST(TamperedModelFile, RefusesEveryChangedByteAndEveryCut) {
   std::mt19937 generator(4);
   for (int i = 0; i < 3000; ++i) {
     std::string changed = bytes;
-    // Every byte of the header, and random ones behind it.
+    // Every byte of the header, and random bytes after it.
     const std::size_t at = i < 32 ? static_cast<std::size_t>(i) : generator() % bytes.size();
     changed[at] = static_cast<char>(changed[at] ^ (1 << generator() % 8));
     EXPECT_THROW(parseModel(changed, "changed"), Error) << at;
@@ -76,7 +76,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
-// What is tampered with; the second cue has common and rare bins.
+// The model that is tampered with; its second cue has common and rare bins.
 proto::Model& message(ModelContents& c) { return c.message; }
 ClassifierNumbers& classifier(ModelContents& c) { return c.classifiers[1]; }
 PostingLists& lists(ModelContents& c) { return c.classifiers[1].lists; }
@@ -196,7 +196,7 @@ TEST(TamperedModelFile, RefusesRandomContentsWithAFittingHeader) {
     std::string changed = smallModelBytes();
     changed[generator() % changed.size()] = static_cast<char>(generator());
     try {
-      // What passes is a model all the same: checked, usable, and written back.
+      // A file that passes must still be a model: checked, usable, and the same when written back.
       serializeModel(parseModel(withFittingHeader(changed), "random"));
     } catch (const Error&) {
       ++refused;

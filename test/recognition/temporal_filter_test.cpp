@@ -26,14 +26,14 @@ Recognition seen(std::vector<double> probabilities, double evidence = 0.9) {
   return frame;
 }
 
-/// Probabilities of four rooms: 0.7 for `place`, 0.1 for each other.
+/// Returns the probabilities of four rooms: 0.7 for `place`, 0.1 for each other one.
 Recognition seen(int place, double evidence = 0.9) {
   std::vector<double> probabilities(4, 0.1);
   probabilities[place] = 0.7;
   return seen(probabilities, evidence);
 }
 
-/// A model as far as the filter looks at it.
+/// Returns a model with the fields that the filter uses.
 Model modelOf(const std::vector<std::uint64_t>& place_images) {
   Model model;
   model.places.assign(place_images.size(), "room");
@@ -53,7 +53,7 @@ TemporalFilter filterOf(const TemporalFilterOptions& options = {},
   return TemporalFilter(modelOf({50, 50, 50, 50}), adjacency, options);
 }
 
-/// Shows `frame` `rate` times a second from stamp `start` to `end`; the last answer.
+/// Shows `frame` at `rate` Hz from stamp `start` to `end`. Returns the last answer.
 FilteredAnswer show(TemporalFilter& filter, const Recognition& frame, double start, double end,
                     double rate = 5, const std::optional<Motion>& motion = std::nullopt) {
   FilteredAnswer last;
@@ -182,7 +182,7 @@ TEST(TemporalFilter, StandingAddsNothing) {
 }
 
 TEST(TemporalFilter, TurningIsSeeingMoreOfTheSameRoom) {
-  // Nine radians within one decorrelation time, which without odometry would count as one frame.
+  // Nine radians within one decorrelation time, which would count as one frame without odometry.
   const Motion turning{0, 1};
   TemporalFilter blind = filterOf(), turned = filterOf();
   const double without = show(blind, seen(2), 0, 0.5, 20).confidence;
@@ -190,7 +190,7 @@ TEST(TemporalFilter, TurningIsSeeingMoreOfTheSameRoom) {
   EXPECT_GT(with, without);
   EXPECT_GT(with, 0.999);
 
-  // And no room can be left by it: certainty, once there, is not lost by time.
+  // Turning cannot leave a room either, so certainty does not decay over time.
   const Eigen::RowVectorXd before = turned.update(0.5, seen(2), turning).probabilities;
   const FilteredAnswer after = show(turned, nothingSeen(), 0.6, 60, 5, turning);
   EXPECT_EQ(after.place, 2);

@@ -13,7 +13,7 @@
 namespace place_recognition {
 namespace {
 
-/// What train() says when it refuses.
+/// Returns the error message of train().
 std::string refusal(const std::vector<Frame>& frames) {
   try {
     train({opener(frames, "walk.bag")}, quickOptions(), 1);
@@ -52,7 +52,7 @@ TEST(TrainingInput, LeavesOutWhatItCannotUse) {
   }
 }
 
-/// An image of one colour with the noise of a sensor.
+/// Returns an image of one colour with sensor noise.
 cv::Mat uniformImage(const cv::Scalar& colour, int seed) {
   cv::Mat noise(72, 96, CV_16SC3);
   cv::RNG(static_cast<std::uint64_t>(seed + 1)).fill(noise, cv::RNG::UNIFORM, -3, 4);
@@ -121,7 +121,7 @@ TEST(TrainingInput, SaysWhyItRefuses) {
   }
 }
 
-TEST(TrainingInput, RefusesAMissingNetworkBeforeItReadsImages) {
+TEST(TrainingInput, RefusesAMissingNetworkBeforeReadingImages) {
   TrainingOptions options = quickOptions();
   options.cues[0].kernel.type = "gaussian";
   EmbeddingOptions embedding;

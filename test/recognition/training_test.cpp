@@ -11,7 +11,7 @@
 namespace place_recognition {
 namespace {
 
-/// Fraction of right answers on new images of the drawn rooms.
+/// Returns the fraction of correct answers to new images of the drawn rooms.
 double rateOn(Training training, int rooms) {
   Recognizer recognizer(std::make_shared<const Model>(std::move(training.model)));
   int right = 0;
@@ -64,7 +64,7 @@ TEST(Training, GivesTheSameBytesWhateverTheThreads) {
   EXPECT_EQ(serializeModel(train(recordings, twoCueOptions(), 5).model), once);
 }
 
-/// The same frames from a camera of `factor` times the size.
+/// Returns the same frames from a camera with `factor` times the size.
 std::vector<Frame> resized(std::vector<Frame> frames, double factor) {
   for (Frame& frame : frames) {
     cv::resize(frame.image, frame.image, {}, factor, factor, cv::INTER_AREA);
@@ -120,7 +120,7 @@ TEST(Training, ReportsRisingFractions) {
         });
 }
 
-/// The frames of three rooms, one after the other, and back to the first if `returns`.
+/// Returns frames of three rooms in sequence, followed by the first room again if `returns`.
 std::vector<Frame> driveOf(bool returns) {
   std::vector<Frame> frames = drawFrames(3, 20);
   if (returns) {
@@ -137,13 +137,13 @@ TEST(Training, LearnsFromADriveWhichRoomsAdjoin) {
   ASSERT_EQ(learned.places(), 3u);
   EXPECT_TRUE(learned.joined(0, 1) && learned.joined(1, 2) && learned.joined(2, 0));
 
-  // Unlabelled frames while a door is passed are part of the drive.
+  // Unlabelled frames while passing a door are part of the drive.
   std::vector<Frame> frames = driveOf(true);
   frames[19].place = frames[20].place = "";
   for (std::size_t i = 40; i < frames.size(); ++i) frames[i].stamp += 10;  // after room1
   const Adjacency gaps = train({opener(frames)}, quickOptions()).model.adjacency;
   EXPECT_TRUE(gaps.joined(0, 1));
-  EXPECT_FALSE(gaps.joined(1, 2));  // too long unseen
+  EXPECT_FALSE(gaps.joined(1, 2));  // the time between them is too long
 
   const Adjacency sorted = train({opener(driveOf(false))}, quickOptions()).model.adjacency;
   EXPECT_TRUE(sorted.empty());

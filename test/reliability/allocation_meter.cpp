@@ -8,7 +8,7 @@
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define PLACE_RECOGNITION_SANITIZED
-// The sanitizers' own functions; g++ comes without their header, sanitizer/allocator_interface.h.
+// The sanitizers' functions. g++ does not ship their header, sanitizer/allocator_interface.h.
 extern "C" {
 int __sanitizer_install_malloc_and_free_hooks(void (*on_taken)(const volatile void*, std::size_t),
                                               void (*on_given)(const volatile void*));

@@ -4,7 +4,8 @@
 
 namespace place_recognition {
 
-/// Watches the memory that this process takes while it lives; one at a time.
+/// Measures the memory that this process allocates during the object's lifetime. At most one may
+/// exist at a time.
 class AllocationMeter {
  public:
   AllocationMeter();

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Bags as crashes, bad disks and mistakes leave them: place_tool uses them, or says in one line which
-bag is wrong and how. A few damaged at random, or 2000 where PLACE_RECOGNITION_FULL_TEST is set."""
+"""Bags damaged by crashes, bad disks and mistakes: place_tool uses them, or reports in one line
+which bag is wrong and how. A few are damaged at random, or 2000 if PLACE_RECOGNITION_FULL_TEST is
+set."""
 import concurrent.futures
 import os
 import random
@@ -19,7 +20,7 @@ COLOUR = ("--config", "crfh_colour")
 
 
 def damaged(good, seed):
-    """A copy of a bag with a few things wrong, half of them where its records begin."""
+    """Returns a copy of a bag with a few faults, half of them at the start of records."""
     chance = random.Random(seed)
     content = bytearray(good)
     records = [i for i in range(len(good) - 3) if good[i:i + 3] == b"op="]
@@ -56,7 +57,7 @@ class BagDamageTest(ToolCase):
                 ("train", bag, "--model", f"./{bag}.places", *COLOUR, *quiet))
 
     def assert_told(self, arguments, bag):
-        """That the tool ends by itself with an answer, or with one line that names the bag."""
+        """Checks that the tool ends by itself, with an answer or one line that names the bag."""
         result = self.run_tool(*arguments)
         self.assertIn(result.returncode, (0, 1), result.stderr)
         if result.returncode == 1:
@@ -77,7 +78,7 @@ class BagDamageTest(ToolCase):
         (self.folder / name).write_bytes(content)
 
     def write_labelled(self, name, labels):
-        """A bag with one image per second and with (second, label) in the given order."""
+        """Writes a bag with one image per second, and with (second, label) in the given order."""
         with rosbag.Bag(str(self.folder / self.write_bag(name, [(room, None) for room in ROOMS])),
                         "a") as bag:
             for second, label in labels:
@@ -148,8 +149,8 @@ class BagDamageTest(ToolCase):
             for word in ("plain.labels.yaml", "kitchen", "office", "overlap"):
                 self.assertIn(word, line)
 
-    def test_labels_that_are_no_names(self):
-        # rospy writes text as UTF-8, so the byte that is none is put in afterwards.
+    def test_labels_that_are_not_names(self):
+        # rospy writes text as UTF-8, so the invalid byte is inserted afterwards.
         for name, before, after in (("latin.bag", b"kitchen", b"k\xfctchen"),
                                     ("lines.bag", b"kitchen", b"kit\nhen")):
             self.write(name, self.good().replace(before, after))

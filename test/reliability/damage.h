@@ -7,14 +7,14 @@
 
 namespace place_recognition {
 
-/// Files as disks, transfers and enemies leave them: bytes changed, cut, repeated, lost, or spliced
-/// in from other files of the kind. The same seed gives the same files.
+/// Damaged files, as left by disks, transfers and attackers: bytes are changed, cut, repeated,
+/// lost, or spliced in from other files of the same kind. The same seed gives the same files.
 class Damage {
  public:
   Damage(std::vector<std::string> originals, unsigned seed)
       : originals_(std::move(originals)), random_(seed) {}
 
-  /// A copy of one of the originals with one to eight things wrong.
+  /// Returns a copy of one of the originals with one to eight faults.
   std::string next() {
     std::string bytes = any();
     for (std::size_t i = 0, count = std::size_t{1} << below(4); i < count; ++i) damage(bytes);

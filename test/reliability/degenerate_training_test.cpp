@@ -1,5 +1,5 @@
-// Runs that nobody would train on by intent, with every preset: a sound model or a clear refusal,
-// and never a number that is none.
+// Degenerate runs, with every preset: training yields a sound model or a clear refusal, and never a
+// NaN or an infinite number.
 
 #include <gtest/gtest.h>
 
@@ -22,9 +22,10 @@ void expectFinite(const Recognition& answer) {
   EXPECT_TRUE(std::isfinite(answer.evidence));
 }
 
-/// That the model has nothing but finite numbers, also once it was saved, and answers with such.
+/// Expects that the model contains only finite numbers, also after it was saved, and that its
+/// answers do.
 void expectSound(const Model& trained, const std::vector<Frame>& frames) {
-  // The reader refuses whatever is not finite or out of range.
+  // The reader refuses numbers that are not finite or out of range.
   const auto model = std::make_shared<const Model>(parseModel(serializeModel(trained), "trained"));
   Recognizer recognizer(model);
   for (std::size_t i = 0; i < frames.size(); i += 1 + frames.size() / 10) {
@@ -36,7 +37,7 @@ void expectSound(const Model& trained, const std::vector<Frame>& frames) {
   expectFinite(recognizer.recognize(cv::Mat(1, 1, CV_8UC3, cv::Scalar(1, 2, 3))));
 }
 
-/// Whether `frames` can be learned; if not, the refusal must be a sentence.
+/// Returns whether `frames` can be learned. Expects a refusal to be a sentence.
 bool trains(const std::vector<Frame>& frames, const TrainingOptions& options) {
   try {
     expectSound(train({opener(frames)}, options).model, frames);
@@ -57,9 +58,9 @@ class EveryPreset : public testing::TestWithParam<int> {
   const TrainingOptions options_ = presets().at(static_cast<std::size_t>(GetParam()));
 };
 
-TEST_P(EveryPreset, OneImageARoom) { trains(drawFrames(3, 1), options_); }
+TEST_P(EveryPreset, OneImagePerRoom) { trains(drawFrames(3, 1), options_); }
 
-TEST_P(EveryPreset, TwoImagesARoom) { trains(drawFrames(3, 2), options_); }
+TEST_P(EveryPreset, TwoImagesPerRoom) { trains(drawFrames(3, 2), options_); }
 
 TEST_P(EveryPreset, IdenticalImages) {
   trains(withImage(drawFrames(3, 5), drawRoom(0, 1)), options_);

@@ -1,4 +1,4 @@
-// Images as they arrive at the node, damaged or made to harm: each is refused, or an image.
+// Damaged and malicious image messages: each is refused or yields an image.
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 namespace place_recognition {
 namespace {
 
-/// A decoder's own tables.
+/// Memory of a decoder's tables.
 constexpr std::size_t kConstant = 4 << 20;
-/// Memory of an image that announces 64 million pixels, the most that a decoder may be given.
+/// Memory of an image of 64 million pixels, the most that a decoder may be given.
 constexpr std::size_t kLargestImage = 64'000'000 * std::size_t{8};
 
 /// Whether `message` gives an image, which must be one that extractors take, or one of 16 bits

@@ -15,12 +15,13 @@
 
 namespace place_recognition {
 
-/// Images as an honest camera never sends them. The same seed gives the same ones.
+/// Malformed image messages. The same seed gives the same messages.
 class ImageMessages {
  public:
   explicit ImageMessages(unsigned seed) : damage_(images(), seed) {}
 
-  /// Sizes that wrap, wrong steps, short data, encodings known or not, floats that are no numbers.
+  /// Raw images with sizes that wrap, wrong steps, short data, known and unknown encodings, and
+  /// NaNs.
   sensor_msgs::Image raw() {
     sensor_msgs::Image message;
     message.encoding = encoding();
@@ -34,7 +35,7 @@ class ImageMessages {
     return message;
   }
 
-  /// Images in every format that OpenCV writes, damaged, and some that announce huge sizes.
+  /// Damaged images in every format that OpenCV writes; some announce huge sizes.
   sensor_msgs::CompressedImage compressed() {
     sensor_msgs::CompressedImage message;
     message.format = "jpeg";
@@ -87,7 +88,7 @@ class ImageMessages {
     return kEncodings[damage_.below(kEncodings.size())];
   }
 
-  /// Floats that are no numbers, as good as any bytes.
+  /// Returns bytes that are NaNs as floats.
   std::vector<std::uint8_t> bytes(std::size_t count) {
     std::vector<std::uint8_t> data(count);
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -117,7 +118,7 @@ class ImageMessages {
     }
   }
 
-  /// Writes large numbers where PNG and JPEG have width and height.
+  /// Writes large numbers at the position of width and height in PNG and JPEG.
   void announceHuge(std::string& bytes) {
     const std::size_t frame = bytes.find("\xff\xc0");
     const std::size_t at = frame == std::string::npos ? 16 : frame + 5;

@@ -1,4 +1,4 @@
-// Models of every preset, damaged at random or crafted: each is refused, or a sound model.
+// Models of every preset, randomly damaged or crafted: each is refused or is a sound model.
 
 #include <gtest/gtest.h>
 
@@ -19,12 +19,12 @@
 namespace place_recognition {
 namespace {
 
-/// What reading a small file may take beside it: the parsed configuration and the entries.
+/// Memory that reading a small file may need beyond it: the parsed configuration and the entries.
 constexpr std::size_t kConstant = 24 << 20;
 /// The message, the features and their index take more memory than their bytes in a file.
 constexpr std::size_t kHeldPerByte = 12;
 
-/// Parses `bytes`, within bounds of memory; false if they are refused.
+/// Parses `bytes` and expects bounded memory. Returns false if they are refused.
 bool accepts(const std::string& bytes) {
   const AllocationMeter meter;
   bool accepted = true;
@@ -112,7 +112,7 @@ TEST(CraftedModel, ManyBinsOfNoVectorTakeNoMemory) {
 }
 
 TEST(CraftedModel, ArraysLongerThanTheFileTakeNoMemory) {
-  // The count of the first array, where the message ends.
+  // The count of the first array, at the end of the message.
   const std::string& model = presetModels().front();
   std::uint32_t message_size = 0;
   std::memcpy(&message_size, &model[12], sizeof(message_size));

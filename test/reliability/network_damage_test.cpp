@@ -1,4 +1,4 @@
-// ONNX files, damaged at random: each is refused with one line that names it, or a network whose
+// Randomly damaged ONNX files: each is refused with one line that names it, or is a network whose
 // vectors are finite.
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace place_recognition {
 namespace {
 
-/// Null if it is refused.
+/// Returns null if the network is refused.
 std::shared_ptr<const Network> load(const EmbeddingOptions& options) {
   try {
     return loadNetwork(options);

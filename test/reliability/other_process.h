@@ -12,7 +12,7 @@
 
 namespace place_recognition {
 
-/// A program beside the test, killed at its end. Its output is dropped.
+/// A program that runs beside the test and is killed at the end. Its output is discarded.
 class OtherProcess {
  public:
   explicit OtherProcess(const std::vector<std::string>& arguments) : pid_(fork()) {
@@ -33,14 +33,14 @@ class OtherProcess {
   OtherProcess(const OtherProcess&) = delete;
   OtherProcess& operator=(const OtherProcess&) = delete;
 
-  /// Its connections stay open, and nothing is read from them.
+  /// Pauses the process: its connections stay open, but it does not read from them.
   void pause() const { kill(pid_, SIGSTOP); }
 
  private:
   pid_t pid_;
 };
 
-/// Memory in use of the process that was started with `argument`; 0 if there is none.
+/// Returns the memory in use by the process that was started with `argument`; 0 if there is none.
 inline std::size_t residentBytes(const std::string& argument) {
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
     std::ifstream command(process.path() / "cmdline");

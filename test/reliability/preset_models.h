@@ -8,14 +8,14 @@
 
 namespace place_recognition {
 
-/// The options of every preset in config/, in the order of their names;
-/// a network that one asks for is a small one.
+/// Returns the options of every preset in config/, in the order of their names. A small network
+/// replaces any network.
 std::vector<TrainingOptions> presets();
 
-/// A model of every preset, trained on `frames`, as the bytes of its file.
+/// Trains a model of every preset on `frames` and returns the bytes of its file.
 std::vector<std::string> trainPresets(const std::vector<Frame>& frames);
 
-/// The same of a few drawn rooms; trained once.
+/// The same models for a few drawn rooms; trained once.
 const std::vector<std::string>& presetModels();
 
 }  // namespace place_recognition

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""roscore is killed and started again while place_recognizer runs: frames are answered throughout, the
-node does not hang, and it ends when it is told to."""
+"""Tests that place_recognizer survives a restart of roscore: it answers frames throughout, does not
+hang, and ends when told to."""
 import os
 import signal
 import socket
@@ -48,7 +48,7 @@ class RoscoreRestartTest(ToolCase):
         process.wait()
 
     def start_master(self):
-        # What roscore starts, which outlives it if only roscore is killed.
+        # The processes started by roscore, which outlive it if only roscore is killed.
         master = self.start("/usr/bin/rosmaster", "--core", "-p", str(self.port))
         self.wait_for(self.master_listens)
         return master

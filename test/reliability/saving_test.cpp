@@ -1,4 +1,4 @@
-// Saving a model against kill -9, full and read-only disks, and others that save to the same name.
+// Saving a model under kill -9, on full and read-only disks, and with concurrent writers.
 
 #include <gtest/gtest.h>
 #include <sys/mount.h>
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Models told apart by their number of rooms, 2 to 5.
+/// Models that differ in their number of rooms, 2 to 5.
 const Model& modelOf(int rooms) {
   static const std::vector<Training> trainings = [] {
     std::vector<Training> all;
@@ -44,7 +44,7 @@ class Saving : public testing::Test {
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
 
-  /// That the model and all its backups that are there can be loaded.
+  /// Expects that the model and all its existing backups can be loaded.
   void expectAllWhole() const {
     EXPECT_NO_THROW(loadModel(path_));
     for (int age = 1; age <= kModelBackups; ++age) {
@@ -54,7 +54,7 @@ class Saving : public testing::Test {
     }
   }
 
-  /// A process that saves models of 2 and 3 rooms by turns, `times` or for ever.
+  /// A process that alternately saves models of 2 and 3 rooms, `times` times or forever.
   pid_t startSaving(int times) const {
     const Model& first = modelOf(2);
     const Model& second = modelOf(3);
@@ -98,7 +98,7 @@ TEST_F(Saving, WritersOfOneNameWaitForEachOther) {
 
 TEST_F(Saving, ThatFailsChangesNothing) {
   for (int rooms = 2; rooms <= 4; ++rooms) saveModel(modelOf(rooms), path_);
-  // The disk takes only a part of a file that grows beyond a limit, as when it is full.
+  // Writing beyond a limit fails part way, as on a full disk.
   rlimit before;
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small{1000, before.rlim_max};
@@ -113,7 +113,7 @@ TEST_F(Saving, ThatFailsChangesNothing) {
   EXPECT_EQ(filesInFolder(scratch_ / ""), 3u);
 }
 
-/// A small disk of its own, which only root may make.
+/// A small separate disk, which only root can create.
 class SmallDisk {
  public:
   explicit SmallDisk(const std::string& folder) : folder_(folder) {
@@ -169,7 +169,7 @@ TEST_F(Saving, EveryBackupCanBeRestored) {
   restoreModel(path_, 3);
   EXPECT_EQ(roomsIn(path_), 2u);
   EXPECT_EQ(roomsIn(backupPath(path_, 1)), 5u);
-  restoreModel(path_, 1);  // and back again
+  restoreModel(path_, 1);  // and back
   EXPECT_EQ(roomsIn(path_), 5u);
   EXPECT_EQ(roomsIn(backupPath(path_, 1)), 2u);
 }

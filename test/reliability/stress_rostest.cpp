@@ -1,4 +1,4 @@
-// Two recognizers with two cameras under load and under orders from all sides; see stress.test.
+// Two recognizers with two cameras, under load and concurrent commands; see stress.test.
 
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ sensor_msgs::CompressedImage compress(const cv::Mat& image, const std_msgs::Head
   return message;
 }
 
-/// Receives the messages of a recognizer; only counts them, because hours of load must not fill the
+/// Counts the messages of a recognizer. Does not store them, because hours of load would fill the
 /// memory.
 class Answers {
  public:
@@ -97,9 +97,9 @@ class Stress : public testing::Test {
     return ros::service::call("/" + recognizer + "/load_model", call) && call.response.success;
   }
 
-  /// Calls a service. Of thousands of calls roscpp loses one now and then, also to a server that
-  /// does nothing but answer: it closes a connection that the server has closed before it has read
-  /// the answer from it (ros_comm issue 1976). The next one has to come.
+  /// Calls a service. roscpp occasionally loses one call in thousands, even to a server that only
+  /// answers: it closes a connection that the server has closed before reading the answer from it
+  /// (ros_comm issue 1976). The next call must succeed.
   template <typename Call>
   static bool answers(const std::string& service, Call& call) {
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -132,8 +132,8 @@ class Stress : public testing::Test {
     right_.publish(compress(image, headerAt(stamp)));
   }
 
-  /// Sends images, one in ten of them damaged, at 200 Hz until the time is over. Stamps are those
-  /// of a clock that jumps now and then, and sometimes missing.
+  /// Sends images at 200 Hz until the time is over, one in ten of them damaged. The stamps come
+  /// from a clock that sometimes jumps, and are sometimes missing.
   void sendFor(double seconds) {
     ImageMessages bad(3);
     std::mt19937 random(4);
@@ -153,7 +153,7 @@ class Stress : public testing::Test {
     }
   }
 
-  /// That both recognizers answer a new image, and have never answered anything unsound.
+  /// Expects that both recognizers answer a new image and that no answer so far was invalid.
   void expectAnswers() {
     static double stamp = 2e9;
     for (std::size_t i = 0; i < kNames.size(); ++i) {
@@ -216,7 +216,7 @@ TEST_F(Stress, OrdersFromAllSidesAtOnce) {
 
 TEST_F(Stress, LoadAndASubscriberThatNeverReads) {
   OtherProcess deaf({"/usr/bin/rostopic", "echo", "/left/debug_image"});
-  ros::WallDuration(3).sleep();  // until it is connected
+  ros::WallDuration(3).sleep();  // until the subscriber is connected
   deaf.pause();
   const int before = answers_[0]->count() + answers_[1]->count();
   sendFor(5);

@@ -1,4 +1,4 @@
-// What the node publishes: images, answers and what is known about the model.
+// The messages that the node publishes: images, answers and information on the model.
 
 #include <gtest/gtest.h>
 

@@ -41,7 +41,7 @@ TEST_F(Bags, ALabelMayHaveBeenSaidBefore) {
   writeRun(path_);
   BagRecordingOptions options;
   options.initial_label = "attic";
-  EXPECT_EQ(places(readAll(path_, options)), kRooms);  // its first label is of its start
+  EXPECT_EQ(places(readAll(path_, options)), kRooms);  // its first label applies at its start
   {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);
     bag.write("/image", ros::Time(1), toImageMessage(image(0), std_msgs::Header()));
@@ -61,10 +61,10 @@ TEST_F(Bags, LabelsHoldFromTheirTimeOn) {
     };
     for (int i = 0; i < 6; ++i) {
       std_msgs::Header header;
-      header.stamp = ros::Time(90.0 + i);  // stamps are of the camera; labels go by bag time
+      header.stamp = ros::Time(90.0 + i);  // stamps are the camera's; labels use bag time
       bag.write("/image", ros::Time(100.0 + i), toImageMessage(image(i), header));
     }
-    label(102, "b");  // written after the images: the order of time counts, not that of the file
+    label(102, "b");  // written after the images: order of time, not of the file
     label(101, "a");
     label(104.5, "");
   }

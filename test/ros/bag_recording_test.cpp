@@ -1,4 +1,4 @@
-// Bags written here and read back: raw, JPEG, bz2, lz4; topics, times and cameras.
+// Bags that are written here and read back: raw, JPEG, bz2, lz4; topics, times and cameras.
 
 #include "ros/bags/bag_recording.h"
 
@@ -191,7 +191,7 @@ TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
     ASSERT_EQ(frame.image.type(), CV_8UC1);
     double largest = 0;
     cv::minMaxLoc(frame.image, nullptr, &largest);
-    EXPECT_EQ(largest, (255 >> (2 - i)));  // all alike
+    EXPECT_EQ(largest, (255 >> (2 - i)));  // all scaled alike
   }
   EXPECT_FALSE(recording->next(frame));
   ASSERT_EQ(recording->warnings().size(), 1u);

@@ -18,7 +18,7 @@ inline std_msgs::Header headerAt(double stamp) {
   return header;
 }
 
-/// A camera that sends raw and compressed images to whoever listens.
+/// A camera that publishes raw and compressed images.
 class Camera {
  public:
   explicit Camera(ros::NodeHandle& node, const std::string& topic = "/camera/image")

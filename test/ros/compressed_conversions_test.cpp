@@ -1,4 +1,4 @@
-// JPEG and PNG images in messages, whole, cut and made by an enemy.
+// JPEG and PNG images in messages: whole, cut and malicious.
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(CompressedConversions, DeepPngKeepsItsBits) {
 /// A red image, BGR.
 const cv::Mat kRed(16, 16, CV_8UC3, cv::Scalar(20, 40, 200));
 
-/// The channel of the image in a message that is strongest, 0 to 2 for blue, green, red.
+/// Returns the strongest channel of the image in a message: 0 to 2 for blue, green, red.
 int strongestChannel(const cv::Mat& stored, const std::string& format) {
   sensor_msgs::CompressedImage message =
       compressed(stored, format.find("png") != std::string::npos ? ".png" : ".jpg");
@@ -69,8 +69,8 @@ TEST(CompressedConversions, RedIsRedWhateverTheFormatSays) {
         "8UC3; jpeg compressed ", "mono8; jpeg compressed "}) {
     EXPECT_EQ(strongestChannel(kRed, format), 2) << format;
   }
-  // As image_transport has it: what is not told to be BGR is as the encoding before the semicolon
-  // has its channels, RGB.
+  // image_transport's convention: unless the format says BGR, the channels are those of the
+  // encoding before the semicolon, RGB.
   for (const char* format :
        {"rgb8; jpeg compressed rgb8", "rgb8; png compressed rgb8", "rgb8; jpeg compressed ",
         "bgr8; jpeg compressed rgb8", "rgba8; jpeg compressed rgb8", "bgra8; png compressed rgb8",
@@ -80,7 +80,7 @@ TEST(CompressedConversions, RedIsRedWhateverTheFormatSays) {
 }
 
 TEST(CompressedConversions, AMosaicIsColour) {
-  // Red where the upper left pixel of each four is bright, in the pattern that starts with red.
+  // Red, because the upper left of each 2 x 2 pixels is bright and the pattern starts with red.
   cv::Mat mosaic(16, 16, CV_8UC1, cv::Scalar(10));
   for (int row = 0; row < 16; row += 2) {
     for (int col = 0; col < 16; col += 2) mosaic.at<std::uint8_t>(row, col) = 200;
@@ -127,7 +127,7 @@ TEST(CompressedConversions, BombsAreRefusedByTheirHeader) {
 
 TEST(CompressedConversions, MarkersWithoutLengthDoNotHideTheSize) {
   sensor_msgs::CompressedImage message = compressed(gradient(CV_8UC3), ".jpg");
-  // Read as a segment, TEM would jump over what the decoder reads next.
+  // If TEM were read as a segment, the parser would skip what the decoder reads next.
   const std::vector<std::uint8_t> tem = {0xff, 0x01};
   message.data.insert(message.data.begin() + 2, tem.begin(), tem.end());
   EXPECT_THROW(toImage(message), Error);

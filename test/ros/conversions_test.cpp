@@ -1,4 +1,4 @@
-// Every encoding against pixels made by hand, and messages as an enemy would send them.
+// Every encoding against hand-made pixels, and malicious messages.
 
 #include "ros/messages/conversions.h"
 
@@ -54,7 +54,7 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.encoding << (c.big_endian ? " big-endian" : "");
 }
 
-/// The more significant bytes of an image of 16 bits per channel.
+/// Returns the more significant bytes of an image with 16 bits per channel.
 cv::Mat upperBytes(const cv::Mat& image) {
   if (image.depth() != CV_16U) return image;
   cv::Mat upper(image.size(), CV_8UC(image.channels()));
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Conversions, GreyEncoding,
                                          Case{"mono16", {200, 40}}, Case{"mono16", {40, 200}, true},
                                          Case{"16UC1", {200, 40}}, Case{"16UC1", {40, 200}, true}));
 
-/// The colour at each site of the upper left 2 x 2 pixels.
+/// Returns the colour at each site of the upper left 2 x 2 pixels.
 class BayerEncoding : public testing::TestWithParam<std::string> {};
 
 TEST_P(BayerEncoding, GivesTheColourOfAUniformField) {
@@ -182,7 +182,7 @@ TEST(Conversions, OnePixelIsAnImage) {
   EXPECT_EQ(toImage(bayer).size(), cv::Size(1, 1));
 }
 
-/// Why there is code beside cv_bridge's. If one is skipped, that code can go.
+/// Reasons for not relying on cv_bridge. If a test is skipped, our own code is no longer needed.
 TEST(CvBridge, DoesNotReadBigEndianPixels) {
   sensor_msgs::Image message = imageMessage("mono16", 1, 1, {40, 200});
   message.is_bigendian = true;

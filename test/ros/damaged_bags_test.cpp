@@ -1,4 +1,4 @@
-// Bags that are cut, changed, foreign or empty, and messages in them that cannot be used.
+// Bags that are cut, changed, foreign or empty, and unusable messages in bags.
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
@@ -62,7 +62,7 @@ TEST_F(Bags, ImagesThatCannotBeUsedAreFramesWithAProblem) {
   EXPECT_EQ(frames[2].image.rows, 5);
 }
 
-TEST_F(Bags, FilesThatAreNoBagAreRefused) {
+TEST_F(Bags, FilesThatAreNotBagsAreRefused) {
   EXPECT_NE(errorOf(scratch_ / "none.bag").find("There is no bag"), std::string::npos);
   EXPECT_NE(errorOf(scratch_.write("empty.bag", "")).find("empty.bag"), std::string::npos);
   EXPECT_NE(errorOf(scratch_.write("text.bag", "not a bag at all\n")), "");
@@ -125,7 +125,7 @@ TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
     if (i % 3 == 0) {
       bytes.resize(random() % good.size());
     } else {
-      // In the structure of the bag rather than in the pixels.
+      // Damages the structure of the bag rather than the pixels.
       const std::size_t end = i % 3 == 1 ? 4096 + 400 : good.size();
       const std::size_t begin = i % 3 == 1 ? 0 : good.size() - 2500;
       for (int k = 0; k < 4; ++k) {
@@ -141,7 +141,7 @@ TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
   EXPECT_GT(refused, 20);
 }
 
-TEST_F(Bags, ARunThatIsNotReadToItsEndEnds) {
+TEST_F(Bags, AReaderEndsBeforeTheEndOfARun) {
   writeRun(path_);
   const auto recording = openBagRecording(path_);
   Frame frame;

@@ -81,11 +81,11 @@ TEST_F(DoubtfulFramesTest, KeepsUnknownAndChangedAnswersWithThePlaceAsLabel) {
     at(1006);
     frames.take("/image", message(3), answer(1, false), "corridor");  // unknown
     at(1008);
-    frames.take("/other", message(4), answer(0, true), "corridor");  // the first of its camera
+    frames.take("/other", message(4), answer(0, true), "corridor");  // first of its camera
     at(1010);
     frames.take("/image", message(5), answer(1, false), kUnknownPlace);
     at(1012);
-    frames.take("/image", message(6), answer(-1, false), "corridor");  // shows nothing
+    frames.take("/image", message(6), answer(-1, false), "corridor");  // no answer
     EXPECT_EQ(kept(".active").size(), 1u);
   }
   EXPECT_TRUE(kept(".active").empty());

@@ -8,7 +8,7 @@
 
 namespace place_recognition {
 
-/// Saves a model of drawn rooms in the folder of models.
+/// Saves a model of drawn rooms in the models folder.
 inline void saveRooms(const std::string& name, int rooms, const TrainingOptions& options) {
   saveModel(train({opener(drawFrames(rooms, 20))}, options).model, namedModelPath(name));
 }

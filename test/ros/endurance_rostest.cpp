@@ -30,7 +30,7 @@ class Endurance : public RecognizerNode {
     Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
     const Inbox<PlaceRecognition> smoothed(node_, name_ + "/smoothed");
     const Inbox<visualization_msgs::Marker> markers(node_, name_ + "/marker");
-    ASSERT_TRUE(eventually([&] {  // until everybody listens to everybody
+    ASSERT_TRUE(eventually([&] {  // until all topics are connected
       camera_.send(toImageMessage(drawRoom(0, 0), headerAt(kStart + hour * kHour)));
       ros::WallDuration(0.05).sleep();
       return !answers.messages().empty();

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Nodes where the disk is full, clocks differ, cameras are infrared, and a manager runs two nodelets."""
+"""Nodes with full disks, differing clocks, infrared cameras, and two nodelets in one manager."""
 import os
 import signal
 import sys
@@ -30,7 +30,7 @@ class FieldCase(NodeCase):
         return camera
 
     def listen(self, topic, type_):
-        """What comes on a topic from now on."""
+        """Collects the messages of a topic from now on."""
         heard = []
         subscriber = rospy.Subscriber(topic, type_, heard.append)
         self.addCleanup(subscriber.unregister)
@@ -38,7 +38,7 @@ class FieldCase(NodeCase):
         return heard
 
     def write_run(self, name):
-        """A labelled bag of two rooms."""
+        """Writes a labelled bag of two rooms."""
         with rosbag.Bag(str(self.folder / name), "w") as bag:
             for i in range(16):
                 room = ("kitchen", "office")[i // 8]
@@ -58,7 +58,7 @@ class FieldCase(NodeCase):
 
 
 class FullDiskTest(FieldCase):
-    """A limit on the size of files stands for a disk that is full: the kernel refuses to write."""
+    """Simulates a full disk by a limit on the size of files: the kernel refuses to write more."""
 
     def start_on_small_disk(self, kilobytes, node, *arguments):
         return self.start("prlimit", f"--fsize={kilobytes * 1024}", PROGRAMS / node,
@@ -105,7 +105,7 @@ class FullDiskTest(FieldCase):
 
 
 class TrainerTest(FieldCase):
-    def test_warnings_reach_who_asks_and_the_log(self):
+    def test_warnings_reach_the_client_and_the_log(self):
         whole, part = self.folder / "run_0.bag", self.folder / "run_1.bag"
         self.write_run(whole.name)
         with rosbag.Bag(str(whole)) as bag, rosbag.Bag(str(part), "w") as later:

@@ -1,4 +1,4 @@
-// A disk that refuses to take more of a bag, for which a limit on the size of files stands.
+// A disk that is full while a bag is written, simulated by a limit on the size of files.
 
 #include <std_msgs/String.h>
 #include <sys/resource.h>
@@ -12,7 +12,7 @@
 namespace place_recognition {
 namespace {
 
-/// Files may not grow beyond `bytes` as long as this lives.
+/// Limits the size of files to `bytes` during its lifetime.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) : before_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -32,7 +32,7 @@ class SmallDisk {
   void (*before_handler_)(int);
 };
 
-/// What a thousand messages of 2 KB end with.
+/// Returns the error of writing a thousand messages of 2 KB.
 std::string errorOfWriting(StagedBag& bag) {
   std_msgs::String message;
   message.data = std::string(2000, 'x');
@@ -52,7 +52,7 @@ TEST_P(FullDisk, IsAnErrorThatLeavesNothingUnderTheNameOfTheBag) {
   try {
     StagedBag bag(path_, ".active");
     EXPECT_NE(errorOfWriting(bag).find("Cannot write " + path_), std::string::npos);
-    EXPECT_NE(errorOfWriting(bag), "");  // and goes on being one
+    EXPECT_NE(errorOfWriting(bag), "");  // the error persists
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("Cannot write " + path_), std::string::npos);
   }

@@ -1,5 +1,4 @@
-// From the subscription to the worker: the newest image, the limit of the rate; and the debug
-// image.
+// From the subscription to the worker: the newest image, and the rate limit. Also the debug image.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +34,7 @@ TEST(NewestImage, KeepsQuestionsAndHandsThemOutFirst) {
   std::get<Question>(*work).answer.set_value(answer);
   EXPECT_EQ(first.get().place, "kitchen");
   EXPECT_EQ(numberOf(*newest.take()), 3u);
-  EXPECT_THROW(second.get(), std::future_error);  // whoever took it has gone without an answer
+  EXPECT_THROW(second.get(), std::future_error);  // the worker ended without an answer
   EXPECT_EQ(numberOf(*newest.take()), 1u);
 }
 
@@ -69,7 +68,7 @@ TEST(NewestImage, HoldsOneOfEachCameraAndLetsThemTakeTurns) {
     return std::pair(arrived.camera, arrived.message.header().seq);
   };
   EXPECT_EQ(next(), std::pair(std::size_t{1}, 4u));
-  newest.put(numbered(5), 1);  // a fast camera does not keep the others from their turn
+  newest.put(numbered(5), 1);  // a fast camera does not delay the others' turns
   EXPECT_EQ(next(), std::pair(std::size_t{2}, 1u));
   EXPECT_EQ(next(), std::pair(std::size_t{0}, 3u));
   EXPECT_EQ(next(), std::pair(std::size_t{1}, 5u));
@@ -112,7 +111,7 @@ TEST(RateLimit, LosesNothingOfASlowerOrEqualCamera) {
   EXPECT_NEAR(admitted(10, 10, 10), 100, 2);
 }
 
-TEST(RateLimit, StartsAnewAfterAReset) {
+TEST(RateLimit, RestartsAfterAReset) {
   RateLimit rate_limit;
   EXPECT_TRUE(rate_limit.admits(100, 1));
   EXPECT_FALSE(rate_limit.admits(50, 1));

@@ -1,4 +1,4 @@
-// What is said when no image comes.
+// The messages when no images arrive.
 
 #include "ros/nodes/image_topics.h"
 

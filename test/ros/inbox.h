@@ -12,7 +12,7 @@
 
 namespace place_recognition {
 
-/// What has come on a topic; needs a spinner in another thread.
+/// Collects the messages of a topic. Requires a spinner in another thread.
 template <typename Message>
 class Inbox {
  public:
@@ -30,7 +30,7 @@ class Inbox {
     return messages_;
   }
 
-  /// The first message from now on, or already here, that `matches`.
+  /// Returns the first message, already received or still to come, that `matches`.
   template <typename Matches>
   std::optional<Message> find(Matches matches, double seconds = 15) const {
     std::optional<Message> found;

@@ -1,5 +1,5 @@
 // Runs recorded by place_labeler and auto_labeler, from the first image to a model trained on them.
-// See labelers.test for the nodes; these tests are in the order of a recording.
+// See labelers.test for the nodes. The tests follow the order of a recording.
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <gtest/gtest.h>
@@ -25,12 +25,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One for both tests: roscpp is slow to reconnect to a topic that ended and started again.
+/// Shared by both tests, because roscpp is slow to reconnect to a topic that was closed and
+/// reopened.
 std::unique_ptr<Camera> camera;
 
 std::string home() { return std::getenv("ROS_HOME"); }
 
-/// Asks a node to end, as Ctrl-C and roslaunch do, and waits for its bag.
+/// Ends a node as Ctrl-C and roslaunch do, and waits for its bag.
 void endNode(const std::string& node, const std::string& bag) {
   EXPECT_EQ(std::system(("rosnode kill " + node + " >/dev/null").c_str()), 0);
   EXPECT_TRUE(eventually([&bag] { return fs::exists(bag); }));
@@ -60,7 +61,7 @@ class PlaceLabelers : public testing::Test {
     ASSERT_TRUE(ros::service::waitForService("/place_labeler/say", 15000));
   }
 
-  /// Images of a room, after `label` has been heard; none is under way when it returns.
+  /// Sends images of a room once `label` has been heard. All have arrived when it returns.
   void drive(int room, const std::string& label) {
     ASSERT_TRUE(
         labels_.find([&](const std_msgs::String& message) { return message.data == label; }));
@@ -132,10 +133,10 @@ class AutoLabelers : public testing::Test {
     ASSERT_TRUE(eventually([this] { return pose_.getNumSubscribers() > 0; }));
   }
 
-  /// Sends an image that the robot takes at (x, 2) and, as robots do, a little later where it was.
+  /// Sends an image taken at (x, 2) and, as robots do, the pose slightly later.
   void visit(double x, int room, unsigned number) {
     geometry_msgs::TransformStamped transform;
-    transform.header = headerAt(ros::Time::now().toSec());  // rounded as the image's stamp is
+    transform.header = headerAt(ros::Time::now().toSec());  // rounded like the image's stamp
     transform.header.frame_id = "map";
     transform.child_frame_id = "base_link";
     transform.transform.translation.x = x;
@@ -146,7 +147,7 @@ class AutoLabelers : public testing::Test {
     transforms_.sendTransform(transform);
   }
 
-  /// The last one heard; "none" before.
+  /// The last label heard; "none" before the first.
   std::string lastLabel() {
     const auto messages = labels_.messages();
     return messages.empty() ? "none" : messages.back().data;
@@ -169,7 +170,7 @@ class AutoLabelers : public testing::Test {
 
 TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   const std::string bag = home() + "/located.bag";
-  visit(2, 0, 0);  // before tf has connected, perhaps
+  visit(2, 0, 0);  // tf may not have connected yet
   ASSERT_TRUE(eventually([this] {
     visit(2, 0, 0);
     return lastLabel() == "room0";
@@ -189,7 +190,7 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
     visit(2, 0, 26);
     return lastLabel() == "room0";
   }));
-  camera_.send(drawRoom(0, 27), ros::Time::now().toSec() + 100);  // no pose of that time
+  camera_.send(drawRoom(0, 27), ros::Time::now().toSec() + 100);  // no pose for that time
   EXPECT_TRUE(eventually([this] { return lastLabel().empty(); }));
   ros::WallDuration(0.5).sleep();
   endNode("/auto_labeler", bag);
@@ -197,7 +198,7 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   BagRecordingOptions options;
   options.label_topic = "/auto_label";
   const auto recording = openBagRecording(bag, options);
-  std::vector<std::string> labels;  // one for each stretch of frames
+  std::vector<std::string> labels;  // one per stretch of frames
   std::vector<int> lengths;
   for (Frame frame; recording->next(frame);) {
     if (frame.stamp < begin.toSec()) continue;
@@ -209,7 +210,7 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   }
   EXPECT_EQ(labels, (std::vector<std::string>{"room0", "", "room1", "", "room2", "", "room0", ""}));
   ASSERT_GE(lengths.size(), 5u);
-  lengths.resize(5);  // how often the last rooms were visited depends on the wait
+  lengths.resize(5);  // the number of later visits depends on the waits
   EXPECT_EQ(lengths, (std::vector<int>{10, 1, 10, 1, 10}));
   expectTrains(bag, "/auto_label");
 }

@@ -1,4 +1,4 @@
-// From a room to a pose: when a room is sure, its pose, and what rviz shows.
+// From a room to a pose: when a room is certain, its pose, and the markers for rviz.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// An answer of that probability for the room, a tenth of the rest for 'unknown'.
+/// Returns an answer with that probability for the room and a tenth of the rest for 'unknown'.
 PlaceRecognition beliefIn(const std::string& room, double probability) {
   PlaceRecognition belief;
   belief.place = room;
@@ -35,7 +35,7 @@ PlaceRecognition beliefIn(const std::string& room, double probability) {
 
 class RoomHeld : public testing::Test {
  protected:
-  /// The room that is sure after another answer, 0.5 s after the one before.
+  /// Returns the room that is certain after another answer, 0.5 s later.
   std::string add(const PlaceRecognition& belief) {
     now_ += ros::Duration(0.5);
     held_.add(belief, now_);
@@ -114,7 +114,7 @@ TEST(RoomPoses, HaveTheMomentsOfTheRoomAndAnyHeading) {
   EXPECT_EQ(positionOf(pose), area.mean);
   EXPECT_EQ(positionCovariance(pose), area.covariance);
   EXPECT_EQ(pose.pose.orientation.w, 1);
-  // x x, x y, y x, y y and yaw yaw; amcl reads these.
+  // xx, xy, yx, yy and yaw-yaw, which amcl reads.
   EXPECT_EQ(pose.covariance[0], area.covariance(0, 0));
   EXPECT_EQ(pose.covariance[1], area.covariance(0, 1));
   EXPECT_EQ(pose.covariance[6], area.covariance(0, 1));
@@ -139,7 +139,7 @@ TEST(RoomPoses, DeviateMostAlongTheLongerAxis) {
   EXPECT_TRUE(std::isnan(largestDeviation(Eigen::Matrix2d::Constant(std::nan("")))));
 }
 
-/// Two polygons of a kitchen, the larger a U whose middle is outside of it, and a hall.
+/// A hall, and a kitchen of two polygons; the larger is a U whose centroid is outside of it.
 RoomPolygons threePolygons() {
   return RoomPolygons(
       {{"kitchen", {{20, 0}, {21, 0}, {21, 1}, {20, 1}}},

@@ -1,4 +1,4 @@
-// The fields of messages without naming them: ~retrain asks for what ~train does.
+// Generic access to the fields of messages: ~retrain has the fields of ~train.
 
 #include "ros/nodes/message_fields.h"
 

@@ -1,5 +1,5 @@
-"""What the tests share that start nodes as people do: a master of their own, programs whose output is
-read, a camera."""
+"""Shared code of the tests that start nodes as users do: a separate master, programs whose output
+is read, and a camera."""
 import atexit
 import os
 import pathlib
@@ -31,7 +31,7 @@ def free_port():
 
 
 class Program:
-    """A program that runs, with all that it writes."""
+    """A running program and its output."""
 
     def __init__(self, command, cwd, environment):
         self.log = tempfile.TemporaryFile("w+")
@@ -44,16 +44,16 @@ class Program:
         return os.pread(self.log.fileno(), 1 << 20, 0).decode()
 
     def wait(self):
-        """Its exit code."""
+        """Waits for the program to end. Returns its exit code."""
         return self.process.wait(PATIENCE)
 
     def interrupt(self):
-        """Asks it to end, as Ctrl-C does; its exit code."""
+        """Ends the program as Ctrl-C does. Returns its exit code."""
         self.process.send_signal(signal.SIGINT)
         return self.wait()
 
     def end(self):
-        """However it goes; roslaunch ends its nodes only if it is asked to."""
+        """Ends the program in any case. Asks first, so that roslaunch ends its nodes."""
         self.process.send_signal(signal.SIGINT)
         try:
             self.wait()
@@ -64,7 +64,7 @@ class Program:
 
 
 class NodeCase(unittest.TestCase):
-    """A test in a scratch folder, which holds the home folder too. All tests of a program have the same
+    """A test in a scratch folder, which includes the home folder. All tests of a program share one
     master."""
     master = None
 
@@ -95,7 +95,7 @@ class NodeCase(unittest.TestCase):
         return program
 
     def start_node(self, node, *arguments, name=None, cwd=None):
-        """As rosrun does. Parameters of a test before are forgotten."""
+        """Starts a node as rosrun does. Deletes the parameters of earlier tests."""
         name = name or node
         if rospy.has_param(f"/{name}"):
             rospy.delete_param(f"/{name}")
@@ -116,14 +116,14 @@ class NodeCase(unittest.TestCase):
                       lambda: f"{texts} in:\n{program.output}")
 
     def expect_end(self, program, status, *texts):
-        """The program ends by itself, with that exit code and those texts."""
+        """Expects that the program ends by itself, with this exit code and these texts."""
         self.assertEqual(program.wait(), status, program.output)
         for text in texts:
             self.assertIn(text, program.output)
 
 
 class Camera:
-    """Publishes images of a room on `topic` as Image or, with "/compressed" after it, JPEG."""
+    """Publishes images of a room on `topic`: JPEG if it ends in "/compressed", otherwise Image."""
 
     def __init__(self, topic="/camera/image_raw", compressed=True, queue_size=100):
         self.compressed = compressed

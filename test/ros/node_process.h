@@ -10,7 +10,7 @@
 
 namespace place_recognition {
 
-/// The process of a node, asked of the node itself; 0: it does not answer.
+/// Returns the process ID that a node reports; 0 if the node does not answer.
 inline pid_t processOf(const std::string& node) {
   XmlRpc::XmlRpcValue request, response, payload;
   request[0] = "/test";
@@ -26,7 +26,7 @@ inline pid_t processOf(const std::string& node) {
   return static_cast<int>(response[2]);
 }
 
-/// Memory that a process holds, MB.
+/// Returns the memory in use by a process, MB.
 inline double memoryOf(pid_t process) {
   std::ifstream statm("/proc/" + std::to_string(process) + "/statm");
   long size = 0, resident = 0;

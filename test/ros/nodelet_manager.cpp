@@ -1,5 +1,5 @@
-// What the package nodelet runs as `nodelet manager`, in the build of the rest: where that has a
-// sanitizer, a program without it could not load the nodelet, or would hide what the nodelet does.
+// `nodelet manager` of the package nodelet, compiled with the options of this build. With a
+// sanitizer, a program without it could not load the nodelet or would hide its errors.
 
 #include <nodelet/loader.h>
 #include <ros/ros.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Learning from operation: what place_recognizer doubts is kept, and replaces no better model."""
+"""Learning from operation: doubtful frames are kept, and do not replace a better model."""
 import os
 import subprocess
 import sys
@@ -34,7 +34,7 @@ class OperationTest(NodeCase):
                 cv2.imwrite(str(path), paint(room, view, seed))
 
     def show(self, rooms):
-        """One image after the other, ten a second."""
+        """Sends one image after the other, ten per second."""
         publisher = rospy.Publisher(TOPIC, CompressedImage, queue_size=10)
         self.wait_for(lambda: publisher.get_num_connections() > 0, "the node does not listen")
         for i, room in enumerate(rooms):
@@ -54,7 +54,7 @@ class OperationTest(NodeCase):
                            "image_transport:=compressed", "keep_doubtful:=~/doubts",
                            "keep_per_hour:=1000000")
         self.expect(node, "Recognizing with home")
-        # Steady answers are none to doubt; each change is.
+        # Steady answers are not doubtful; each change is.
         self.show(["kitchen"] * 8 + ["corridor", "kitchen"] * 5)
         self.assertEqual(node.interrupt(), 0)
         self.assertIn("images that the model doubts. Label them with: place_tool label", node.output)
@@ -72,7 +72,7 @@ class OperationTest(NodeCase):
                               "home", "--validate", "tuesday", status=1)
         self.assertIn("The old model is kept", complaint)
 
-    def test_a_folder_that_cannot_be_written_ends_the_node_with_a_word(self):
+    def test_a_folder_that_cannot_be_written_ends_the_node_with_a_message(self):
         (self.folder / "file").write_text("")
         node = self.start_node("place_recognizer", "image:=/camera/image_raw",
                                "_keep_doubtful:=file/doubts")

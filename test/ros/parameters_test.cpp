@@ -1,5 +1,5 @@
-// Parameters as launch files, rosparam and rosrun's command line hand them over: XML-RPC values of
-// whatever type the text happened to look like.
+// Parameters as passed by launch files, rosparam and rosrun's command line: XML-RPC values whose
+// type depends on what the text looks like.
 
 #include "ros/nodes/parameters.h"
 
@@ -37,14 +37,14 @@ XmlRpcValue mapping() {
   return value;
 }
 
-/// A date, as YAML makes of 2024-11-28 10:00:00.
+/// A date, as YAML parses 2024-11-28 10:00:00.
 XmlRpcValue date() {
   std::tm time{};
   time.tm_year = 124;
   return XmlRpcValue(&time);
 }
 
-/// What the Error says that `read` throws; empty: it throws none.
+/// Returns the message of the Error that `read` throws; empty if none.
 std::string problemOf(const std::function<void()>& read) {
   try {
     read();
@@ -143,7 +143,7 @@ TEST(Parameters, AreListsOfNames) {
   EXPECT_EQ(places(" "), Texts());
 }
 
-TEST(Parameters, AreListsWrittenAsText) {  // rosrun reads no list; launch files hand the text on
+TEST(Parameters, AreListsWrittenAsText) {  // rosrun and launch files pass lists as text
   const auto places = [](const char* text) { return with("places", text).texts("places"); };
   EXPECT_EQ(places("[kitchen, corridor]"), (Texts{"kitchen", "corridor"}));
   EXPECT_EQ(places("[kitchen, 101, 007, 1.10]"), (Texts{"kitchen", "101", "007", "1.10"}));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Parameters as people give them, by rosrun, by launch files and by rosparam."""
+"""Parameters as users pass them: by rosrun, launch files and rosparam."""
 import os
 import sys
 import unittest
@@ -13,7 +13,7 @@ from node_case import PROGRAMS, NodeCase  # noqa: E402
 
 class ParametersTest(NodeCase):
     def keys(self, places):
-        """The keys that record.launch offers for the argument `places`."""
+        """Returns the keys that record.launch offers for the argument `places`."""
         program = self.launch("record.launch", "bag:=run.bag", f"places:={places}")
         self.expect(program, "Rooms: ", "0 no place.")
         program.interrupt()
@@ -26,7 +26,7 @@ class ParametersTest(NodeCase):
 
     def test_names_are_tidied_and_those_that_look_alike_are_told(self):
         node = self.start_node("place_labeler", "_places:=[Office_A, office a, 'Ku\u0308che ']")
-        # As it was written, also in the log, whatever the locale is.
+        # As written, also in the log, in any locale.
         self.expect(node, "1 Office_A, 2 office a, 3 K\u00fcche", "'Office_A' and 'office a' look alike")
         say = rospy.ServiceProxy("/place_labeler/say", SayPlace)
         say.wait_for_service(60)

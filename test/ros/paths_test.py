@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Paths as people give them to launch files and nodes: with blanks and quotes, from the home folder,
-from the folder where they are."""
+"""Paths as users pass them to launch files and nodes: with blanks and quotes, in the home folder,
+relative to the current folder."""
 import os
 import sys
 import unittest
@@ -18,7 +18,7 @@ class PathsTest(NodeCase):
         self.trip.mkdir()
 
     def record(self, program, path):
-        """The program records an image to that path, and says so."""
+        """Expects that the program records an image to this path, and says so."""
         self.expect(program, f"to {path}.")
         camera = Camera()
         self.addCleanup(camera.close)

@@ -1,4 +1,4 @@
-// What place_recognizer knows beside its frames: a map of adjoining rooms and odometry.
+// What place_recognizer uses in addition to frames: a map of adjoining rooms, and odometry.
 
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
@@ -33,7 +33,7 @@ Recognition frameOf(double hall, double kitchen, double lab) {
   return recognition;
 }
 
-/// A node's parameters and topics, of a namespace that no other test uses.
+/// A node's parameters and topics, in a namespace that no other test uses.
 class PlacesOverTime : public testing::Test {
  protected:
   PlacesOverTime() {
@@ -41,8 +41,8 @@ class PlacesOverTime : public testing::Test {
     node_ = ros::NodeHandle("places_over_time_" + std::to_string(++count));
   }
 
-  /// The place after a second in the hall and then two of frames that rather show the lab than the
-  /// kitchen, through which alone the lab can be reached.
+  /// Returns the place after one second in the hall and two seconds of frames that look more like
+  /// the lab than the kitchen; the lab can be reached only through the kitchen.
   std::string afterTheHall(std::shared_ptr<Model> model) {
     Parameters parameters(node_);
     PlaceTracker places(node_, parameters);
@@ -88,7 +88,7 @@ TEST_F(PlacesOverTime, DoWithoutAMapThatCannotBeUsed) {
   EXPECT_EQ(afterTheHall(threeRooms()), "lab");
 }
 
-/// The message of a frame at `stamp` that a model of that name has answered.
+/// Returns the message on a frame at `stamp` that a model of that name has answered.
 PlaceRecognition messageOf(double stamp, const std::string& model = "rooms") {
   PlaceRecognition message;
   message.header.stamp = ros::Time(stamp);
@@ -150,7 +150,7 @@ TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
   std::vector<PlaceRecognition> all;
   for (int i = 0; i < 40; ++i) {
     const double stamp = 0.1 * i;
-    // Two frames in the hall show the lab; from the 20th on it is the kitchen.
+    // Two frames in the hall show the lab; from the 20th frame on, all show the kitchen.
     places.update(stamp, i == 8 || i == 9 ? frameOf(0.2, 0.1, 0.7)
                          : i < 20         ? frameOf(0.9, 0.05, 0.05)
                                           : frameOf(0.05, 0.9, 0.05));
@@ -228,7 +228,7 @@ class PlacesWithOdometry : public PlacesOverTime {
     EXPECT_TRUE(eventually([this] { return publisher_.getNumSubscribers() > 0; }));
   }
 
-  /// Sends a pose, waits until it must have come, and hands over a frame of its time.
+  /// Sends a pose, waits until it must have arrived, and adds a frame with the same stamp.
   std::string update(double stamp, double x, const Recognition& recognition) {
     nav_msgs::Odometry odometry;
     odometry.header.stamp = ros::Time(stamp);
@@ -257,7 +257,7 @@ TEST_F(PlacesWithOdometry, StayWhereTheRobotStands) {
   EXPECT_EQ(place, "kitchen");
 }
 
-TEST_F(PlacesWithOdometry, SurviveOdometryThatIsNoNumber) {
+TEST_F(PlacesWithOdometry, SurviveOdometryThatIsNotANumber) {
   double stamp = 100;
   std::string place;
   for (const double x : {0.0, std::numeric_limits<double>::quiet_NaN(),

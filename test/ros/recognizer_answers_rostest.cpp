@@ -1,4 +1,4 @@
-// place_recognizer as others see it: images in, answers out. See recognizer.test for the nodes.
+// place_recognizer from outside: images in, answers out. See recognizer.test for the nodes.
 
 #include <std_msgs/String.h>
 #include <visualization_msgs/Marker.h>
@@ -88,11 +88,11 @@ TEST_F(RecognizerNode, BeliefGrowsWithEachFrameOfARoom) {
   EXPECT_GT(fraction(come.back()), fraction(come.front()));
 }
 
-TEST_F(RecognizerNode, NamesThePlaceLatchedAndOnceAChange) {
+TEST_F(RecognizerNode, NamesThePlaceLatchedAndOncePerChange) {
   Inbox<std_msgs::String> places(node_, name_ + "/place");
   ASSERT_TRUE(eventually([this] { return listeners() > 0; }));
   ASSERT_TRUE(trigger("reset").success);
-  // The answer is the one over time: a single frame of another room changes nothing.
+  // The answer over time: a single frame of another room changes nothing.
   double stamp = nextStamp().toSec();
   for (const int room : {1, 1, 1, 1, 0, 1, 1, 1, 2, 2, 2, 2, 2}) {
     camera_.send(drawRoom(room, 3), stamp);
@@ -142,14 +142,14 @@ TEST_F(RecognizerNode, DrawsItsAnswer) {
   EXPECT_GT(image->height, 72u);
 }
 
-TEST_F(RecognizerNode, KeepsToItsRateAndStartsAnewWhenTimeJumpsBack) {
+TEST_F(RecognizerNode, KeepsToItsRateAndRestartsWhenTimeJumpsBack) {
   Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
   ASSERT_TRUE(answerTo(answers, drawRoom(1, 1)));
   reconfigure("maximum_rate", 2);
   const double start = nextStamp().toSec() + 10;
   answers.clear();
   const auto play = [&] {
-    for (int i = 0; i < 30; ++i) {  // three seconds of ten images, played faster
+    for (int i = 0; i < 30; ++i) {  // three seconds at 10 Hz, played faster
       camera_.send(drawRoom(1, 1), start + 0.1 * i);
       ros::WallDuration(0.05).sleep();
     }

@@ -23,7 +23,7 @@ class RecognizerOfCameras : public RecognizerNode {
         eventually([this] { return front_.rawListeners() > 0 && rear_.rawListeners() > 0; }));
   }
 
-  /// Sends frames ten times a second, of stamps that are as far apart, until `done`.
+  /// Sends frames at 10 Hz, with stamps at the same rate, until `done`.
   bool sendUntil(const std::function<cv::Mat(unsigned)>& front,
                  const std::function<cv::Mat(unsigned)>& rear, const std::function<bool()>& done) {
     for (int i = 0; i < 150 && !done(); ++i) {
@@ -41,7 +41,7 @@ class RecognizerOfCameras : public RecognizerNode {
     return messages.empty() ? "" : messages.back().data;
   }
 
-  /// From the last report named "NODE: WHAT" so far; empty if there is none.
+  /// Returns the message of the latest report named "NODE: WHAT"; empty if there is none.
   std::string reported(const std::string& what) const {
     std::string message;
     for (const diagnostic_msgs::DiagnosticArray& array : reports_.messages()) {
@@ -52,7 +52,7 @@ class RecognizerOfCameras : public RecognizerNode {
     return message;
   }
 
-  /// The value of `key` in the last report on `what`.
+  /// Returns the value of `key` in the latest report on `what`.
   std::string value(const std::string& what, const std::string& key) const {
     std::string value;
     for (const diagnostic_msgs::DiagnosticArray& array : reports_.messages()) {
@@ -89,7 +89,7 @@ TEST_F(RecognizerOfCameras, AnswersEachAndJoinsThemInOnePlace) {
   EXPECT_TRUE(sendUntil(showing(1), showing(1), [&] {
     return from("front") && from("rear/image") && lastPlace() == "room1";
   }));
-  // One alone leads to another room as well.
+  // A single camera is enough to change the room.
   EXPECT_TRUE(sendUntil(nullptr, showing(2), [&] { return lastPlace() == "room2"; }));
 }
 
@@ -102,12 +102,12 @@ TEST_F(RecognizerOfCameras, OneThatShowsNothingIsNamedAndDoesNotCount) {
       showing(1), [&](unsigned) { return black; }, [&] { return ros::WallTime::now() > end; });
   EXPECT_TRUE(places_.messages().empty()) << lastPlace();
   EXPECT_NE(reported("Images of rear/image").find("black"), std::string::npos);
-  // It alone says nothing, so that the place becomes unknown without the other.
+  // By itself it provides no evidence, so without the other one the place becomes unknown.
   EXPECT_TRUE(sendUntil(
       nullptr, [&](unsigned) { return black; }, [&] { return lastPlace() == "unknown"; }));
 }
 
-TEST_F(RecognizerOfCameras, OneThatIsSilentIsNamedAndTheOtherGoesOn) {
+TEST_F(RecognizerOfCameras, OneThatIsSilentIsNamedAndTheOtherContinues) {
   ASSERT_TRUE(sendUntil(showing(0), showing(0), [&] { return lastPlace() == "room0"; }));
   places_.clear();
   EXPECT_TRUE(sendUntil(nullptr, showing(0), [&] {

@@ -97,7 +97,7 @@ TEST_F(RecognizerNode, CanBeSwitchedOff) {
   EXPECT_TRUE(answerTo(answers, drawRoom(1, 3)));
 }
 
-/// One whose `~image_timeout` is a second.
+/// A recognizer whose `~image_timeout` is one second.
 class ImpatientRecognizerNode : public RecognizerNode {
  protected:
   ImpatientRecognizerNode() : RecognizerNode("/impatient_recognizer") {}
@@ -106,7 +106,7 @@ class ImpatientRecognizerNode : public RecognizerNode {
     return places.find([&](const auto& message) { return message.data == place; }).has_value();
   }
 
-  /// Shows a room until `~place` says so.
+  /// Shows a room until `~place` names it.
   bool showRoom1(Inbox<std_msgs::String>& places) {
     if (!eventually([this] { return listeners() > 0; })) return false;
     for (unsigned i = 0; i < 3; ++i) {
@@ -181,7 +181,7 @@ TEST_F(RecognizerNode, TakesItsThresholdLive) {
   ASSERT_TRUE(sure && unsure);
   EXPECT_TRUE(sure->known);
   EXPECT_FALSE(unsure->known);
-  EXPECT_EQ(unsure->place, "room1");  // the best guess all the same
+  EXPECT_EQ(unsure->place, "room1");  // still the best guess
 }
 
 TEST_F(RecognizerNode, CountsWhatItSkipsWhileBusy) {
@@ -195,7 +195,7 @@ TEST_F(RecognizerNode, CountsWhatItSkipsWhileBusy) {
     camera_.send(toImageMessage(large, headerAt(last.toSec())));
     ros::WallDuration(0.005).sleep();
   }
-  // The newest is among those answered.
+  // The newest image is among the answered ones.
   EXPECT_TRUE(answers.find([last](const auto& answer) { return answer.header.stamp == last; }));
   const auto report = status("Images");
   ASSERT_TRUE(report);

@@ -1,4 +1,4 @@
-// Cues that place_recognizer does not compute for every image: ~deadline and ~embedding_rate.
+// Cues that place_recognizer skips for some images: ~deadline and ~embedding_rate.
 
 #include "ros/recognizer_fixture.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// With `deadline:=0.001`: there is never time for a second cue.
+/// A recognizer with `deadline:=0.001`, which never leaves time for a second cue.
 class HastyRecognizer : public RecognizerNode {
  protected:
   HastyRecognizer() : RecognizerNode("/hasty_recognizer") {}
@@ -35,13 +35,13 @@ TEST_F(HastyRecognizer, HoldsCuesForWhichThereIsNoTimeAndSaysSo) {
   reconfigure("deadline", 0.001);
 }
 
-/// With `embedding_rate:=1`.
+/// A recognizer with `embedding_rate:=1`.
 class SparingRecognizer : public RecognizerNode {
  protected:
   SparingRecognizer() : RecognizerNode("/sparing_recognizer") {}
 };
 
-TEST_F(SparingRecognizer, LooksAtSoManyImagesASecondWithANetwork) {
+TEST_F(SparingRecognizer, LimitsTheEmbeddingsPerSecond) {
   ASSERT_TRUE(load("network").success);
   Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
   ASSERT_TRUE(eventually([this] { return listeners() > 0; }));

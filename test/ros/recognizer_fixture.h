@@ -19,7 +19,7 @@
 
 namespace place_recognition {
 
-/// A recognizer beside the test, which the launch file has started.
+/// A recognizer that the launch file has started beside the test.
 class RecognizerNode : public testing::Test {
  protected:
   explicit RecognizerNode(const std::string& name = "/recognizer") : name_(name) {}
@@ -60,7 +60,7 @@ class RecognizerNode : public testing::Test {
                                              : camera_.rawListeners();
   }
 
-  /// Sends an image until its answer has come; nothing if none comes.
+  /// Sends an image until it is answered. Returns the answer, or nothing if none arrives.
   std::optional<PlaceRecognition> answerTo(Inbox<PlaceRecognition>& answers, const cv::Mat& image) {
     if (!eventually([this] { return listeners() > 0; })) return std::nullopt;
     const ros::Time stamp = nextStamp();
@@ -68,7 +68,7 @@ class RecognizerNode : public testing::Test {
     return answers.find([stamp](const auto& answer) { return answer.header.stamp == stamp; });
   }
 
-  /// The last report named "NODE: WHAT"; nothing if none comes.
+  /// Returns the latest report named "NODE: WHAT", or nothing if none arrives.
   std::optional<diagnostic_msgs::DiagnosticStatus> status(const std::string& what) {
     Inbox<diagnostic_msgs::DiagnosticArray> inbox(node_, "/diagnostics");
     std::optional<diagnostic_msgs::DiagnosticStatus> found;
@@ -90,7 +90,7 @@ class RecognizerNode : public testing::Test {
     return "missing";
   }
 
-  /// That the node takes images as long as there is a subscriber to `topic`, and no longer.
+  /// Expects that the node subscribes to images only while `topic` has a subscriber.
   template <typename Message>
   void expectListensWith(const std::string& topic) {
     {

@@ -1,4 +1,4 @@
-// Models that are loaded, replaced and missing while place_recognizer runs.
+// Models that are loaded, replaced or missing while place_recognizer runs.
 
 #include <place_recognition/ModelInfo.h>
 

@@ -1,4 +1,4 @@
-// The program of recognizer.test: its tests are in recognizer_*_rostest.cpp.
+// The main program of recognizer.test, whose tests are in recognizer_*_rostest.cpp.
 
 #include "recognition/network_options.h"
 #include "ros/recognizer_fixture.h"

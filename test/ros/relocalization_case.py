@@ -27,7 +27,7 @@ ROOMS = """places:
 
 
 def pose(x, y, covariance, frame="map"):
-    """A pose; `covariance`: the variances of x, y and the heading."""
+    """Returns a pose; `covariance`: the variances of x, y and the heading."""
     message = PoseWithCovarianceStamped(header=Header(frame_id=frame, stamp=rospy.Time.now()))
     message.pose.pose.position.x, message.pose.pose.position.y = x, y
     message.pose.pose.orientation.w = 1
@@ -38,8 +38,8 @@ def pose(x, y, covariance, frame="map"):
 
 
 class Amcl:
-    """Has the topics of amcl: takes a pose on `initialpose` and publishes its own on `amcl_pose`,
-    latched; each scan makes it more certain. It ignores poses in other frames, as amcl does."""
+    """A stand-in for amcl: accepts a pose on `initialpose` and publishes its own, latched, on
+    `amcl_pose`. Each scan makes it more certain. Like amcl, it ignores poses in other frames."""
 
     def __init__(self, frame="map", deaf=False):
         self.frame, self.deaf = frame, deaf
@@ -60,7 +60,7 @@ class Amcl:
         self.publisher.publish(message)
 
     def scan(self):
-        """Another scan, which halves all variances."""
+        """Simulates another scan, which halves all variances."""
         self.estimate.pose.covariance = [value / 2 for value in self.estimate.pose.covariance]
         self.say(self.estimate)
 
@@ -70,7 +70,7 @@ class Amcl:
 
 
 class Believer:
-    """Publishes answers over time as place_recognizer does, 20 each second."""
+    """Publishes answers over time as place_recognizer does, at 20 Hz."""
 
     def __init__(self, topic="/place_recognizer/belief"):
         self.publisher = rospy.Publisher(topic, PlaceRecognition, queue_size=10)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_to_pose as robots have it: beside a stand-in for amcl, and with a recognizer and a camera."""
+"""place_to_pose as on a robot: with a stand-in for amcl, and with a recognizer and a camera."""
 import math
 import os
 import sys
@@ -23,7 +23,7 @@ class AmclTest(RelocalizationCase):
         believer.room = "kitchen"
         self.wait_for(lambda: amcl.heard, "amcl hears nothing")
         self.assert_in_kitchen(amcl.heard[0])
-        for _ in range(6):  # as sure as the room tells it at first, and surer with each scan
+        for _ in range(6):  # the room's covariance at first, and less with each scan
             rospy.sleep(0.2)
             amcl.scan()
         rospy.sleep(0.5)
@@ -40,20 +40,20 @@ class AmclTest(RelocalizationCase):
         self.wait_for(lambda: amcl.heard, "amcl is lost, but hears nothing")
         self.assert_in_kitchen(amcl.heard[0])
 
-    def test_covariances_that_are_no_numbers_are_those_of_a_lost_robot(self):
+    def test_covariances_that_are_not_numbers_are_those_of_a_lost_robot(self):
         amcl, believer = self.amcl(), self.believer()
         amcl.say(pose(3, 1.5, (math.nan, math.nan, math.nan)))
         self.place_to_pose("_publish:=true")
         believer.room = "kitchen"
         self.wait_for(lambda: amcl.heard, "amcl hears nothing")
 
-    def test_a_pose_is_published_once_an_interval(self):
+    def test_a_pose_is_published_once_per_interval(self):
         amcl, believer = self.amcl(deaf=True), self.believer()
         amcl.say(pose(100, 0, (50, 50, 3)))
         node = self.place_to_pose("_publish:=true", "_interval:=2")
         believer.room = "lab"
         self.wait_for(lambda: amcl.heard, "amcl hears nothing")
-        self.assertAlmostEqual(amcl.heard[0].pose.pose.position.x, 17)  # of two polygons
+        self.assertAlmostEqual(amcl.heard[0].pose.pose.position.x, 17)  # mean of two polygons
         self.assertAlmostEqual(amcl.heard[0].pose.covariance[0], 16 / 12 + 25)
         self.wait_for(lambda: len(amcl.heard) == 3, "amcl hears no more")
         for earlier, later in zip(amcl.heard, amcl.heard[1:]):
@@ -184,7 +184,7 @@ class ServiceTest(RelocalizationCase):
 
 
 class ClockTest(RelocalizationCase):
-    def test_time_that_is_set_back_begins_anew(self):
+    def test_time_that_is_set_back_restarts_it(self):
         rospy.set_param("/use_sim_time", True)
         self.addCleanup(rospy.set_param, "/use_sim_time", False)
         clock = rospy.Publisher("/clock", Clock, queue_size=10)
@@ -198,7 +198,7 @@ class ClockTest(RelocalizationCase):
                          "The room is not certain: no answer of place_recognizer has arrived.")
 
         def run(seconds):
-            """A clock that starts at 100 s."""
+            """Publishes a clock that starts at 100 s."""
             for step in range(int(20 * seconds)):
                 clock.publish(Clock(rospy.Time(100) + rospy.Duration(0.05 * step)))
                 time.sleep(0.05)
@@ -215,7 +215,7 @@ class ClockTest(RelocalizationCase):
 
 class MarkersTest(RelocalizationCase):
     def markers(self):
-        """What rviz would hold now: markers by namespace and number."""
+        """Returns the markers that rviz would show, by namespace and number."""
         held = {}
 
         def take(array):
@@ -229,7 +229,7 @@ class MarkersTest(RelocalizationCase):
         self.addCleanup(subscriber.unregister)
         return held
 
-    def test_rooms_are_filled_by_the_belief_also_for_who_comes_late(self):
+    def test_rooms_are_filled_by_the_belief_also_for_late_subscribers(self):
         believer = self.believer()
         self.place_to_pose("_belief_timeout:=1")
         for held in (self.markers(), self.markers()):
@@ -248,7 +248,7 @@ class MarkersTest(RelocalizationCase):
 
 
 class RobotTest(FieldCase):
-    """A recognizer that was trained, a camera, and a robot that does not know where it is."""
+    """A trained recognizer, a camera, and a robot that does not know where it is."""
 
     def test_a_lost_robot_is_told_its_room_by_its_camera(self):
         self.train(self.write_run("run.bag"))
@@ -259,7 +259,7 @@ class RobotTest(FieldCase):
         camera = Camera(compressed=False)
         self.addCleanup(camera.close)
         recognizer = self.launch("recognize.launch", "model:=home")
-        self.expect(recognizer, "Recognizing with home")  # two that start at once get in each other's way
+        self.expect(recognizer, "Recognizing with home")  # two starts at once interfere
         node = self.launch("relocalize.launch", f"rooms:={self.folder}/rooms.yaml", "publish:=true",
                            "min_probability:=0.9")
         self.wait_for(camera.listeners, "nobody listens to the camera")

@@ -35,7 +35,7 @@ std::string bag() { return std::string(std::getenv("ROS_HOME")) + "/drive.bag"; 
 
 void writeBag() {
   LabelledBagOptions options;
-  options.jpeg = false;  // which changes the textures that tell drawn rooms
+  options.jpeg = false;  // JPEG would change the textures that distinguish drawn rooms
   LabelledBagWriter writer(bag(), options);
   for (const Frame& frame : drawFrames(3, kFramesOfRoom)) {
     writer.write(frame.image, frame.place, kPeriod * frame.stamp);
@@ -43,13 +43,14 @@ void writeBag() {
   writer.close();
 }
 
-/// The number of the frame in the bag that an answer is to.
+/// Returns the number in the bag of the frame that an answer belongs to.
 int frameOf(const PlaceRecognition& answer) {
   return static_cast<int>(
       std::lround((answer.header.stamp.toSec() - LabelledBagOptions().base_time) / kPeriod));
 }
 
-/// Whether the model `three` says so of that frame: as the library does, without a node between.
+/// Returns whether the model `three` gives this answer to that frame when the library is called
+/// directly.
 bool isRight(const PlaceRecognition& answer) {
   static const std::vector<Frame> frames = drawFrames(3, kFramesOfRoom);
   static const auto model = std::make_shared<Model>(loadModel(namedModelPath("three")));
@@ -59,8 +60,8 @@ bool isRight(const PlaceRecognition& answer) {
   return answer.place == model->places[static_cast<std::size_t>(expected.place)];
 }
 
-/// `rosbag play`, until the end of its scope or of this program. It is this program's own child,
-/// for the script `rosbag` starts one that may outlive it, and goes with it, however it ends.
+/// `rosbag play`, which runs until the end of its scope or of this program, however the program
+/// ends. It is a direct child, because the script `rosbag` starts a child that may outlive it.
 class Player {
  public:
   explicit Player(std::vector<std::string> options)
@@ -83,7 +84,7 @@ class Player {
   ChildProcess process_;
 };
 
-/// Simulated time may stand still, so nothing here waits by ROS' clock.
+/// Simulated time may stand still, so nothing here waits for ROS time.
 class Replay : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(isUp(kFront) && isUp(kRear)); }
@@ -115,7 +116,7 @@ TEST_F(Replay, OfALoopedBagFollowsItsClockBack) {
   for (const PlaceRecognition& answer : answers_.messages()) {
     EXPECT_TRUE(isRight(answer)) << frameOf(answer) << " " << answer.place;
   }
-  // The place over time starts afresh with each loop, and follows the rooms in their order.
+  // The place over time restarts with each loop and follows the rooms in order.
   std::string rooms;
   for (const std_msgs::String& place : places.messages()) {
     if (place.data != "unknown") rooms += place.data.back();
@@ -133,7 +134,7 @@ TEST_F(Replay, AtTenTimesTheRateAnswersEachFrameOnceAndTheNewestAlways) {
     EXPECT_TRUE(isRight(answer)) << frameOf(answer) << " " << answer.place;
     last = frameOf(answer);
   }
-  // A machine that is busy may skip some; on an idle one none is.
+  // A busy machine may skip some frames; an idle one skips none.
   EXPECT_GT(answers_.messages().size(), static_cast<std::size_t>(kFrames / 2));
 }
 
@@ -150,7 +151,7 @@ TEST_F(Replay, WhileModelsAreReplacedNamesTheModelOfEachAnswer) {
     return !answers.empty() && frameOf(answers.back()) == kFrames - 1;
   });
   EXPECT_TRUE(complete);
-  std::map<std::string, std::set<std::string>> versions;  // of each model's name
+  std::map<std::string, std::set<std::string>> versions;  // by the name of the model
   for (const PlaceRecognition& answer : answers_.messages()) {
     versions[answer.model_name].insert(answer.model_version);
     ASSERT_EQ(answer.places.size(), answer.model_name == "two" ? 2u : 3u);

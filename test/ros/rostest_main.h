@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// The program of a rostest: a node of that name whose callbacks run beside its tests; `prepare`
-/// makes what they need.
+/// The main program of a rostest: a node with that name, whose callbacks run beside its tests.
+/// `prepare` creates what the tests need.
 template <typename Prepare>
 int runRostest(int argc, char** argv, const std::string& name, const Prepare& prepare) {
   testing::InitGoogleTest(&argc, argv);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What nodes say when no clock, no image and no pose comes, and what they say last."""
+"""The messages of nodes that receive no clock, image or pose, and their last messages."""
 import os
 import signal
 import subprocess
@@ -19,7 +19,7 @@ ROOMS = "places: [{name: kitchen, position: [[0, 0], [4, 0], [4, 3]]}]"
 
 
 def size(path):
-    """The size in bytes of a file that may not exist yet."""
+    """Returns the size in bytes of a file that may not exist yet."""
     try:
         return path.stat().st_size
     except FileNotFoundError:
@@ -127,7 +127,7 @@ class ClockTest(NodeCase):
 
 class LastWordsTest(NodeCase):
     def record(self, *arguments):
-        """A recorder that has recorded ten images, of a camera that is gone."""
+        """Returns a recorder that has recorded ten images from a camera that is gone."""
         camera = Camera()
         self.addCleanup(camera.close)
         node = self.start_node("place_labeler", "_bag:=run.bag", IMAGE, "_image_transport:=compressed",
@@ -138,7 +138,7 @@ class LastWordsTest(NodeCase):
         bag = self.folder / "run.bag.active"
         self.wait_for(lambda: size(bag) > 10000, "nothing is recorded")
         rospy.sleep(0.5)
-        camera.close()  # else the next recorder's camera counts this one among its listeners
+        camera.close()  # otherwise the next camera counts this recorder as a listener
         return node
 
     def test_the_count_is_said_however_the_node_is_ended(self):

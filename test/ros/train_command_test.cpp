@@ -1,4 +1,4 @@
-// What a goal from the network may and may not make place_tool do.
+// What a goal from the network can and cannot make place_tool do.
 
 #include "ros/trainer/train_command.h"
 
@@ -70,7 +70,7 @@ TEST_F(TrainCommand, OfEveryField) {
   EXPECT_TRUE(has("--image-topic=/camera/image_raw"));
   EXPECT_TRUE(has("--label-topic=/label"));
   EXPECT_TRUE(has("--label=--help"));
-  goal_.label = "0";  // a room's name, no number that is not set
+  goal_.label = "0";  // a room's name, not an unset number
   EXPECT_TRUE(has("--label=0"));
   goal_.preset.clear();
   goal_.yaml = "seed: 2";

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A training can be told the same over ROS as on the command line: Train.action and place_tool train."""
+"""Tests that Train.action offers the same options as the command line of place_tool train."""
 import os
 import pathlib
 import re
@@ -8,11 +8,11 @@ import unittest
 
 ACTION = pathlib.Path(os.environ["PLACE_RECOGNITION_SOURCE_DIR"]) / "action/Train.action"
 
-# Fields that are handed on in other words (src/ros/trainer/train_command.cpp), or not at all.
+# Fields that are passed under other names (src/ros/trainer/train_command.cpp), or not at all.
 NO_OPTIONS = {"bags", "preset", "yaml", "reduction", "vector_limit", "calibrate", "recognizers"}
-# Options that a goal says in other words, or that the trainer sets itself.
+# Options that a goal specifies otherwise, or that the trainer sets itself.
 NO_FIELDS = {"config", "set", "limit", "help", "json", "progress",
-             "labels"}  # a file; one beside a bag is found by itself
+             "labels"}  # a file; one beside a bag is found automatically
 
 
 def fields():

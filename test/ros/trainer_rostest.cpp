@@ -1,4 +1,4 @@
-// trainer as others see it: the action, the service, what is refused. See trainer.test.
+// trainer from outside: the action, the service, refused goals. See trainer.test.
 
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ class Trainers : public testing::Test {
     return call.response;
   }
 
-  /// Starts a training that lasts, and waits until it is under way.
+  /// Starts a long training and waits until it is running.
   void startLong() {
     client_.sendGoal(goal("cancelled", "long.bag"), Client::SimpleDoneCallback(),
                      Client::SimpleActiveCallback(),

@@ -21,7 +21,7 @@ inline cv::Mat image(int number) {
   return cv::Mat(12, 16, CV_8UC3, cv::Scalar::all(10 + 10 * number));
 }
 
-/// Rooms of the images of writeRun(), one per second.
+/// The rooms of the images of writeRun(), one per second.
 inline const std::vector<std::string> kRooms = {"kitchen", "kitchen", "", "corridor", "corridor"};
 
 inline void writeRun(const std::string& path, const LabelledBagOptions& options = {}) {

@@ -1,4 +1,4 @@
-// Rendered omnidirectional pictures: the mirror is found in them, and unrolls to what is around.
+// Rendered omnidirectional images: the mirror is found, and the image unrolls to the surroundings.
 
 #include <gtest/gtest.h>
 

@@ -153,7 +153,7 @@ TEST(OmniRenderer, ShowsALampWhereTheSphereModelSays) {
       const Lighting lighting(scene, tracer, kDark, 0.5f, 1);
       std::vector<cv::Mat> channels;
       cv::split(OmniRenderer(scene, tracer, lighting, size).render({eye, yaw, 0}), channels);
-      cv::Mat lit;  // without the camera and what is beside the mirror
+      cv::Mat lit;  // without the camera and the area beside the mirror
       cv::threshold(channels[1], lit, 0.05, 0, cv::THRESH_TOZERO);
       const cv::Moments moments = cv::moments(lit);
       ASSERT_GT(moments.m00, 0);

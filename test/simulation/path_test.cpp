@@ -13,7 +13,7 @@
 namespace place_recognition::simulation {
 namespace {
 
-/// The floor that the furniture of a building takes.
+/// Returns the floor area that a building's furniture occupies.
 const std::vector<Footprint>& footprints() {
   static const std::vector<Footprint> kFootprints = [] {
     Scene scene;

@@ -20,7 +20,7 @@ SimulationOptions small(Condition condition) {
   return options;
 }
 
-/// The first `count` frames of a recording.
+/// Returns the first `count` frames of a recording.
 std::vector<SimulatedFrame> firstFrames(const SimulationOptions& options, std::size_t count) {
   std::vector<SimulatedFrame> frames;
   simulate(options, [&](const SimulatedFrame& frame, std::size_t, std::size_t) {
@@ -103,7 +103,7 @@ TEST(Simulation, CamerasOfOneRobotLookTheirWayAtEachMoment) {
     EXPECT_EQ(rear.room, front.room);
     EXPECT_TRUE(sameImages({front}, {alone[i]}));
   }
-  // A tripod turns by twelve angles: behind it is what is ahead six pictures on.
+  // A tripod turns through twelve angles: its rear view equals the front view six images later.
   for (std::size_t i = 0; i < 6; ++i) {
     std::vector<double> differences;
     for (const SimulatedFrame& ahead : alone) {
@@ -114,7 +114,7 @@ TEST(Simulation, CamerasOfOneRobotLookTheirWayAtEachMoment) {
   }
 }
 
-TEST(Simulation, EachConditionGivesItsOwnWellExposedPictures) {
+TEST(Simulation, EachConditionGivesItsOwnWellExposedImages) {
   std::vector<std::vector<SimulatedFrame>> recordings;
   for (const Condition condition : {Condition::kCloudy, Condition::kNight, Condition::kSunny}) {
     recordings.push_back(firstFrames(small(condition), 24));
@@ -132,7 +132,7 @@ TEST(Simulation, EachConditionGivesItsOwnWellExposedPictures) {
   EXPECT_FALSE(sameImages(recordings[0], recordings[2]));
 }
 
-TEST(Simulation, IndecsTakesTwelvePicturesAtEveryMarkerOfFiveRooms) {
+TEST(Simulation, IndecsTakesTwelveImagesAtEveryMarkerOfFiveRooms) {
   SimulationOptions options = small(Condition::kNight);
   options.size = {16, 16};
   std::map<std::string, int> pictures;  // of each room_marker

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Bad input gives one line that says what, where and what to do, and leaves nothing behind."""
+"""Bad input yields one line with the problem, its place and the remedy, and leaves no files."""
 import unittest
 
 from tool_case import ROOMS, ToolCase, paint
@@ -18,7 +18,7 @@ class BadInputTest(ToolCase):
         self.assert_fails(["nowhere.bag", "check"], "train", "nowhere.bag", *MODEL)
         self.assert_fails(["nowhere", "check"], "train", "nowhere", *MODEL)
 
-    def test_input_that_is_no_run(self):
+    def test_input_that_is_not_a_run(self):
         (self.folder / "notes.txt").write_text("hello")
         self.assert_fails(["notes.txt", "bag"], "train", "notes.txt", *MODEL)
 
@@ -40,7 +40,7 @@ class BadInputTest(ToolCase):
         self.write_run("one", rooms=["office"])
         self.assert_fails(["office"], "train", "one", *MODEL)
 
-    def test_file_that_is_no_bag(self):
+    def test_file_that_is_not_a_bag(self):
         (self.folder / "fake.bag").write_bytes(b"#ROSBAG V2.0\nrubbish")
         self.assert_fails(["fake.bag"], "train", "fake.bag", *MODEL)
         self.assert_fails(["fake.bag"], "info", "fake.bag")
@@ -58,7 +58,7 @@ class BadInputTest(ToolCase):
         self.assert_fails(["run.bag"], "import", "monday", "--out", "file/run.bag")
         self.assert_fails(["file"], "simulate", "--out", "file/runs", "--size", "32x24")
 
-    def test_folder_that_is_there_is_not_rendered_into(self):
+    def test_an_existing_folder_is_not_rendered_into(self):
         self.write_run("runs/night")
         self.assert_fails(["runs/night"], "simulate", "--out", "runs", "--conditions", "night",
                           "--format", "images", "--size", "32x24")
@@ -66,8 +66,8 @@ class BadInputTest(ToolCase):
     def test_options_out_of_range(self):
         self.assert_fails(["rate"], "simulate", "--out", "runs", "--rate", "-1")
 
-    def test_features_of_what_has_none(self):
-        self.write_picture("tiny.png", paint("kitchen", 0)[:8, :8])
+    def test_features_of_an_image_that_has_none(self):
+        self.write_image("tiny.png", paint("kitchen", 0)[:8, :8])
         self.assert_fails(["tiny.png"], "features", "tiny.png")
 
 
@@ -76,7 +76,7 @@ class BadInputToModelTest(ToolCase):
         super().setUp()
         self.write_run("monday")
         self.succeed("train", "monday", *MODEL, "--config", "crfh_colour")
-        self.picture = self.write_picture("now.png", paint("kitchen", 1))
+        self.picture = self.write_image("now.png", paint("kitchen", 1))
 
     def assert_fails(self, words, *arguments):
         line = self.refuse(*arguments)
@@ -95,10 +95,10 @@ class BadInputToModelTest(ToolCase):
             (self.folder / "home.places").write_bytes(damaged)
             self.assert_fails(["home.places"], "recognize", self.picture, *MODEL)
 
-    def test_model_name_that_is_none(self):
+    def test_invalid_model_name(self):
         self.assert_fails(["a b"], "recognize", self.picture, "--model", "a b")
 
-    def test_pictures_that_do_not_decode(self):
+    def test_images_that_cannot_be_decoded(self):
         whole = self.picture.read_bytes()
         for content in (b"", b"no image", whole[:60], whole[:-9], whole[:200] + b"?" + whole[201:]):
             (self.folder / "bad.png").write_bytes(content)
@@ -106,7 +106,7 @@ class BadInputToModelTest(ToolCase):
             self.assert_fails(["bad.png"], "features", "bad.png")
         self.assert_fails(["absent.png"], "recognize", "absent.png", *MODEL)
 
-    def test_damaged_picture_among_good_ones_is_skipped_in_training(self):
+    def test_damaged_image_among_good_ones_is_skipped_in_training(self):
         (self.folder / "monday/kitchen/007.png").write_bytes(b"no image")
         result = self.run_tool("train", "monday", "--model", "./b.places", "--json", "figures")
         self.assertEqual(result.returncode, 0)

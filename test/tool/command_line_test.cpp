@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// A tool of one verb with options of every kind.
+/// A tool with one verb and options of every kind.
 class CommandLineTest : public testing::Test {
  protected:
   CommandLineTest() : tool_("tool", "Does things.", "1.2") {
@@ -35,7 +35,7 @@ class CommandLineTest : public testing::Test {
 
   void run(const Words& words) { tool_.run(words); }
 
-  /// What is wrong with `words`.
+  /// Returns the error for `words`.
   std::string problem(const Words& words) {
     try {
       tool_.run(words);
@@ -135,7 +135,7 @@ TEST_F(CommandLineTest, ValuesThatAreMissingOrTooMany) {
 TEST_F(CommandLineTest, AMisspeltNameIsRefusedWithTheOneMeant) {
   EXPECT_EQ(problem({"bake", "rye", "--minuets", "4"}),
             "there is no option --minuets (did you mean --minutes?)");
-  EXPECT_EQ(problem({"bake", "rye", "--minute", "4"}),  // a beginning is not the name
+  EXPECT_EQ(problem({"bake", "rye", "--minute", "4"}),  // a prefix is not the name
             "there is no option --minute (did you mean --minutes?)");
   EXPECT_EQ(problem({"bake", "rye", "--temperature", "4"}), "there is no option --temperature");
   EXPECT_EQ(problem({"bake", "rye", "-x"}), "there is no option -x");

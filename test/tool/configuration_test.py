@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""--config and --set, the presets in config/ and their documentation."""
+"""Tests --config and --set, the presets in config/, and their documentation."""
 import unittest
 
 from tool_case import SOURCE, ToolCase, paint
@@ -8,7 +8,7 @@ from tool_case import SOURCE, ToolCase, paint
 class ConfigurationTest(ToolCase):
     def setUp(self):
         super().setUp()
-        self.write_picture("a.png", paint("kitchen", 0))
+        self.write_image("a.png", paint("kitchen", 0))
 
     def features(self, *arguments):
         return self.succeed("features", "a.png", *arguments)

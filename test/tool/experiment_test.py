@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool experiment on painted rooms in the layouts of public data sets."""
+"""Tests place_tool experiment on painted rooms in the layouts of public data sets."""
 import csv
 import json
 import pathlib
@@ -53,15 +53,15 @@ class PlacesTest(ExperimentCase):
         self.assertEqual(self.experiment("indecs-global")["computed"], 1)
         self.assertEqual(self.bytes_of("out"), before)
 
-    def test_a_changed_picture_is_noticed(self):
+    def test_a_changed_image_is_noticed(self):
         self.write_indecs()
         self.experiment("indecs-global")
-        self.write_picture("data/night/kitchen/000.png", paint("kitchen", 77))
+        self.write_image("data/night/kitchen/000.png", paint("kitchen", 77))
         self.assertEqual(self.experiment("indecs-global")["computed"], 3)
 
     def test_same_bytes_from_one_and_two_threads_and_from_parts(self):
         self.write_indecs(views=3)
-        arguments = ("--max-dimensions", 1)  # four descriptors by themselves, five scales
+        arguments = ("--max-dimensions", 1)  # four single descriptors at five scales
         whole = self.experiment("descriptors", *arguments, "--threads", 1, out="one")
         self.assertEqual(whole["cells"], 20)
         for part, missing in ((2, 10), (1, 0)):
@@ -78,7 +78,7 @@ class PlacesTest(ExperimentCase):
         self.assertTrue((self.folder / "out/reduction_global.svg").is_file())
 
     def test_salient_viewpoints_are_shown(self):
-        self.write_indecs(views=13)  # two viewpoints a room
+        self.write_indecs(views=13)  # two viewpoints per room
         self.experiment("learning-curve")
         rows = self.table("out/viewpoints.csv")[1:]
         self.assertEqual(len(rows), 3 * 5)
@@ -98,7 +98,7 @@ class PlacesTest(ExperimentCase):
             for rate in row[3:]:
                 self.assertGreater(float(rate), 60, row)  # chance: 33 %
 
-    def test_every_nth_picture(self):
+    def test_every_nth_image(self):
         self.write_indecs()
         self.assertEqual(self.experiment("indecs-global", "--every", 2)["pictures"], 27)
 
@@ -108,27 +108,27 @@ class LayoutsTest(ExperimentCase):
         codes = {"kitchen": "KT", "corridor": "CR", "office": "EO"}
         for seed, condition in enumerate(("cloudy1", "night2", "night1")):
             for i, room in enumerate(sorted(ROOMS) * 3):
-                self.write_picture(f"data/dum_{condition}/t11254962{seed}{i}.5_r{codes[room]}_x1.0"
+                self.write_image(f"data/dum_{condition}/t11254962{seed}{i}.5_r{codes[room]}_x1.0"
                                    f"_y-2.0_a0.5.png", paint(room, i, seed))
         figures = self.experiment("indecs-global", "--layout", "idol")
         self.assertEqual((figures["cells"], figures["pictures"]), (2, 27))
         self.assertEqual(self.table("out/table_8_1.csv")[1:3],
                          [["CR", "3", "6"], ["EO", "3", "6"]])
 
-    def test_sequences_of_cold_labelled_by_picture_and_by_time(self):
+    def test_sequences_of_cold_labelled_by_image_and_by_time(self):
         rooms = sorted(ROOMS)
         for seed, sequence in enumerate(("seq1_cloudy1", "seq1_sunny1")):
             names = []
             for i in range(9):
                 names.append(f"t115288649{i}.25_x0.2_y0.0_a0.1.jpeg")
-                self.write_picture(f"data/{sequence}/std_cam/{names[-1]}",
+                self.write_image(f"data/{sequence}/std_cam/{names[-1]}",
                                    paint(rooms[i // 3], i, seed))
             labels = self.folder / "data" / sequence
             if seed == 0:
                 (labels / "localization").mkdir()
                 (labels / "localization/places.lst").write_text(
                     "".join(f"{name} {rooms[i // 3]}-A\n" for i, name in enumerate(names)))
-            else:  # as COLD-Meta: from a time on
+            else:  # as in COLD-Meta: from a time on
                 (labels / "labels.dat").write_text(
                     "".join(f"115288649{3 * i}.0 {room}-A\n" for i, room in enumerate(rooms)))
         self.experiment("indecs-global", "--layout", "cold")
@@ -149,7 +149,7 @@ class MaterialsTest(ExperimentCase):
         for room in rooms:
             for sample in range(3):
                 for view in range(2):
-                    self.write_picture(f"samples/{room}/{'abc'[sample]}/{view}.png",
+                    self.write_image(f"samples/{room}/{'abc'[sample]}/{view}.png",
                                        paint(room, view, sample))
         figures = self.experiment("materials", data="samples")
         features, kernels, splits = 3, 24, 6

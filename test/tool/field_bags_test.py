@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Bags of the kinds described in public reports."""
+"""Bags like those described in public reports."""
 import json
 import os
 import unittest
@@ -13,7 +13,7 @@ from tool_case import paint
 
 
 def unindexed(content):
-    """The bag that a killed recorder leaves behind."""
+    """Returns the bag that a killed recorder leaves behind."""
     content = bytearray(content)
     field = content.index(b"index_pos=") + 10
     content[field:field + 8] = bytes(8)
@@ -49,7 +49,7 @@ class BagTest(FieldCase):
         with rosbag.Bag(str(self.folder / "run.bag"), "a") as bag:
             bag.write("/camera/image_raw/compressed", CompressedImage(format="jpeg"),
                       rospy.Time(1011))
-            self.write_picture("cut.jpg", paint("kitchen", 1))
+            self.write_image("cut.jpg", paint("kitchen", 1))
             cut = CompressedImage(format="jpeg", data=(self.folder / "cut.jpg").read_bytes()[:1500])
             bag.write("/camera/image_raw/compressed", cut, rospy.Time(1012))
         result = self.run_tool("recognize", "run.bag", *MODEL[:2], "--json", "-")
@@ -132,7 +132,7 @@ class BagTest(FieldCase):
                 self.assertEqual(result.stderr.count(f"Nothing was read from runs/{name}.bag"), 1)
                 self.assertIn(words, result.stderr)
         self.assertEqual(self.train("runs")[0]["images"], 8)
-        # One that was named by itself is an error, and so are labels that cannot be read.
+        # An unreadable bag that is named explicitly is an error, and so are unreadable labels.
         for name, (_, words) in damaged.items():
             self.assertIn(words, self.refuse("train", "runs/sound.bag", f"runs/{name}.bag", *MODEL))
         (self.folder / "runs/labels.dat").write_text("kitchen\n")

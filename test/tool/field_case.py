@@ -1,4 +1,4 @@
-"""What the tests of inputs from the field share: a small training, and bags with labels."""
+"""Shared code of the tests of inputs from the field: a small training, and bags with labels."""
 import json
 import os
 import subprocess
@@ -12,7 +12,7 @@ NOBODY = 65534
 
 class FieldCase(ToolCase):
     def train(self, *inputs):
-        """Learns; returns the figures and what was said on stderr."""
+        """Trains; returns the figures and the output on stderr."""
         result = self.run_tool("train", *inputs, *MODEL, "--json", "-")
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(result.stdout), result.stderr
@@ -25,14 +25,14 @@ class FieldCase(ToolCase):
             self.assertIn(word, text)
 
     def run_as_nobody(self, *arguments, stdout=subprocess.PIPE):
-        """Runs the tool as somebody without rights, who may do anything in the scratch folder."""
+        """Runs the tool as an unprivileged user, who has full access to the scratch folder."""
         self.folder.chmod(0o777)
         return subprocess.run([PLACE_TOOL, *arguments], cwd=self.folder, text=True, timeout=120,
                               stdout=stdout, stderr=subprocess.PIPE, env=self.environment(),
                               preexec_fn=lambda: os.setuid(NOBODY))
 
     def write_labelled(self, name, start, frames, labels, topic="/place_label"):
-        """JPEG frames of a room a second from `start`; labels: (second, text)."""
+        """Writes a bag with one JPEG frame per second from `start`; `labels`: (second, text)."""
         import rosbag
         import rospy
         from sensor_msgs.msg import CompressedImage

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Disks that are full, and devices."""
+"""Full disks, and devices."""
 import json
 import os
 import pathlib
@@ -12,7 +12,7 @@ from tool_case import PLACE_TOOL
 
 
 class FullDiskTest(FieldCase):
-    """A limit on the size of files stands for a disk that is full: the kernel refuses to write."""
+    """Simulates a full disk by a limit on the size of files: the kernel refuses to write more."""
 
     def refuse_within(self, kilobytes, *arguments):
         before = self.files()
@@ -27,7 +27,7 @@ class FullDiskTest(FieldCase):
         self.assert_names(lines[0], "Cannot write", "make room")
         self.assertEqual(self.files(), before)
 
-    def test_folders_that_were_made_go_with_what_should_be_in_them(self):
+    def test_created_folders_are_removed_with_their_contents(self):
         self.write_run("run")
         self.write_run("light/cloudy")
         self.write_run("light/night", seed=1)
@@ -38,7 +38,7 @@ class FullDiskTest(FieldCase):
         self.refuse_within(0, "experiment", "indecs-global", "--data", "light", "--every", "4",
                            "--out", "new/tables")
 
-    def test_every_writer_of_bags_and_pictures(self):
+    def test_every_writer_of_bags_and_images(self):
         self.write_run("run", views=12)
         (self.folder / "out").mkdir()
         for kilobytes in (0, 1, 8, 40):
@@ -66,7 +66,7 @@ class FullDiskTest(FieldCase):
             self.assertEqual(result.returncode, 1, arguments)
             self.assert_names(result.stderr, "standard output")
 
-    def test_links_stay_and_what_they_lead_to_is_written(self):
+    def test_links_stay_and_their_targets_are_written(self):
         self.write_run("run")
         store = self.folder / "store"
         store.mkdir()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Folders of images of the kinds described in public reports."""
+"""Folders of images like those described in public reports."""
 import os
 import unicodedata
 import unittest
@@ -33,15 +33,16 @@ class FolderTest(FieldCase):
             ending = ("webp", "bmp", "tiff", "ppm", "jp2", "JPG", "JPEG", "TIF")[view]
             if not cv2.haveImageWriter("." + ending):
                 ending = "png"  # OpenCV 4.2 has no JPEG 2000
-            self.write_picture(f"run/kitchen/{view}.{ending}", paint("kitchen", view))
-            self.write_picture(f"run/corridor/2024-05-{view + 10}/{view}.png", paint("corridor", view))
+            self.write_image(f"run/kitchen/{view}.{ending}", paint("kitchen", view))
+            self.write_image(f"run/corridor/2024-05-{view + 10}/{view}.png",
+                             paint("corridor", view))
         figures, said = self.train("run")
         self.assertEqual({room: of["count"] for room, of in figures["rooms"].items()},
                          {"corridor": 8, "kitchen": 8, "office": 8})
         self.assertNotIn("warning: Nothing", said)
         self.assertEqual(self.figures("import", "run", "--out", "run.bag")["images"], 24)
 
-    def test_pictures_whose_names_have_no_ending_are_read(self):
+    def test_images_without_an_extension_are_read(self):
         self.write_run("run", rooms=["office", "corridor"])
         (self.folder / "run/kitchen").mkdir()
         for view in range(8):
@@ -53,7 +54,7 @@ class FolderTest(FieldCase):
         self.assertIn("kitchen", self.succeed("recognize", "run/kitchen/0000", *MODEL[:2]))
         self.assert_names(self.refuse("recognize", "run/kitchen/README", *MODEL[:2]), "README")
 
-    def test_named_pipes_do_not_hold_anything_up(self):
+    def test_named_pipes_do_not_block(self):
         self.write_run("run")
         self.write_labelled("run.bag", 1000, ["kitchen"] * 4 + ["office"] * 4, [(0, "kitchen")])
         self.train("run")
@@ -70,13 +71,13 @@ class FolderTest(FieldCase):
         os.mkfifo(self.folder / "run.labels.yaml")
         self.assert_names(self.refuse("info", "run.bag"), "run.labels.yaml", "not a file")
 
-    def test_a_picture_beside_runs_does_not_make_rooms_of_them(self):
+    def test_an_image_beside_runs_does_not_make_them_rooms(self):
         for run in ("monday", "tuesday"):
             self.write_run(f"runs/{run}")
-        self.write_picture("runs/map.png", paint("office", 1))
+        self.write_image("runs/map.png", paint("office", 1))
         self.assertEqual(self.rooms_of("runs"), sorted(ROOMS))
         self.assertEqual(self.rooms_of("runs/monday"), sorted(ROOMS))
-        self.write_picture("runs/monday/map.png", paint("office", 1))
+        self.write_image("runs/monday/map.png", paint("office", 1))
         figures, said = self.train("runs/monday")
         self.assertEqual(sorted(figures["rooms"]), sorted(ROOMS))
         self.assertIn("1 image without a label", said)
@@ -97,7 +98,7 @@ class FolderTest(FieldCase):
         self.assert_names(self.run_tool("import", "run", "--out", "run2.bag").stderr,
                           "'loft' is not in the bag: its images cannot be used (run/loft/1.jpg")
 
-    def test_copies_of_pictures_are_counted(self):
+    def test_copies_of_images_are_counted(self):
         self.write_run("run")
         kitchen = self.folder / "run/kitchen"
         whole = next(kitchen.iterdir()).read_bytes()
@@ -145,10 +146,10 @@ class FolderTest(FieldCase):
         names = [unicodedata.normalize(form, "Küche") for form in ("NFC", "NFD")]
         for i, name in enumerate([*names, names[0] + " ", "Kü\u200bche", "\u00adK\u200eüche"]):
             for view in range(4):
-                self.write_picture(f"run/{name}/{view}.png", paint("kitchen", 4 * i + view))
+                self.write_image(f"run/{name}/{view}.png", paint("kitchen", 4 * i + view))
         for i, name in enumerate(("Office_A", "office_a")):
             for view in range(4):
-                self.write_picture(f"run/{name}/{view}.png", paint("office", 4 * i + view))
+                self.write_image(f"run/{name}/{view}.png", paint("office", 4 * i + view))
         figures, said = self.train("run")
         self.assertEqual(sorted(figures["rooms"]), sorted([names[0], "Office_A", "office_a"]))
         self.assertEqual(figures["rooms"][names[0]]["count"], 20)

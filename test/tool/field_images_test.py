@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Images of 10 bits, and of channels in other orders."""
+"""10-bit images, and images with other orders of channels."""
 import json
 import unittest
 
@@ -14,10 +14,10 @@ from tool_case import ROOMS, paint
 
 
 class InfraredTest(FieldCase):
-    """Images of 10 bits in 16."""
+    """10-bit images in 16 bits."""
 
     def write_infrared(self, name, rooms, brightness, bits=10):
-        """mono16 (or mono8) images, one per second from 1000 s, `brightness` (0..255) times the paint."""
+        """Writes mono16 or mono8 images, one per second from 1000 s, dimmed by `brightness`."""
         with rosbag.Bag(str(self.folder / name), "w") as bag:
             for i, room in enumerate(rooms):
                 grey = cv2.cvtColor(paint(room, i), cv2.COLOR_BGR2GRAY).astype(np.float64)
@@ -47,7 +47,7 @@ class InfraredTest(FieldCase):
         self.assert_names(said, "0 .. 1023 of 16 bits")
         self.assertLess(500, json.loads(self.succeed("info", "./home.places", "--json", "-"))
                         ["image_depth"][1])
-        # By itself this run would be taken for one of 9 bits.
+        # On its own, this run would be taken for a 9-bit one.
         dark, said = self.answers(self.write_infrared("dark.bag", rooms, .4))
         self.assert_names(said, "0 .. 1023 of 16 bits, as in training")
         self.assertEqual(dark, self.answers(self.write_infrared("dark8.bag", rooms, .4, bits=8))[0])
@@ -56,10 +56,10 @@ class InfraredTest(FieldCase):
             self.assertIn("as in training", result.stderr)
         # A single image, and a folder.
         dark_grey = (cv2.cvtColor(paint("kitchen", 0), cv2.COLOR_BGR2GRAY) * 1.6).astype(np.uint16)
-        picture = self.write_picture("runs/kitchen/0.png", dark_grey)
+        picture = self.write_image("runs/kitchen/0.png", dark_grey)
         single = self.answers(picture)[0]
         self.assertEqual(single, self.answers("runs")[0])
-        self.assertEqual(single, self.answers(self.write_picture(
+        self.assertEqual(single, self.answers(self.write_image(
             "eight.png", (dark_grey >> 2).astype(np.uint8)))[0])
 
     def test_runs_of_one_training_share_a_range(self):
@@ -72,7 +72,7 @@ class InfraredTest(FieldCase):
 
 class RedAndBlueTest(FieldCase):
     def test_compressed_images_are_those_that_image_transport_makes_of_them(self):
-        """The same images raw, and compressed without loss in each way of naming the channels."""
+        """Compares raw images and losslessly compressed ones with each order of the channels."""
         ways = {"raw": None, "rgb8; png compressed rgb8": False, "rgb8; png compressed bgr8": True,
                 "bgr8; png compressed bgr8": True, "bgr8; png compressed rgb8": False,
                 "rgb8; png compressed ": False, "png": True}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Locales, home folders and scripts, and the inputs of public reports themselves."""
+"""Locales, home folders and scripts, and the original inputs of public reports."""
 import json
 import os
 import pathlib
@@ -48,7 +48,7 @@ class SurroundingsTest(FieldCase):
         names = ["\U0001f373 kitchen", "\U0001f469\u200d\U0001f373", "\u5eca\u4e0b", "\u063a\u0631\u0641\u0629"]
         for i, name in enumerate(names):
             for view in range(8):
-                self.write_picture(f"\u2615 run/{name}/{view}.png",
+                self.write_image(f"\u2615 run/{name}/{view}.png",
                                    paint(list(ROOMS)[i % 3], 8 * i + view, seed=i))
         self.assertEqual(self.rooms_of("\u2615 run"), sorted(names))
         figures = self.figures("evaluate", "\u2615 run", "--model", "./home.places", "--report",
@@ -61,7 +61,7 @@ class SurroundingsTest(FieldCase):
 
 
 class SharedCasesTest(FieldCase):
-    """The inputs of the reports themselves, where the folder is."""
+    """The original inputs of the reports, if the folder exists."""
 
     def setUp(self):
         super().setUp()

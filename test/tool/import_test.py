@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool import on tiny folders in each layout of doc/datasets.md."""
+"""Tests place_tool import on tiny folders in each layout of doc/datasets.md."""
 import unittest
 
 import rosbag
@@ -8,7 +8,7 @@ from tool_case import ToolCase, paint
 
 class ImportTest(ToolCase):
     def labels_of(self, bag_name):
-        """(stamp, label) of each image of a bag, read with ROS' own Python."""
+        """Returns (stamp, label) of each image of a bag, read with ROS' Python library."""
         labels, label = [], None
         with rosbag.Bag(str(self.folder / bag_name)) as bag:
             for topic, message, _ in bag.read_messages():
@@ -20,7 +20,7 @@ class ImportTest(ToolCase):
 
     def import_pictures(self, names, *arguments):
         for view, name in enumerate(names):
-            self.write_picture(f"data/{name}", paint("kitchen", view))
+            self.write_image(f"data/{name}", paint("kitchen", view))
         self.succeed("import", "data", "--out", "run.bag", *arguments)
         return self.labels_of("run.bag")
 
@@ -56,7 +56,7 @@ class ImportTest(ToolCase):
             ["png/t1125496219.5_rCR_x1.0_y-2.0_a0.5.png", "png/t1125496218.25_rKT_x6.5_y5.3_a.3.png"],
             "--layout", "idol")
         self.assertEqual(labels, [(1125496218.25, "KT"), (1125496219.5, "CR")])
-        self.write_picture("data/png/holiday.png", paint("office", 0))
+        self.write_image("data/png/holiday.png", paint("office", 0))
         self.assertIn("holiday.png",
                       self.refuse("import", "data", "--out", "b.bag", "--layout", "idol"))
 
@@ -77,8 +77,8 @@ class ImportTest(ToolCase):
         self.assertIn("places.lst line 1",
                       self.refuse("import", "data", "--out", "b.bag", "--layout", "cold"))
 
-    def test_pictures_that_cannot_be_used(self):
-        self.write_picture("data/kitchen/1.png", paint("kitchen", 0))
+    def test_images_that_cannot_be_used(self):
+        self.write_image("data/kitchen/1.png", paint("kitchen", 0))
         (self.folder / "data/kitchen/2.png").write_bytes(b"no image")
         result = self.run_tool("import", "data", "--out", "run.bag")
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -1,4 +1,4 @@
-"""What the tests of place_tool label share: bags with many kinds of images, and the running page."""
+"""Shared code of the tests of place_tool label: bags of many kinds of images, and the server."""
 import http.client
 import json
 import signal
@@ -18,7 +18,7 @@ TOPIC = "/camera/image_raw/compressed"
 
 
 def jpeg(number, size=(48, 64)):
-    """An image whose brightness tells its number."""
+    """Returns an image whose brightness encodes its number."""
     image = np.full((*size, 3), number % 200 + 28, np.uint8)
     message = CompressedImage(format="bgr8; jpeg compressed bgr8")
     message.data = cv2.imencode(".jpg", image)[1].tobytes()
@@ -26,7 +26,7 @@ def jpeg(number, size=(48, 64)):
 
 
 def raw(image, encoding, padding=0):
-    """A message of rows with `padding` bytes behind each."""
+    """Returns a message with `padding` bytes after each row."""
     rows = image.reshape(image.shape[0], -1).view(np.uint8)
     rows = np.pad(rows, ((0, 0), (0, padding)), constant_values=255)
     return Image(height=image.shape[0], width=image.shape[1], encoding=encoding,
@@ -34,7 +34,7 @@ def raw(image, encoding, padding=0):
 
 
 class Page:
-    """A running `place_tool label`, and what a browser would ask it."""
+    """A running `place_tool label` and the requests that a browser would send."""
 
     def __init__(self, folder, environment, *arguments):
         self.process = subprocess.Popen(
@@ -46,7 +46,7 @@ class Page:
         self.port, self.path = parts.port, parts.path
 
     def request(self, method, name, body=None, **headers):
-        """The answer's status and content. `name` starting with / stands for a whole path."""
+        """Returns the response's status and content. A `name` that starts with / is a full path."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
         if method == "POST":
             headers.setdefault("Origin", f"http://127.0.0.1:{self.port}")
@@ -64,7 +64,7 @@ class Page:
         return json.loads(content)
 
     def post(self, name, value):
-        """The status and the answer."""
+        """Returns the status and the parsed response."""
         status, content = self.request("POST", name, json.dumps(value, ensure_ascii=False).encode())
         return status, json.loads(content or "null")
 
@@ -75,7 +75,7 @@ class Page:
             if status == 200 else json.loads(content)
 
     def open_events(self):
-        """A stream of events as an open page holds it, until it is closed."""
+        """Returns a stream of events, which stands for an open page until it is closed."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
         connection.request("GET", self.path + "events")
         events = connection.getresponse()  # owns the socket from here on
@@ -83,7 +83,7 @@ class Page:
         return events
 
     def stop(self):
-        """As Ctrl-C does; returns the exit status and what was said."""
+        """Ends the server as Ctrl-C does; returns the exit status and the output."""
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         out, err = self.process.communicate(timeout=60)
@@ -97,7 +97,7 @@ class LabelCase(ToolCase):
         return page
 
     def record(self, name, frames=40, rate=10, start=START, topics=(TOPIC,), labels=()):
-        """A bag of `frames` images on each topic; `labels`: (frame, text) said at that frame."""
+        """Writes a bag of `frames` images on each topic; `labels`: (frame, text) pairs."""
         said = dict(labels)
         with rosbag.Bag(str(self.folder / name), "w") as bag:
             for i in range(frames):
@@ -109,7 +109,7 @@ class LabelCase(ToolCase):
         return name
 
     def stretches(self, bag):
-        """The labels of a bag as train sees them."""
+        """Returns the labels of a bag as train reads them."""
         info = self.figures("info", bag)
         return [(label["place"], round(label["from"], 6), round(label["to"], 6))
                 for label in info["labels"]]

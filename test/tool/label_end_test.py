@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""When place_tool label ends: with its page, with Ctrl-C. Apart from the other tests of it, because
-seconds have to pass here that are not others on a busy machine."""
+"""Tests when place_tool label ends: with its page, or with Ctrl-C. Separate from its other tests,
+because these depend on real time and must not run on a busy machine."""
 import subprocess
 import time
 import unittest

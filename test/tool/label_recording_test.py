@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The recordings and pictures that the server of place_tool label sends to its page."""
+"""Tests the recordings and images that the server of place_tool label sends to its page."""
 import socket
 import unittest
 
@@ -15,7 +15,7 @@ class RecordingTest(LabelCase):
     def test_split_bags_are_one_recording(self):
         self.record("run_0.bag", frames=20)
         self.record("run_1.bag", frames=20, start=START + 2)
-        page = self.page("run_1.bag", "run_0.bag")  # in order of time, not of names
+        page = self.page("run_1.bag", "run_0.bag")  # ordered by time, not by name
         recording = page.get("recording")
         self.assertEqual([bag["name"] for bag in recording["bags"]], ["run_0.bag", "run_1.bag"])
         times = page.get("times?topic=" + TOPIC)
@@ -37,7 +37,7 @@ class RecordingTest(LabelCase):
         for topic in ("/front/compressed", "/rear/compressed"):
             self.assertEqual(page.picture(topic, 3).shape, (48, 64, 3))
 
-    def test_pictures_are_those_of_the_frames(self):
+    def test_images_are_those_of_the_frames(self):
         self.record("run.bag", frames=100)
         page = self.page("run.bag")
         for number in (0, 1, 57, 99, 57):
@@ -51,7 +51,7 @@ class RecordingTest(LabelCase):
             page = self.page("run.bag")
             self.assertAlmostEqual(page.picture(TOPIC, 17).mean(), 45, delta=2)
 
-    def test_large_pictures_come_small(self):
+    def test_large_images_are_scaled_down(self):
         with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
             bag.write(TOPIC, jpeg(0, (1536, 2048)), rospy.Time.from_sec(START))
         page = self.page("run.bag")
@@ -119,7 +119,7 @@ class RecordingTest(LabelCase):
         np.testing.assert_allclose(page.picture("/bgr", 0)[16, 24], (200, 100, 50), atol=4)
         np.testing.assert_allclose(page.picture("/rgb", 0)[16, 24], (50, 100, 200), atol=4)
 
-    def test_what_is_no_recording_is_one_line(self):
+    def test_input_that_is_not_a_recording_gives_one_line(self):
         self.write_run("rooms", views=1)
         (self.folder / "broken.bag").write_bytes(b"#ROSBAG V2.0\n" + bytes(100))
         with rosbag.Bag(str(self.folder / "empty.bag"), "w"):
@@ -130,7 +130,7 @@ class RecordingTest(LabelCase):
             with self.subTest(arguments=arguments):
                 self.refuse("label", "--no-browser", *arguments)
 
-    def test_a_port_in_use_is_one_line(self):
+    def test_a_port_in_use_gives_one_line(self):
         self.record("run.bag")
         with socket.socket() as taken:
             taken.bind(("127.0.0.1", 0))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool label without a browser: what its server tells, refuses and writes."""
+"""Tests place_tool label without a browser: what its server sends, refuses and writes."""
 import http.client
 import json
 import pathlib
@@ -16,7 +16,8 @@ from std_msgs.msg import String
 
 
 class AddressTest(LabelCase):
-    """Only the page itself is answered. One server for all: no test changes anything."""
+    """Tests that only the page itself is answered. All tests share a server, because none changes
+    anything."""
     served = None
 
     def setUp(self):
@@ -96,7 +97,7 @@ class SavingTest(LabelCase):
         page = self.page("run.bag")
         self.assertEqual(page.get("recording")["spans"], [])
         self.save(page, span(0, 1.05, "kitchen"), span(1.05, 2.0, "corridor"), span(3, 4, "kitchen"))
-        # Borders lie between frames, whatever the page's were.
+        # Borders are moved between frames, whatever the page sent.
         self.assertEqual(self.stretches("run.bag"), [("kitchen", 0, 1.05), ("corridor", 1.05, 1.95),
                                                      ("kitchen", 2.95, 3.9)])
         self.assertEqual(self.files(), ["run.bag", "run.labels.yaml"])
@@ -117,7 +118,7 @@ class SavingTest(LabelCase):
         self.save(page, *page.get("recording")["spans"])
         self.assertEqual(self.text("run.labels.yaml"), text)
 
-    def test_the_file_of_before_is_kept(self):
+    def test_the_previous_file_is_kept(self):
         self.record("run.bag")
         by_hand = "# mine\nlabels: [{from: 0, place: attic}]\n"
         (self.folder / "run.labels.yaml").write_text(by_hand)
@@ -142,7 +143,7 @@ class SavingTest(LabelCase):
         self.save(page, *spans, overwrite=True)
         self.assertEqual(self.text("run.labels.yaml.old"), other)
 
-    def test_labels_can_all_be_taken_away(self):
+    def test_all_labels_can_be_removed(self):
         self.record("run.bag", labels=[(0, "kitchen")])
         page = self.page("run.bag")
         self.save(page)
@@ -211,7 +212,7 @@ class OpinionTest(LabelCase):
         self.rooms = ["kitchen"] * 6 + ["corridor"] * 6 + ["office"] * 6
 
     def answers(self, page):
-        """All answers, when they are there."""
+        """Waits for all answers and returns them."""
         for _ in range(600):
             status = page.get("recording")["opinion"]
             self.assertEqual(status["problem"], "")
@@ -244,7 +245,7 @@ class OpinionTest(LabelCase):
         self.assertGreaterEqual(sum(a == b for a, b in zip(places, self.rooms * 2)), 32)
         self.assertEqual(self.files(), before)
 
-    def test_what_goes_wrong_is_told(self):
+    def test_failures_are_reported(self):
         self.write_bag("run.bag", [(room, None) for room in self.rooms])
         page = self.page("run.bag")
         page.post("learn", {"spans": [span(0, 5, "kitchen")]})

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The cue `embedding`: a network by name, in a model, and what is refused."""
+"""Tests the cue `embedding`: a network by name, in a model, and refused networks."""
 import functools
 import hashlib
 import http.server
@@ -57,7 +57,7 @@ class NetworkTest(ToolCase):
         shutil.rmtree(self.network.parent)
         self.assertIn("place_tool network add FILE --name mobilenet", self.refuse(*train))
 
-    def test_the_line_names_file_layer_and_version_before_a_picture_is_read(self):
+    def test_the_line_names_file_layer_and_version_before_an_image_is_read(self):
         self.network.write_bytes(self.network.read_bytes()[:-1])
         line = self.refuse("train", "no_such_run", "--model", "./home.places", "--config",
                            "embedding", "--set", "cues.embedding.feature.layer=pooled")
@@ -86,7 +86,7 @@ class InstallTest(ToolCase):
         self.checksum = hashlib.sha256(self.given.read_bytes()).hexdigest()
 
     def serve(self):
-        """The address of the test's folder on a server of its own."""
+        """Serves the test's folder on a separate server. Returns its address."""
         handler = functools.partial(QuietHandler, directory=str(self.folder))
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -119,7 +119,7 @@ class InstallTest(ToolCase):
         self.assertIn(f"{address}/absent.onnx", line)
         self.assertIn("404", line)
 
-    def test_what_is_not_meant_or_not_sound_is_not_installed(self):
+    def test_unintended_and_invalid_files_are_not_installed(self):
         line = self.refuse("network", "add", "given.onnx", "--name", "small", "--sha256", "0" * 64)
         self.assertIn(self.checksum, line)
         self.network.parent.mkdir(parents=True, exist_ok=True)

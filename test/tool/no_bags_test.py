@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool built without ROS: every verb on folders of images, and one line about a bag."""
+"""Tests place_tool built without ROS: every verb on folders of images, and the refusal of a bag."""
 import unittest
 
 from tool_case import ROOMS, ToolCase, paint
@@ -12,7 +12,7 @@ class NoBagsTest(ToolCase):
         self.write_run("monday")
         self.write_run("tuesday", seed=1)
         self.succeed("train", "monday", *MODEL, "--config", "crfh_colour")
-        picture = self.write_picture("now.png", paint("office", 1))
+        picture = self.write_image("now.png", paint("office", 1))
         self.assertIn("office", self.succeed("recognize", picture, *MODEL))
         self.assertEqual(self.figures("evaluate", "tuesday", *MODEL)["average_rate"], 1)
         reduced = self.figures("reduce", *MODEL, "--out", "./small.places", "--share", "0.5")
@@ -20,7 +20,7 @@ class NoBagsTest(ToolCase):
         self.assertEqual(set(self.figures("info", "./home.places")["rooms"]), set(ROOMS))
         self.assertIn(":", self.succeed("features", picture))
 
-    def test_simulate_to_pictures(self):
+    def test_simulate_to_images(self):
         run = self.figures("simulate", "--out", "runs", "--conditions", "night", "--size", "32x24",
                            "--format", "images")["runs"][0]
         self.assertEqual(len(list((self.folder / "runs/night").glob("*/*.png"))), run["images"])

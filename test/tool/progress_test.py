@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Progress for terminals, logs and programs; and what a stop leaves behind."""
+"""Progress for terminals, logs and programs, and the files that a stopped program leaves."""
 import json
 import os
 import pty
@@ -32,7 +32,7 @@ class ProgressTest(ToolCase):
         tool.terminate()
         tool.communicate(timeout=60)
 
-    def test_bar_on_a_terminal_is_gone_at_the_end(self):
+    def test_bar_on_a_terminal_disappears_at_the_end(self):
         terminal, tool_side = pty.openpty()
         tool = subprocess.Popen([PLACE_TOOL, *SIMULATE], cwd=self.folder, stderr=tool_side,
                                 stdout=subprocess.DEVNULL)
@@ -41,7 +41,7 @@ class ProgressTest(ToolCase):
         try:
             while chunk := os.read(terminal, 65536):
                 shown += chunk
-        except OSError:  # the other side is closed
+        except OSError:  # the other end is closed
             pass
         self.assertEqual(tool.wait(), 0)
         self.assertIn(b"#", shown)
@@ -53,7 +53,7 @@ class ProgressTest(ToolCase):
 
 class StopTest(ToolCase):
     def stop(self, number, *arguments):
-        """Starts the tool, signals it at its first sign of progress; returns its last line."""
+        """Starts the tool and signals it at its first progress output. Returns its last line."""
         tool = subprocess.Popen([PLACE_TOOL, *arguments, "--progress", "json"], cwd=self.folder,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         tool.stdout.readline()
@@ -70,7 +70,7 @@ class StopTest(ToolCase):
                 self.assertEqual(errors, "place_tool simulate: stopped.\n")
                 self.assertEqual(self.files(), [])
 
-    def test_the_end_of_who_reads_the_bag_is_no_damage(self):
+    def test_the_end_of_the_bag_reader_is_not_reported_as_damage(self):
         """Ctrl-C in a terminal reaches all programs of the job."""
         self.write_bag("run.bag", [("kitchen", "kitchen"), ("office", "office")] * 100)
         for wait in (0, .03, .1, .3):

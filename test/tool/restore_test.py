@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Earlier models of a name are told and put back."""
+"""Earlier models of a name are listed and restored."""
 import unittest
 
 from tool_case import ROOMS, ToolCase

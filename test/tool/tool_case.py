@@ -1,4 +1,4 @@
-"""What the tests of place_tool share: running it, painted rooms, and bags as a robot records them."""
+"""Shared code of the tests of place_tool: running it, painted rooms, and recorded bags."""
 import json
 import os
 import pathlib
@@ -13,14 +13,14 @@ import numpy as np
 PLACE_TOOL = os.environ["PLACE_TOOL"]
 SOURCE = pathlib.Path(os.environ["PLACE_RECOGNITION_SOURCE_DIR"])
 
-# What the walls and the floors of a room have as colour, BGR.
+# The colours of each room's walls and floor, BGR.
 ROOMS = {"kitchen": ((60, 200, 220), (90, 60, 40)),
          "corridor": ((200, 190, 180), (120, 120, 130)),
          "office": ((120, 160, 60), (40, 80, 140))}
 
 
 def paint(room, view, seed=0):
-    """An image of a room, CV_8UC3: wall, floor, a few things, noise."""
+    """Returns an image of a room, CV_8UC3: wall, floor, a few objects, noise."""
     wall, floor = ROOMS[room]
     random = np.random.default_rng([seed, view, sorted(ROOMS).index(room)])
     image = np.zeros((96, 128, 3), np.float64)
@@ -33,7 +33,7 @@ def paint(room, view, seed=0):
 
 
 class ToolCase(unittest.TestCase):
-    """A test in a scratch folder, which is the tool's current one."""
+    """A test in a scratch folder, which is the tool's working directory."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="place_tool_test_")
@@ -55,7 +55,7 @@ class ToolCase(unittest.TestCase):
         return result.stdout
 
     def figures(self, *arguments):
-        """Runs the tool with --json -; returns the object, which is all that is on stdout."""
+        """Runs the tool with --json -; returns the object, the only output on stdout."""
         return json.loads(self.succeed(*arguments, "--json", "-"))
 
     def refuse(self, *arguments, status=1):
@@ -70,23 +70,23 @@ class ToolCase(unittest.TestCase):
         return lines[0]
 
     def without_progress(self, said):
-        """The lines of stderr without those of progress, which a busy machine may add."""
+        """Returns stderr without lines on progress, which a busy machine may add."""
         return [line for line in said.splitlines() if not re.search(r": \d+ %(, .* left)?$", line)]
 
     def files(self):
-        """Everything in the scratch folder except what ROS keeps beside its logs."""
+        """Returns the contents of the scratch folder except what ROS keeps beside its logs."""
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*")
                       if not path.match("ros_home") and not path.match("rospack_cache*"))
 
-    def write_picture(self, path, image):
+    def write_image(self, path, image):
         target = self.folder / path
         target.parent.mkdir(parents=True, exist_ok=True)
         self.assertTrue(cv2.imwrite(str(target), image))
         return target
 
     def install_network(self, name="mobilenet"):
-        """A small network that `--config embedding` finds: a convolution, ReLU and the mean. Skips
-        the test where python3-onnx is absent."""
+        """Installs a small network for `--config embedding`: a convolution, ReLU and the mean.
+        Skips the test if python3-onnx is missing."""
         try:
             from onnx import TensorProto, helper, numpy_helper
         except ImportError:
@@ -109,14 +109,14 @@ class ToolCase(unittest.TestCase):
         return path
 
     def write_run(self, name, views=8, seed=0, rooms=tuple(ROOMS)):
-        """A folder of room/image."""
+        """Writes a folder of room/image."""
         for room in rooms:
             for view in range(views):
-                self.write_picture(f"{name}/{room}/{view:03d}.png", paint(room, view, seed))
+                self.write_image(f"{name}/{room}/{view:03d}.png", paint(room, view, seed))
         return name
 
     def write_bag(self, name, frames):
-        """A bag of JPEG images; `frames`: (room or None, label or None), one per second."""
+        """Writes a bag of JPEG images; `frames`: (room or None, label or None), one per second."""
         import rosbag
         import rospy
         from sensor_msgs.msg import CompressedImage

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool train on painted rooms, as a person and as a program would use it."""
+"""Tests place_tool train on painted rooms, as used by people and by programs."""
 import unittest
 
 from tool_case import ROOMS, ToolCase
@@ -94,7 +94,7 @@ class TrainTest(ToolCase):
         self.assertIn("--limit", self.refuse("train", "first", "--add-to", "./a.places", "--model",
                                              "./a.places", "--forgetting", "0.5", status=2))
 
-    def test_a_worse_model_replaces_none(self):
+    def test_a_worse_model_does_not_replace_a_better_one(self):
         self.write_run("monday")
         self.write_run("tuesday", seed=1)
         self.write_run("wrong/kitchen", rooms=("office",))
@@ -110,7 +110,7 @@ class TrainTest(ToolCase):
         self.assertIn("The old model is kept: on the runs of --validate, ./home.places is right for 100.0 %",
                       complaint)
         self.assertEqual((self.folder / "home.places").read_bytes(), before)
-        # Runs to judge by keep their own labels.
+        # Runs for validation keep their own labels.
         self.write_bag("judge.bag", [(room, room) for room in ROOMS for _ in range(4)])
         self.write_bag("more.bag", [("kitchen", None)] * 4)
         figures = self.figures("train", "more.bag", "--label", "kitchen", "--add-to", "./home.places",

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""place_tool tune on painted rooms."""
+"""Tests place_tool tune on painted rooms."""
 import json
 import signal
 import subprocess

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Images of kinds that are rare and sound: each is named as its room, so its colours are right."""
+"""Rare but valid kinds of images: each is recognized as its room, so its colours are right."""
 import base64
 import json
 import struct
@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from tool_case import ToolCase, paint
 
-# paint("kitchen", 3), small, by cjpeg and ImageMagick in kinds that OpenCV does not write; base64.
+# paint("kitchen", 3), reduced, in kinds that OpenCV does not write (cjpeg, ImageMagick); base64.
 JPEGS = {
     "CMYK, as for print":
         "/9j/7gAOQWRvYmUAZAAAAAAC/9sAQwAUDg8SDw0UEhASFxUUGB4yIR4cHB49LC4kMklATEtHQEZFUFpzYlBVbVZF"
@@ -69,7 +69,7 @@ JPEGS = {
 
 
 def png(rows, bits, color_type, *extra):
-    """A PNG file of rows of bytes; `extra`: further chunks, (type, data)."""
+    """Returns a PNG file with these rows of bytes; `extra`: further chunks, (type, data)."""
     def chunk(type_, data):
         return (struct.pack(">I", len(data)) + type_ + data +
                 struct.pack(">I", zlib.crc32(type_ + data)))
@@ -82,9 +82,9 @@ def png(rows, bits, color_type, *extra):
 
 
 def pngs(image):
-    """The image in kinds of PNG that OpenCV does not write; `image` is BGR."""
+    """Returns the image in kinds of PNG that OpenCV does not write; `image` is BGR."""
     rgb = image[..., ::-1]
-    levels = (rgb // 64).astype(np.uint8)  # 64 colours of a palette
+    levels = (rgb // 64).astype(np.uint8)  # 64 palette colours
     indices = levels[..., 0] * 16 + levels[..., 1] * 4 + levels[..., 2]
     palette = bytes(channel * 64 + 32 for i in range(64) for channel in (i // 16, i // 4 % 4, i % 4))
     alpha = np.full(rgb.shape[:2] + (1,), 128, np.uint8)
@@ -96,7 +96,7 @@ def pngs(image):
             "a private chunk": png(rgb.reshape(96, -1), 8, 2, (b"roBo", b"1"))}
 
 
-class UnusualPicturesTest(ToolCase):
+class UnusualImagesTest(ToolCase):
     def setUp(self):
         super().setUp()
         self.write_run("run", views=8)
@@ -104,7 +104,7 @@ class UnusualPicturesTest(ToolCase):
 
     def assert_kitchen(self, files):
         for i, data in enumerate(files.values()):
-            (self.folder / f"{i:02d}.jpg").write_bytes(data)  # the ending does not matter
+            (self.folder / f"{i:02d}.jpg").write_bytes(data)  # the extension does not matter
         names = [f"{i:02d}.jpg" for i in range(len(files))]
         lines = self.succeed("recognize", "--model", "./home.places", "--json", "-", *names)
         answers = [json.loads(line) for line in lines.splitlines()]

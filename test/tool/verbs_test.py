@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The other verbs of place_tool on painted rooms, as a person and as a program would use them."""
+"""Tests the other verbs of place_tool on painted rooms, as used by people and by programs."""
 import json
 import os
 import pathlib
@@ -22,14 +22,14 @@ class TrainedCase(ToolCase):
 
 
 class RecognizeTest(TrainedCase):
-    def test_a_line_a_picture(self):
-        picture = self.write_picture("now.jpg", paint("kitchen", 3, seed=2))
+    def test_one_line_per_image(self):
+        picture = self.write_image("now.jpg", paint("kitchen", 3, seed=2))
         path, place, confidence = self.succeed("recognize", picture, "--model",
                                                "./home.places").split()
         self.assertEqual((path, place), (str(picture), "kitchen"))
         self.assertTrue(0 <= float(confidence) <= 1)
 
-    def test_an_object_a_line_with_all_scores(self):
+    def test_one_object_per_line_with_all_scores(self):
         lines = self.succeed("recognize", "tuesday", "--model", "./home.places", "--json",
                              "-").splitlines()
         self.assertEqual(len(lines), 24)
@@ -45,8 +45,8 @@ class RecognizeTest(TrainedCase):
             self.assertTrue(all("margin" in scores for scores in answer["scores"].values()))
             self.assertTrue(0 <= answer["evidence"] <= 1)
 
-    def test_unlabelled_pictures_and_bags_are_welcome(self):
-        self.write_picture("heap/1.png", paint("office", 1))
+    def test_unlabelled_images_and_bags_are_accepted(self):
+        self.write_image("heap/1.png", paint("office", 1))
         self.write_bag("run.bag", [("corridor", None)] * 2)
         lines = self.succeed("recognize", "heap", "run.bag", "--model",
                              "./home.places").splitlines()
@@ -65,7 +65,7 @@ class OtherImagesTest(TrainedCase):
     def write_changed(self, name, change):
         for room in ROOMS:
             for view in range(4):
-                self.write_picture(f"{name}/{room}/{view}.png", change(paint(room, view, 1)))
+                self.write_image(f"{name}/{room}/{view}.png", change(paint(room, view, 1)))
 
     def expect_said_once(self, run, words):
         for verb in ("evaluate", "recognize"):
@@ -96,7 +96,7 @@ class OtherImagesTest(TrainedCase):
         self.assertEqual(result.stderr.count("Images are black"), 1, result.stderr)
         self.assertIn("nothing but one colour",
                       self.refuse("evaluate", "other", "--model", "./home.places"))
-        self.write_picture("other/kitchen/4.png", paint("kitchen", 4, 1))
+        self.write_image("other/kitchen/4.png", paint("kitchen", 4, 1))
         result = self.run_tool("evaluate", "other", "--model", "./home.places")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("12 images of a single colour", result.stderr)
@@ -104,7 +104,7 @@ class OtherImagesTest(TrainedCase):
     def test_frozen_frames_are_said(self):
         frozen = paint("kitchen", 0)
         for i in range(12):
-            self.write_picture(f"other/kitchen/{i}.png", frozen)
+            self.write_image(f"other/kitchen/{i}.png", frozen)
         self.expect_said_once("other", "the same image again and again")
 
 
@@ -158,7 +158,7 @@ class EvaluateTest(TrainedCase):
         latency = figures["latency_ms"]
         self.assertTrue(0 < latency["p50"] <= latency["p95"] <= latency["p99"])
 
-    def test_text_has_a_line_a_room(self):
+    def test_text_has_one_line_per_room(self):
         text = self.succeed("evaluate", "tuesday", "--model", "./home.places")
         for room in ROOMS:
             self.assertIn(room, text)
@@ -200,7 +200,7 @@ class ReduceTest(TrainedCase):
             figures = self.reduce("--method", method, "--support-vectors", 5)
             self.assertEqual(figures["support_vectors_after"], 5, method)
 
-    def test_training_pictures_as_rows_of_the_kernel_matrix(self):
+    def test_training_images_as_rows_of_the_kernel_matrix(self):
         figures = self.reduce("--method", "shared-greedy", "--support-vectors", 5, "--train",
                               "monday")
         self.assertEqual(figures["support_vectors_after"], 5)
@@ -230,7 +230,7 @@ class ReduceTest(TrainedCase):
         self.assertIn("shared-greedy", page)
         self.assertIn("<svg", page)
 
-    def test_text_says_what_margins_were_measured_on(self):
+    def test_text_names_the_images_of_the_measured_changes(self):
         arguments = ("reduce", "--model", "./home.places", "--out", "./small.places",
                      "--no-normalise")
         self.assertIn("support vectors", self.succeed(*arguments))
@@ -239,14 +239,14 @@ class ReduceTest(TrainedCase):
 
 class FeaturesTest(ToolCase):
     def test_a_histogram_sums_to_one_and_its_indices_ascend(self):
-        self.write_picture("a.png", paint("kitchen", 0))
+        self.write_image("a.png", paint("kitchen", 0))
         pairs = [pair.split(":") for pair in self.succeed("features", "a.png").split()]
         indices = [int(index) for index, _ in pairs]
         self.assertEqual(indices, sorted(set(indices)))
         self.assertAlmostEqual(sum(float(value) for _, value in pairs), 1, places=5)
 
     def test_several_cues_are_told_apart(self):
-        self.write_picture("a.png", paint("kitchen", 0))
+        self.write_image("a.png", paint("kitchen", 0))
         (self.folder / "two.yaml").write_text(
             "cues:\n"
             "  - {name: shape, feature: {type: crfh, descriptors: [Lxx]}}\n"

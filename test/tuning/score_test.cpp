@@ -9,7 +9,7 @@
 namespace place_recognition {
 namespace {
 
-/// Three recorded images of two rooms and one of the first of them changed.
+/// Three recorded images of two rooms, and a changed copy of the first.
 TuningSamples fourSamples() {
   TuningSamples samples;
   samples.places = {"a", "b"};

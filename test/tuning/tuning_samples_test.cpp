@@ -19,7 +19,7 @@ TuningSamples collect(const std::vector<RecordingOpener>& recordings,
   return collectTuningSamples({recordings, hold_out}, quickOptions(), true, step, 2, {});
 }
 
-/// Places of `indices` by run.
+/// Returns the places of `indices`, by run.
 std::set<int> runsOf(const TuningSamples& samples, const std::vector<int>& indices) {
   std::set<int> recordings;
   for (const int i : indices) recordings.insert(samples.origins[i].recording);
@@ -69,7 +69,7 @@ TEST(TuningSamples, HeldOutRunsAreTestedAndNeverTrainedOn) {
   EXPECT_EQ(samples.folds[0].test.size(), 16u);
 }
 
-/// Mean of all levels.
+/// Returns the mean of all levels.
 double levelOf(const cv::Mat& image) {
   const cv::Scalar mean = cv::mean(image);
   return (mean[0] + mean[1] + mean[2]) / 3;
@@ -95,7 +95,7 @@ TEST(NextRun, ChangesFramingAndSharpnessAndLightIfAsked) {
   EXPECT_TRUE(any_light);
 }
 
-TEST(NextRun, OfTheSameSeedIsTheSame) {
+TEST(NextRun, IsTheSameForTheSameSeed) {
   const cv::Mat image = drawRoom(1, 1);
   NextRun a(3, true), b(3, true), c(4, true);
   const cv::Mat first = a.change(image, "room1").image;
@@ -116,7 +116,7 @@ TEST(ThinnedRecording, KeepsOneOfEveryThreeLabelledFramesOfEachPlace) {
     return kept;
   };
   const std::vector<std::string> kept = keptNames(1);
-  EXPECT_NEAR(static_cast<double>(kept.size()), 20, 1);  // 29 frames do not end with a stretch
+  EXPECT_NEAR(static_cast<double>(kept.size()), 20, 1);  // 29 frames: the last stretch is short
   EXPECT_EQ(kept[0], "frame0");
   EXPECT_EQ(std::count(kept.begin(), kept.end(), "frame30"), 1);  // the first of its place
   EXPECT_EQ(keptNames(1), kept);

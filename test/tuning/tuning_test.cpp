@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<RecordingOpener> kNone;
 
-/// A prior of one cue, which knows nothing of colour.
+/// A prior with a single cue, which ignores colour.
 TrainingOptions greyCue() {
   TrainingOptions options = quickOptions();
   CrfhOptions brightness;
@@ -86,8 +86,8 @@ TEST(Tune, ColourIsChosenWhereOnlyColourTells) {
   EXPECT_EQ(tuning.options.cues[0].name.substr(0, 5), "R-G-B");
 }
 
-TEST(Tune, StaysWithThePriorWithoutGoodReason) {
-  // Noise: no cue tells anything of the room.
+TEST(Tune, KeepsThePriorUnlessThereIsGoodReason) {
+  // Noise: no cue contains information about the room.
   std::vector<Frame> frames = drawFrames(2, 20);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].image = drawRoom(0, static_cast<unsigned>(7 * i % 40));
@@ -169,7 +169,7 @@ TEST(Tune, UsesOnlyCellsOfTheSameImagesAndOptions) {
   EXPECT_EQ(computed(frames, greyCue(), smallSpace(), "elsewhere"), 0u);
 }
 
-TEST(Tune, StoppedEarlyItGivesTheBestSoFar) {
+TEST(Tune, GivesTheBestSoFarWhenStoppedEarly) {
   const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 12))};
   for (const char* last : {"Comparing images", "Combining cues"}) {
     const Progress stop = [last](const std::string& stage, double) { return stage != last; };
