@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs all tests of ctest, the only list of tests, for `catkin_make run_tests`.
 
-run_ctest.py CTEST BUILD_FOLDER RESULT.xml: writes the outcome as JUnit XML, a case for each entry,
-where `catkin_test_results` looks for it. Like catkin's own targets it exits with 0 when tests fail,
-so that a workspace goes on with its next package.
+run_ctest.py CTEST BUILD_FOLDER RESULT.xml: writes the results as JUnit XML, one case per test,
+where `catkin_test_results` looks for them. Like catkin's own targets, it exits with 0 if tests
+fail, so that a workspace continues with its next package.
 """
 import os
 import pathlib

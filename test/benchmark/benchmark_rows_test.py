@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that the benchmark programs have the benchmarks that scripts/benchmark looks for.
+"""Checks that the benchmark programs have the benchmarks that scripts/benchmark expects.
 
 benchmark_rows_test.py FOLDER_OF_PROGRAMS
 
-Nothing is measured. A program that was not built, for lack of a library, is passed over; exits with
-77 (skipped) if there is none.
+Nothing is measured. Programs that were not built because a library is missing are ignored. Exits
+with 77 (skipped) if no program was built.
 """
 import pathlib
 import subprocess

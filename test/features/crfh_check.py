@@ -3,10 +3,9 @@
 
 crfh_check.py CRFH_DUMP DATA_FOLDER
 
-The histogram must have the same bins and values, but for pixels whose responses lie within float
-rounding of a bin edge: each of these may be in the bin at either side, and fewer than 0.1 % of the
-pixels may be in another bin than here. Exits with 77 (skipped) where images or packages are
-absent.
+The histogram must have the same bins and values, except for pixels whose responses are within float
+rounding of a bin edge: each of these may be in the bin on either side, and fewer than 0.1 % of the
+pixels may be in another bin than here. Exits with 77 (skipped) if images or packages are missing.
 """
 import collections
 import glob

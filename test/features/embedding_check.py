@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Checks embeddings against an independent computation with numpy, of a network built here.
+"""Checks the embeddings of a network built here against an independent computation with numpy.
 
 embedding_check.py EMBEDDING_DUMP
 
-Values must be equal to 1e-5. Exits with 77 (skipped) where python3-onnx is absent.
+Values must agree to within 1e-5. Exits with 77 (skipped) if python3-onnx is missing.
 """
 import json
 import pathlib

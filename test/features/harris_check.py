@@ -3,11 +3,11 @@
 
 harris_check.py HARRIS_DUMP DATA_FOLDER
 
-One octave of the thesis' section 4.3.1, sigma_I from 2 in steps of a quarter octave, sigma_D =
-sigma_I / sqrt(2): each scale is smoothed from the image in one go, in double precision, and the
-Laplacian is interpolated by a spline. Corners must have the same place and cornerness. 6 % may
-differ in whether, or where, the Laplacian has an extremum over scale: where it hardly changes, that
-depends on how it is interpolated. Exits with 77 (skipped) where the images are absent.
+One octave of section 4.3.1 of the thesis: sigma_I from 2 in steps of a quarter octave, sigma_D =
+sigma_I / sqrt(2). Each scale is smoothed directly from the image, in double precision, and the
+Laplacian is interpolated by a spline. Corners must have the same position and cornerness. 6 % may
+differ in the existence or scale of the Laplacian's extremum, which depends on the interpolation if
+the Laplacian hardly changes. Exits with 77 (skipped) if the images are missing.
 """
 import glob
 import os

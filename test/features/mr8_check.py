@@ -3,9 +3,9 @@
 
 mr8_check.py MR8_DUMP DATA_FOLDER
 
-Filters must be equal to 1e-6 of their largest value; fewer than 0.1 % of the pixels may fall in
-another bin than here (those within float rounding of a level). Exits with 77 (skipped) where the
-images are absent.
+Filters must agree to within 1e-6 of their largest value. Fewer than 0.1 % of the pixels, those
+within float rounding of a level, may fall in another bin than here. Exits with 77 (skipped) if the
+images are missing.
 """
 import collections
 import glob

@@ -3,7 +3,7 @@
 
 learning_check.py LEARNING_DUMP
 
-Exits with 77 (skipped) where numpy or scipy is absent.
+Exits with 77 (skipped) if numpy or scipy is missing.
 """
 import json
 import subprocess

@@ -1,9 +1,9 @@
 """Checks that the dependencies between the folders of src/ point in one direction.
 
-The table of folders in doc/design.md is the rule: a source may include the public headers, its own
-folder, and the folders and libraries that the table's row for it names. The folders inside a layer
-have an order, too, and the CMake targets link nothing that the table does not name. What a public
-header shows its users is declared in public headers: a type of src/ is a matter of private members.
+The table of folders in doc/design.md defines the rules: a source may include the public headers,
+its own folder, and the folders and libraries that its row of the table names. Folders inside a
+layer are ordered in the same way, and CMake targets link only what the table names. Public headers
+may use types of src/ only in private members.
 """
 import pathlib
 import re

@@ -49,8 +49,7 @@ const int installed = __sanitizer_install_malloc_and_free_hooks(onTaken, onGiven
 
 }  // namespace
 
-#else  // The C library's own functions stand behind ours, which come first when a program is
-       // linked.
+#else  // Our functions override those of the C library, which they call.
 
 extern "C" {
 

@@ -246,7 +246,7 @@ class PlacesWithOdometry : public PlacesOverTime {
 TEST_F(PlacesWithOdometry, StayWhereTheRobotStands) {
   double stamp = 100;
   for (int i = 0; i < 10; ++i) update(stamp += 0.1, 0.1 * i, frameOf(0.98, 0.01, 0.01));
-  // Two seconds of frames that show another room, as when somebody stands before the camera.
+  // Two seconds of frames that show another room, as if somebody stood in front of the camera.
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(update(stamp += 0.1, 0.9, frameOf(0.01, 0.98, 0.01)), "hall");
   }

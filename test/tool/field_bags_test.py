@@ -13,7 +13,7 @@ from tool_case import paint
 
 
 def unindexed(content):
-    """Returns the bag that a killed recorder leaves behind."""
+    """Returns the bag that a killed recorder leaves."""
     content = bytearray(content)
     field = content.index(b"index_pos=") + 10
     content[field:field + 8] = bytes(8)
