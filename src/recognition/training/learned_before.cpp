@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 
 #include "learning/classifier_parts.h"
 #include "recognition/training/combination.h"
@@ -25,11 +26,15 @@ Eigen::MatrixXd extended(const Eigen::MatrixXd& values, const std::vector<int>& 
   return result;
 }
 
-/// The lead of one place over another that makes it nine times as probable, but no more than the
-/// distance of a margin from the decision line.
-double leadFor(const Calibration& calibration) {
+/// How far the places of new samples have to lead the others. If the samples show all places, as
+/// far as +1 is from -1, the targets of an SVM. Otherwise only so far that they are nine times as
+/// probable, because more would take views from the places that the samples do not show.
+double leadFor(const std::vector<int>& labels, std::size_t places, const Calibration& calibration) {
+  constexpr double kDistanceOfTargets = 2;
+  constexpr double kMargin = 1;
   constexpr double kOdds = 9;
-  return std::min(1.0, std::log(kOdds) / calibration.slope);
+  if (std::set<int>(labels.begin(), labels.end()).size() == places) return kDistanceOfTargets;
+  return std::min(kMargin, std::log(kOdds) / calibration.slope);
 }
 
 /// The features of the samples that are not remembered.
@@ -51,7 +56,7 @@ Eigen::MatrixXd changesFor(const Model& model, const Samples& samples,
   }
   Eigen::MatrixXd changes =
       changesToLead(extended(answers.decision_values, place_of, samples.places.size(), kUnseen),
-                    labels, leadFor(model.calibration));
+                    labels, leadFor(labels, samples.places.size(), model.calibration));
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!answers.valid[i]) changes.row(static_cast<Eigen::Index>(i)).setZero();
   }

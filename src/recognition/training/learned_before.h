@@ -20,8 +20,9 @@ struct LearnedBefore {
 
 /// The machines of `model`, extended to the places of `samples`, which begin with the remembered
 /// samples of the model. The other samples ask for the smallest change after which the sum of all
-/// cues finds their own place nine times as probable as any other. A place that is new has no
-/// vectors and a decision value of -1. Precondition: the machines are one-against-all.
+/// cues finds their own place nine times as probable as any other; if they show all places, after
+/// which their own place leads by 2. A place that is new has no vectors and a decision value of -1.
+/// Precondition: the machines are one-against-all.
 LearnedBefore learnedBefore(const Model& model, const Samples& samples);
 
 }  // namespace place_recognition
