@@ -54,8 +54,8 @@ def decision_values(gram, labels, train, test):
 def fit_slope(values, labels):
     """The slope of largest likelihood for softmax(slope * values), with smoothed targets."""
     count = len(labels)
-    wanted = np.full(values.shape, 1 / (count + PLACES))
-    wanted[np.arange(count), labels] = (count + 1) / (count + PLACES)
+    wanted = np.full(values.shape, 1 / PLACES / (count + 1))
+    wanted[np.arange(count), labels] += count / (count + 1)
 
     def loss(log_slope):
         scores = np.exp(log_slope) * values
