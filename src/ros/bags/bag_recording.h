@@ -25,7 +25,7 @@ struct BagRecordingOptions {
 /// their labels, one at a time. A child process opens the bag, because rosbag_storage can crash on
 /// a damaged one; such a crash is reported as an Error, too. Slashes at the start and end of topics
 /// are ignored. Throws Error if the file is not a bag, is not indexed, has no images, or has
-/// several topics of images of which none is named.
+/// several image topics of which none is named.
 std::unique_ptr<Recording> openBagRecording(const std::string& path,
                                             const BagRecordingOptions& options = {});
 

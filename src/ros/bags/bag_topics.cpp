@@ -56,7 +56,7 @@ std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wa
       const auto found = std::find_if(candidates.begin(), candidates.end(), meant);
       if (found != candidates.end()) return *found;
     }
-    throw Error("it has no images on " + wanted + "; topics of images are " + listed(topics, true));
+    throw Error("it has no images on " + wanted + "; the image topics are " + listed(topics, true));
   }
   const std::string& first = candidates.front();
   const bool one_camera = std::all_of(
@@ -64,7 +64,7 @@ std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wa
       [&first](const std::string& name) { return name == first || name == first + "/compressed"; });
   if (!one_camera) {
     throw Error(
-        "it has several topics of images; select one with --image-topic, or, for several cameras "
+        "it has several image topics; select one with --image-topic, or, for several cameras "
         "of one robot, several separated by commas: " +
         listed(topics, true));
   }
@@ -106,7 +106,7 @@ std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
   std::vector<std::string> chosen;
   if (wanted.size() > kMaxCameras) {
     throw Error("at most " + std::to_string(kMaxCameras) +
-                " cameras of a robot are supported; name fewer topics of images");
+                " cameras of a robot are supported; name fewer image topics");
   }
   if (wanted.empty()) chosen.push_back(chooseImageTopic(topics, ""));
   for (const std::string& one : wanted) {

@@ -30,7 +30,7 @@ RecordedTopics listTopics(const rosbag::Bag& bag);
 /// or contains no labels.
 std::string chooseLabelTopic(const RecordedTopics& topics, const std::string& wanted);
 
-/// The topics of images that `wanted` refers to, one per camera; "/compressed" and leading slashes
+/// The image topics that `wanted` refers to, one per camera; "/compressed" and leading slashes
 /// may be omitted. If `wanted` is empty, the topic of the only camera. Throws Error, listing the
 /// existing topics, if one is missing, has no images or is named twice.
 std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,

@@ -15,7 +15,7 @@ CameraName cameraOf(const std::string& text) {
   if (text.empty() || !ros::names::validate(text, problem)) {
     throw Error(
         "The parameter ~cameras has '" + text +
-        "', which is not the name of a topic; give topics of images, or names before /image_raw.");
+        "', which is not the name of a topic; give image topics, or names before /image_raw.");
   }
   const bool is_topic = text.find('/') != std::string::npos;
   const std::string name = text[0] == '/' ? text.substr(1) : text;
