@@ -10,7 +10,7 @@ namespace place_recognition {
 /// A neural network, ready to be stored in a model.
 struct Network {
   std::string onnx;           ///< ONNX file with the layers up to the selected one
-  std::size_t dimension = 0;  ///< of its output vectors
+  std::size_t dimension = 0;  ///< of its output, without height and width
   std::string sha256;         ///< of the original file, 64 hexadecimal digits
 };
 
@@ -24,10 +24,14 @@ struct EmbeddingOptions {
   std::string layer;
   int width = 0;
   int height = 0;
+  int columns = 1;
   std::string fit = "stretch";
   std::string channels = "rgb";
   std::vector<double> mean = {127.5};
   std::vector<double> scale = {1 / 127.5};
+
+  /// Number of averages that follow one another in the feature: of the whole and of each column.
+  int parts() const { return columns > 1 ? 1 + columns : 1; }
 
   /// The network that `network` and `layer` select, see loadNetwork(); null: not loaded yet. This
   /// is not an option: a model stores it beside the options.
@@ -44,6 +48,10 @@ struct EmbeddingOptions {
             "width of the network's input, pixels, 16..1024; 0: as the network declares");
     visitor("height", self.height,
             "height of the network's input, pixels, 16..1024; 0: as the network declares");
+    visitor(
+        "columns", self.columns,
+        "1..16; above 1: the output is averaged over the whole image and over each of this many "
+        "columns of it, before any pooling within the network");
     visitor("fit", self.fit,
             "stretch: the whole image is scaled to width x height; crop: its largest central part "
             "of that shape is scaled");

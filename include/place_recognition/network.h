@@ -9,11 +9,11 @@
 
 namespace place_recognition {
 
-/// Reads the network that `options` name, removes what the selected layer does not need, and runs
-/// it once. An ONNX file is not trusted: sizes, shapes and references are checked before OpenCV
-/// sees them, and memory and work are checked before it runs. Throws Error, one line that names the
-/// file, the layer and OpenCV's version, if the file is missing, damaged, or of a kind that OpenCV
-/// cannot run.
+/// Reads the network that `options` name, removes what the selected layer does not need and a final
+/// pooling over the whole area, and runs it once. An ONNX file is not trusted: sizes, shapes and
+/// references are checked before OpenCV sees them, and memory and work are checked before it runs.
+/// Throws Error, one line that names the file, the layer and OpenCV's version, if the file is
+/// missing, damaged, or of a kind that OpenCV cannot run.
 std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options);
 
 /// Properties of a network file.

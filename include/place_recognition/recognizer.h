@@ -105,8 +105,9 @@ class Recognizer {
   std::unique_ptr<LightEstimate> light_;
   double unknown_light_;  // certainty of the light of a single image
   std::unique_ptr<EvidenceShift> evidence_shift_;
-  std::vector<bool> follows_run_;   // by cue: normalize is run
-  std::vector<bool> is_embedding_;  // by cue
+  std::vector<bool> follows_run_;                 // by cue: normalize is run
+  std::vector<bool> is_embedding_;                // by cue
+  std::vector<std::vector<std::size_t>> groups_;  // of cues that are computed together
   double embedding_rate_ = 0;
   double decorrelation_time_ = 0;
   std::unique_ptr<RateLimit> embedding_limit_;

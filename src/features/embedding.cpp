@@ -1,117 +1,76 @@
 #include "features/embedding.h"
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/core/version.hpp>
-#include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "base/require.h"
-#include "features/network_runner.h"
-#include "features/onnx_graph.h"
-#include "place_recognition/network.h"
+#include "features/network_pass.h"
 
 namespace place_recognition {
 namespace {
 
-/// The largest central part with the shape of `size`.
-cv::Rect centralPart(const cv::Size& image, const cv::Size& size) {
-  const double scale = std::min(static_cast<double>(image.width) / size.width,
-                                static_cast<double>(image.height) / size.height);
-  const int width = std::clamp(static_cast<int>(std::lround(size.width * scale)), 1, image.width);
-  const int height =
-      std::clamp(static_cast<int>(std::lround(size.height * scale)), 1, image.height);
-  return {(image.width - width) / 2, (image.height - height) / 2, width, height};
+/// Scales to this L2 norm. False for a zero vector.
+bool normalize(float* values, std::size_t size, double length) {
+  double squares = 0;
+  for (std::size_t i = 0; i < size; ++i) squares += static_cast<double>(values[i]) * values[i];
+  const double norm = std::sqrt(squares) / length;
+  if (!std::isfinite(norm) || norm == 0) return false;
+  for (std::size_t i = 0; i < size; ++i) values[i] = static_cast<float>(values[i] / norm);
+  return true;
 }
 
-/// Averages over the area of a pixel when shrinking, and interpolates linearly when enlarging.
-void scaleTo(const cv::Mat& image, const cv::Size& size, cv::Mat& scaled) {
-  const bool shrinks = image.cols >= size.width && image.rows >= size.height;
-  cv::resize(image, scaled, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
-}
-
-/// Averages each value over height and width.
-void pool(const cv::Mat& output, std::vector<float>& values) {
-  const int places = output.dims == 4 ? output.size[2] * output.size[3] : 1;
-  const float* next = output.ptr<float>();
-  values.clear();
+/// Appends the mean of each value over the height and these columns, scaled to this L2 norm.
+bool appendMeans(const cv::Mat& output, int begin, int end, double length,
+                 std::vector<float>& values) {
+  const int height = output.dims == 4 ? output.size[2] : 1;
+  const int width = output.dims == 4 ? output.size[3] : 1;
+  const std::size_t first = values.size();
+  const float* row = output.ptr<float>();
   for (int i = 0; i < output.size[1]; ++i) {
     double sum = 0;
-    for (int k = 0; k < places; ++k) sum += *next++;
-    values.push_back(static_cast<float>(sum / places));
+    for (int y = 0; y < height; ++y, row += width) {
+      for (int x = begin; x < end; ++x) sum += row[x];
+    }
+    values.push_back(static_cast<float>(sum / (height * (end - begin))));
   }
-}
-
-/// False for a zero vector.
-bool normalize(std::vector<float>& values) {
-  double squares = 0;
-  for (const float value : values) squares += static_cast<double>(value) * value;
-  const double norm = std::sqrt(squares);
-  if (!std::isfinite(norm) || norm == 0) return false;
-  for (float& value : values) value = static_cast<float>(value / norm);
-  return true;
+  return normalize(values.data() + first, values.size() - first, length);
 }
 
 }  // namespace
 
 EmbeddingExtractor::EmbeddingExtractor(const EmbeddingOptions& options)
-    : crop_(options.fit == "crop"), channels_(options.channels == "grey" ? 1 : 3) {
-  options.check();
-  const std::shared_ptr<const Network> network =
-      options.loaded ? options.loaded : loadNetwork(options);
-  try {
-    const OnnxGraph graph(network->onnx);
-    const NetworkInput input = graph.input();
-    require(input.channels == channels_ && input.width > 0 && input.height > 0,
-            "it does not accept the images that the options describe");
-    runner_ = std::make_unique<NetworkRunner>(graph);
-    require(runner_->dimension() == network->dimension, "the size of its output has changed");
-    blob_.create(std::vector<int>{1, channels_, input.height, input.width}, CV_32F);
-  } catch (const Error& e) {
-    throw Error("the network '" + options.network + "' cannot be used: " + e.what() +
-                " (OpenCV " CV_VERSION ")");
-  }
-  for (int c = 0; c < channels_; ++c) {
-    const std::size_t i = static_cast<std::size_t>(c);
-    sources_[i] = options.channels == "rgb" ? 2 - c : c;
-    const double mean = options.mean[options.mean.size() > 1 ? i : 0];
-    const double scale = options.scale[options.scale.size() > 1 ? i : 0];
-    for (int value = 0; value < 256; ++value) {
-      values_[i][static_cast<std::size_t>(value)] = static_cast<float>((value - mean) * scale);
-    }
-  }
+    : EmbeddingExtractor(options, std::make_shared<NetworkPass>(options)) {
+  is_shared_ = false;
+}
+
+EmbeddingExtractor::EmbeddingExtractor(const EmbeddingOptions& options,
+                                       std::shared_ptr<NetworkPass> shared)
+    : columns_(options.columns), is_shared_(true), pass_(std::move(shared)) {
+  require(pass_->width() >= columns_,
+          "the output of the network '" + options.network + "' has too few columns");
 }
 
 EmbeddingExtractor::~EmbeddingExtractor() = default;
 
-void EmbeddingExtractor::fillBlob(const cv::Mat& image) {
-  const cv::Size size(blob_.size[3], blob_.size[2]);
-  const cv::Rect part =
-      crop_ ? centralPart(image.size(), size) : cv::Rect(0, 0, image.cols, image.rows);
-  scaleTo(image(part), size, scaled_);
-  if (channels_ == 1 && scaled_.channels() == 3) {
-    cv::cvtColor(scaled_, grey_, cv::COLOR_BGR2GRAY);
-  } else {
-    grey_ = scaled_;
+bool EmbeddingExtractor::pool(const cv::Mat& output, std::vector<float>& values) const {
+  const int width = pass_->width();
+  values.clear();
+  const bool any = appendMeans(output, 0, width, 1, values);
+  if (columns_ == 1) return any;
+  for (int c = 0; c < columns_; ++c) {
+    appendMeans(output, c * width / columns_, (c + 1) * width / columns_, 1 / std::sqrt(columns_),
+                values);
   }
-  // A grey image serves as every channel.
-  const int step = grey_.channels();
-  auto* next = blob_.ptr<float>();
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
-    const int source = step == 1 ? 0 : sources_[c];
-    for (int y = 0; y < grey_.rows; ++y) {
-      const std::uint8_t* pixel = grey_.ptr<std::uint8_t>(y) + source;
-      for (int x = 0; x < grey_.cols; ++x, pixel += step) *next++ = values_[c][*pixel];
-    }
-  }
+  return normalize(values.data(), values.size(), 1);
 }
 
 void EmbeddingExtractor::extract(const cv::Mat& image, Feature& feature) {
-  fillBlob(image);
+  if (!is_shared_) pass_->forget();
   if (!std::holds_alternative<DenseVector>(feature)) feature = DenseVector();
   std::vector<float>& values = std::get<DenseVector>(feature).values;
   try {
-    pool(runner_->run(blob_), values);
-    if (normalize(values)) return;
+    if (pool(pass_->output(image), values)) return;
     missing_reason_ = "the network's output for the image is zero";
   } catch (const cv::Exception& e) {
     missing_reason_ = "OpenCV " CV_VERSION " cannot run the network on the image: " + e.err;

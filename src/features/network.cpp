@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kExtension = ".onnx";
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 1024;
+constexpr int kMaxColumns = 16;
 constexpr int kUsualSide = 224;  // default for networks that do not fix it
 constexpr int kUsualChannels = 3;
 
@@ -79,6 +80,8 @@ void EmbeddingOptions::check() const {
               "; give a name of letters, digits, '_' and '-', or a file that ends in .onnx.");
   require(isSide(width) && isSide(height),
           "Embedding options 'width' and 'height' must be 16 to 1024 pixels, or 0.");
+  require(columns >= 1 && columns <= kMaxColumns,
+          "Embedding option 'columns' is " + std::to_string(columns) + "; give 1 to 16.");
   require(fit == "stretch" || fit == "crop",
           "Embedding option 'fit' is " + quoted(fit) + "; give stretch or crop.");
   require(channels == "rgb" || channels == "bgr" || channels == "grey",
@@ -102,8 +105,12 @@ std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options) {
   return explained(options.network, options.layer, [&] {
     OnnxGraph graph(file);
     graph.cutBehind(options.layer);
+    graph.cutBeforePooling();
     graph.setInput(chooseInput(graph.input(), options));
     const NetworkRunner runner(graph);
+    require(runner.width() >= options.columns,
+            "its output is " + std::to_string(runner.width()) + " wide, too narrow for 'columns: " +
+                std::to_string(options.columns) + "'; name an earlier layer");
     return std::make_shared<const Network>(
         Network{graph.bytes(), runner.dimension(), sha256(file)});
   });

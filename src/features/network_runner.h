@@ -20,6 +20,8 @@ class NetworkRunner {
 
   /// Number of values in the output, without its height and width.
   std::size_t dimension() const { return static_cast<std::size_t>(output_.size[1]); }
+  /// Width of the output; 1 if it has none.
+  int width() const { return output_.dims == 4 ? output_.size[3] : 1; }
 
  private:
   cv::dnn::Net net_;

@@ -136,6 +136,21 @@ int findNode(const onnx::Graph& graph, const std::string& layer) {
   return -1;
 }
 
+bool averagesArea(const onnx::Node& node) {
+  if (node.op_type() == "GlobalAveragePool") return true;
+  if (node.op_type() != "ReduceMean") return false;
+  const auto& attributes = node.attribute();
+  return std::any_of(attributes.begin(), attributes.end(), [](const onnx::Attribute& attribute) {
+    const auto& axes = attribute.ints();
+    return attribute.name() == "axes" && axes.size() == 2 && axes.Get(0) == 2 && axes.Get(1) == 3;
+  });
+}
+
+bool reshapes(const onnx::Node& node) {
+  static const Names kTypes{"Flatten", "Reshape", "Squeeze", "Identity", "Dropout"};
+  return kTypes.count(node.op_type()) > 0;
+}
+
 std::string lastLayers(const onnx::Graph& graph) {
   std::string names;
   for (int i = std::max(0, graph.node_size() - 5); i < graph.node_size(); ++i) {
@@ -217,6 +232,13 @@ void OnnxGraph::cutBehind(const std::string& layer) {
   graph.clear_value_info();
   require(graph.input_size() == 1,
           "it takes " + std::to_string(graph.input_size()) + " inputs instead of one image");
+}
+
+void OnnxGraph::cutBeforePooling() {
+  const onnx::Graph& graph = model_->graph();
+  int i = graph.node_size() - 1;
+  while (i >= 0 && reshapes(graph.node(i))) i = findNode(graph, graph.node(i).input(0));
+  if (i >= 0 && averagesArea(graph.node(i))) cutBehind(std::string(graph.node(i).input(0)));
 }
 
 NetworkInput OnnxGraph::input() const {

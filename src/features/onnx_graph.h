@@ -33,6 +33,10 @@ class OnnxGraph {
   /// it does not depend on exactly one image.
   void cutBehind(const std::string& layer);
 
+  /// If the last layer averages over height and width, or only reshapes the output of a layer that
+  /// does, removes all from that layer on. Call it after cutBehind().
+  void cutBeforePooling();
+
   /// Shape of the input image; call it after cutBehind(). Throws Error unless the shape is channels
   /// x height x width.
   NetworkInput input() const;

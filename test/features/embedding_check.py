@@ -82,6 +82,20 @@ def expected(blob, w, layer):
     return w["w4"] @ x.mean(axis=(1, 2)) + w["b4"]
 
 
+def unit(vector):
+    return vector / np.linalg.norm(vector)
+
+
+def averages(x, columns):
+    """The whole; with several columns each of them, too, which together have the same norm."""
+    whole = unit(x.mean(axis=(1, 2)))
+    if columns == 1:
+        return whole
+    edges = [x.shape[2] * c // columns for c in range(columns + 1)]
+    parts = [unit(x[:, :, a:b].mean(axis=(1, 2))) for a, b in zip(edges, edges[1:])]
+    return unit(np.concatenate([whole] + [part / np.sqrt(columns) for part in parts]))
+
+
 def blob_of(image, options):
     """Returns the image's planes as the network's input; averages 2 x 2 pixels if it is twice as
     large."""
@@ -123,6 +137,8 @@ def main():
                 (noise, "map", plain), (wide, "map", dict(plain, fit="crop")),
                 (small, "scores", dict(plain, channels="bgr")),
                 (small, "map", dict(plain, **each)),
+                (small, "flat", dict(plain, columns=3)), (small, "map", dict(plain, columns=4)),
+                (noise, "rectified", dict(plain, columns=5)),
                 (small[:, :, 0], "map", plain), (small[:, :, 0], "map", dict(plain, channels="grey")),
                 (noise[:, :, 1], "", dict(plain, channels="grey"))):
             is_grey = options["channels"] == "grey"
@@ -134,8 +150,8 @@ def main():
                                  stdout=subprocess.PIPE, universal_newlines=True).stdout
             measured = np.array(out.split(), float)
             vector = expected(blob_of(image, options), of_grey if is_grey else w, layer)
-            vector = vector.mean(axis=(1, 2)) if vector.ndim == 3 else vector
-            vector = vector / np.linalg.norm(vector)
+            columns = options.get("columns", 1)
+            vector = averages(vector, columns) if vector.ndim == 3 else unit(vector)
             error = np.abs(measured - vector).max() if measured.shape == vector.shape else np.inf
             failed = not error < 1e-5
             failures += failed

@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 #include <thread>
 
+#include "features/network_pass.h"
 #include "features/onnx_graph.h"
 #include "features/small_network.h"
 #include "place_recognition/error.h"
@@ -87,6 +88,29 @@ TEST(Embedding, TakesWhatTheLayerNeedsAndNoMore) {
   EXPECT_EQ(loadNetwork(options)->onnx, part->onnx);
 }
 
+TEST(Embedding, HasAPartForTheWholeAndForEachColumn) {
+  const ScratchFolder folder;
+  EmbeddingOptions options;
+  options.network = folder.write("a.onnx", SmallNetwork::onnx());
+  const std::vector<float> whole = extract(noise(16, 16), options);
+  options.columns = 7;  // each of one value in a row of the output
+  const std::vector<float> parts = extract(noise(16, 16), options);
+  ASSERT_EQ(parts.size(), 8 * SmallNetwork::kDimension);
+  for (std::size_t i = 0; i < SmallNetwork::kDimension; ++i) {
+    EXPECT_NEAR(parts[i] * std::sqrt(2.0), whole[i], 1e-6);
+  }
+  for (std::size_t part = 0; part < 8; ++part) {
+    double squares = 0;
+    for (std::size_t i = 0; i < SmallNetwork::kDimension; ++i) {
+      const float value = parts[part * SmallNetwork::kDimension + i];
+      squares += static_cast<double>(value) * value;
+    }
+    EXPECT_NEAR(squares, part == 0 ? 1 / 2.0 : 1 / 14.0, 1e-6);
+  }
+  options.columns = 8;
+  expectRefused(SmallNetwork::onnx(), "its output is 7 wide, too narrow for 'columns: 8'", options);
+}
+
 TEST(Embedding, IsTheSameFromEveryThreadAndForEveryNumberOfThreads) {
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
   std::vector<EmbeddingOptions> kinds{SmallNetwork::options()};
@@ -142,6 +166,15 @@ TEST(Embedding, OfTheSmallestImageExists) {
   EXPECT_EQ(extract(noise(1, 1), SmallNetwork::options()).size(), SmallNetwork::kDimension);
 }
 
+TEST(NetworkPass, RunsTheNetworkOnceUntilItForgets) {
+  NetworkPass pass(SmallNetwork::options());
+  const cv::Mat first = pass.output(noise(16, 16)).clone();
+  const cv::Mat other = cv::Mat(16, 16, CV_8UC3, cv::Scalar::all(7));
+  EXPECT_EQ(cv::norm(pass.output(other), first, cv::NORM_INF), 0);
+  pass.forget();
+  EXPECT_GT(cv::norm(pass.output(other), first, cv::NORM_INF), 0);
+}
+
 TEST(EmbeddingOptions, RefuseWhatIsOutOfRange) {
   const auto refuses = [](void (*change)(EmbeddingOptions&)) {
     EmbeddingOptions options = SmallNetwork::options();
@@ -154,6 +187,8 @@ TEST(EmbeddingOptions, RefuseWhatIsOutOfRange) {
   refuses([](EmbeddingOptions& o) { o.width = 15; });
   refuses([](EmbeddingOptions& o) { o.height = 1025; });
   refuses([](EmbeddingOptions& o) { o.height = -1; });
+  refuses([](EmbeddingOptions& o) { o.columns = 0; });
+  refuses([](EmbeddingOptions& o) { o.columns = 17; });
   refuses([](EmbeddingOptions& o) { o.fit = "pad"; });
   refuses([](EmbeddingOptions& o) { o.channels = "RGB"; });
   refuses([](EmbeddingOptions& o) { o.mean = {}; });
@@ -235,10 +270,13 @@ TEST(LoadNetwork, RefusesWhatTakesNoSuchImages) {
                 absent);
 }
 
-TEST(EmbeddingExtractor, TakesNoNetworkOfAnotherDimensionThanTheModels) {
+TEST(EmbeddingExtractor, TakesNoNetworkOfAnotherSizeThanTheModels) {
   EmbeddingOptions options = SmallNetwork::options();
   options.loaded = std::make_shared<const Network>(
       Network{SmallNetwork::onnx(), SmallNetwork::kDimension + 1, std::string(64, '0')});
+  EXPECT_THROW(EmbeddingExtractor{options}, Error);
+  options = SmallNetwork::options();
+  options.columns = 8;
   EXPECT_THROW(EmbeddingExtractor{options}, Error);
 }
 

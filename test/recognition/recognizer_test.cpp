@@ -128,6 +128,26 @@ TEST(CueExtraction, GivesWhatTheExtractorOfEachCueGives) {
   }
 }
 
+TEST(CueExtraction, RunsASharedNetworkOnEachImageAnew) {
+  TrainingOptions options = networkOptions();
+  options.cues.push_back(options.cues[1]);
+  std::get<EmbeddingOptions>(options.cues[2].feature).columns = 3;
+  options.cues.push_back(options.cues[1]);
+  options.cues[3].normalize = "grey-world";  // another input of the network
+  CueExtraction extraction(options, ImageProfile());
+  for (const int seed : {300, 400}) {
+    const cv::Mat image = drawRoom(1, seed);
+    std::vector<Feature> features;
+    extraction.extract(image, features);
+    for (const std::size_t c : {1, 2}) {
+      Feature expected;
+      makeFeatureExtractor(options.cues[c].feature)->extract(image, expected);
+      EXPECT_EQ(std::get<DenseVector>(features[c]).values, std::get<DenseVector>(expected).values);
+    }
+    EXPECT_NE(std::get<DenseVector>(features[3]).values, std::get<DenseVector>(features[1]).values);
+  }
+}
+
 std::shared_ptr<const Model> modelWithNetwork() {
   Model model = train({opener(drawFrames(3, 12))}, networkOptions()).model;
   model.cue_weights = {0.25, 0.75};
@@ -207,6 +227,27 @@ TEST(Recognizer, HoldsDecisionValuesOfCuesForWhichThereIsNoTime) {
         answer.decision_values.isApprox(decisionValues(*model, 1 - answer.held[0], image), 1e-12));
     recognizer.recognize(first, stamp + 0.1);
     recognizer.forgetStream();
+  }
+}
+
+TEST(Recognizer, HoldsAllCuesOfANetworkOrNone) {
+  TrainingOptions options = networkOptions();
+  options.cues.push_back(options.cues[1]);
+  options.cues[2].name = "layout";
+  std::get<EmbeddingOptions>(options.cues[2].feature).columns = 3;
+  Model trained = train({opener(drawFrames(3, 12))}, options).model;
+  trained.cue_weights = {0.2, 0.4, 0.4};
+  const auto model = std::make_shared<const Model>(std::move(trained));
+  Recognizer recognizer(model);
+  const cv::Mat image = drawRoom(0, 300);
+  EXPECT_TRUE(recognizer.recognize(image, 100).held.empty());
+  const Eigen::RowVectorXd expected = 0.2 * decisionValues(*model, 0, image) +
+                                      0.4 * decisionValues(*model, 1, image) +
+                                      0.4 * decisionValues(*model, 2, image);
+  EXPECT_TRUE(recognizer.recognize(image, 101).decision_values.isApprox(expected, 1e-12));
+  for (const double stamp : {102.0, 103.0, 104.0}) {
+    const std::vector<std::size_t> held = recognizer.recognize(drawRoom(1, 400), stamp, 0).held;
+    EXPECT_TRUE(held == std::vector<std::size_t>{0} || held == std::vector<std::size_t>({1, 2}));
   }
 }
 

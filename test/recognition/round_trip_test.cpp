@@ -51,6 +51,9 @@ std::vector<Kind> kindsOfEitherMulticlass() {
   kinds.back().options.cues.back().name = "local";
   kinds.back().options.cues.push_back(withKernel("gaussian", SmallNetwork::options()).cues[0]);
   kinds.back().options.cues.back().name = "embedding";
+  kinds.back().options.cues.push_back(kinds.back().options.cues.back());
+  kinds.back().options.cues.back().name = "layout";
+  std::get<EmbeddingOptions>(kinds.back().options.cues.back().feature).columns = 3;
   for (const char* method : {"none", "qr", "shared-qr", "shared-greedy", "auto"}) {
     kinds.push_back({method, twoCueOptions()});
     kinds.back().options.reduction.method = method;
@@ -91,6 +94,20 @@ TEST_P(RoundTrip, GivesBitIdenticalDecisionValues) {
     EXPECT_TRUE(answer.probabilities == wanted.probabilities);
     EXPECT_EQ(answer.known, wanted.known);
   }
+}
+
+TEST(Networks, AreStoredOnceForAllTheirCues) {
+  TrainingOptions options = withKernel("gaussian", SmallNetwork::options());
+  options.cues.push_back(options.cues[0]);
+  options.cues[1].name = "layout";
+  std::get<EmbeddingOptions>(options.cues[1].feature).columns = 3;
+  std::get<EmbeddingOptions>(options.cues[1].feature).loaded = SmallNetwork::network();
+  const Model model = train({opener(drawFrames(3, 6))}, options).model;
+  const std::string bytes = serializeModel(model);
+  const std::string& onnx = std::get<EmbeddingOptions>(model.options.cues[0].feature).loaded->onnx;
+  const std::size_t at = bytes.find(onnx);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(bytes.find(onnx, at + 1), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, RoundTrip, testing::ValuesIn(kinds()),

@@ -34,9 +34,9 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
       scaler_(images, options.image.max_width),
       panorama_(options.image.panorama) {
   for (const CueOptions& cue : options.cues) {
-    FeatureOptions feature = cue.feature;
-    logarithmic_.push_back(takeLogarithmicLevels(feature));
-    extractors_.push_back(makeFeatureExtractor(feature));
+    CueOptions extracted = cue;
+    logarithmic_.push_back(takeLogarithmicLevels(extracted.feature));
+    extractors_.push_back(networks_.extractor(extracted));
     normalizations_.push_back(colourNormalization(cue.normalize));
     normalizes_ = normalizes_ || normalizations_.back() != ColourNormalization::kNone;
   }
@@ -56,6 +56,7 @@ void CueExtraction::begin(const cv::Mat& image, const Light& light) {
   const cv::Mat& prepared = panorama_.unrolled(scaler_.scaled(image));
   if (normalizes_) colour_ = logColour(prepared);
   reason_.clear();
+  networks_.forget();
   judge(prepared);
   if (!shows_too_little_) normalized_.set(prepared, colour_, light);
 }

@@ -12,6 +12,7 @@
 #include "recognition/frames/colour_normalization.h"
 #include "recognition/frames/image_scaling.h"
 #include "recognition/frames/panorama.h"
+#include "recognition/frames/shared_networks.h"
 
 namespace place_recognition {
 
@@ -55,6 +56,7 @@ class CueExtraction {
   bool shows_too_little_ = false;
   ImageScaler scaler_;
   Panorama panorama_;
+  SharedNetworks networks_;
   std::vector<std::unique_ptr<FeatureExtractor>> extractors_;  // null: the cue is not used
   std::vector<ColourNormalization> normalizations_;            // by cue
   std::vector<bool> logarithmic_;                              // by cue: of the levels it sees

@@ -22,13 +22,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// A network of no bytes is that of the embedding before it.
 void readNetworks(ContainerReader& reader, Model& model) {
+  std::shared_ptr<const Network> before;
   for (EmbeddingOptions* embedding : embeddingsOf(model.options)) {
     Network network = *embedding->loaded;
     std::vector<char> onnx;
     reader(onnx);
     network.onnx.assign(onnx.begin(), onnx.end());
-    embedding->loaded = std::make_shared<const Network>(std::move(network));
+    if (onnx.empty() && before && before->dimension == network.dimension) {
+      embedding->loaded = before;
+    } else {
+      embedding->loaded = std::make_shared<const Network>(std::move(network));
+    }
+    before = embedding->loaded;
   }
 }
 
@@ -94,8 +101,10 @@ void requireLoadable(const std::string& bytes, const std::string& path) {
 std::string serializeModel(const Model& model) {
   NumberWriter writer;
   for (const Classifier& classifier : model.classifiers) numbersOf(classifier).visit(writer);
+  std::shared_ptr<const Network> before;
   for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
-    writer(embedding->loaded->onnx);
+    writer(embedding->loaded == before ? std::string() : embedding->loaded->onnx);
+    before = embedding->loaded;
   }
   return packContainer(toMessage(model).SerializeAsString(), writer.bytes());
 }

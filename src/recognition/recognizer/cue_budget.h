@@ -7,8 +7,8 @@
 
 namespace place_recognition {
 
-/// Decides which cues of a frame can be computed in time, from their times in earlier frames. Not
-/// thread-safe.
+/// Decides which cues of a frame can be computed in time, from their times in earlier frames. Cues
+/// that are computed together count as one. Not thread-safe.
 class CueBudget {
  public:
   using Clock = std::function<double()>;  ///< s, ascending

@@ -8,6 +8,7 @@
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/light_estimate.h"
 #include "recognition/model/cue_mean.h"
+#include "recognition/model/embeddings.h"
 #include "recognition/model/scores.h"
 #include "recognition/recognizer/cue_budget.h"
 #include "recognition/recognizer/evidence_shift.h"
@@ -25,8 +26,9 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
       light_(std::make_unique<LightEstimate>(model_->colours)),
       unknown_light_(light_->certainty()),
       evidence_shift_(std::make_unique<EvidenceShift>(*model_)),
+      groups_(cuesByNetwork(model_->options)),
       embedding_limit_(std::make_unique<RateLimit>()),
-      budget_(std::make_unique<CueBudget>(model_->classifiers.size())),
+      budget_(std::make_unique<CueBudget>(groups_.size())),
       unknown_threshold_(model_->unknown_threshold),
       mean_(std::make_unique<CueMean>()) {
   for (const CueOptions& cue : model_->options.cues) {
@@ -100,17 +102,19 @@ void Recognizer::askCue(std::size_t cue, double stamp, CueAnswer& answer) {
 void Recognizer::askCuesInTime(double stamp) {
   const bool embeddings_are_due = embedding_limit_->admits(stamp, embedding_rate_);
   bool answered = false;
-  for (const std::size_t c : budget_->order()) {
-    const bool due = embeddings_are_due || !is_embedding_[c];
-    const bool late = due && answered && !budget_->fits(c);
-    if (late) budget_->leaveOut(c);
+  for (const std::size_t g : budget_->order()) {
+    const std::vector<std::size_t>& cues = groups_[g];
+    const bool due = embeddings_are_due || !is_embedding_[cues.front()];
+    const bool late = due && answered && !budget_->fits(g);
+    if (late) budget_->leaveOut(g);
     if (!due || late) {
-      recognition_.held.push_back(c);
+      recognition_.held.insert(recognition_.held.end(), cues.begin(), cues.end());
       continue;
     }
-    CueAnswer& answer = stream_answers_[c];
-    budget_->time(c, [&] { askCue(c, stamp, answer); });
-    answered = answered || !answer.missing;
+    budget_->time(g, [&] {
+      for (const std::size_t c : cues) askCue(c, stamp, stream_answers_[c]);
+    });
+    for (const std::size_t c : cues) answered = answered || !stream_answers_[c].missing;
   }
   std::sort(recognition_.held.begin(), recognition_.held.end());
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "features/feature_extractor.h"
+#include "place_recognition/training_options.h"
+
+namespace place_recognition {
+
+class NetworkPass;
+
+/// Extractors of cues, of which those with the same network and the same input share its run.
+class SharedNetworks {
+ public:
+  /// Like makeFeatureExtractor(cue.feature).
+  std::unique_ptr<FeatureExtractor> extractor(const CueOptions& cue);
+
+  /// To be called before each new image.
+  void forget();
+
+ private:
+  struct Shared {
+    std::string input;  ///< the options on which the network's output depends
+    std::shared_ptr<const Network> network;
+    std::shared_ptr<NetworkPass> pass;
+  };
+
+  std::vector<Shared> shared_;
+};
+
+}  // namespace place_recognition
