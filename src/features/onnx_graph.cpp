@@ -151,6 +151,17 @@ bool reshapes(const onnx::Node& node) {
   return kTypes.count(node.op_type()) > 0;
 }
 
+/// The node before `i` that provides the first input of `i`; -1 if there is none.
+int findSource(const onnx::Graph& graph, int i) {
+  if (graph.node(i).input_size() == 0) return -1;
+  const std::string& input = graph.node(i).input(0);
+  while (--i >= 0) {
+    const auto& outputs = graph.node(i).output();
+    if (std::find(outputs.begin(), outputs.end(), input) != outputs.end()) break;
+  }
+  return i;
+}
+
 std::string lastLayers(const onnx::Graph& graph) {
   std::string names;
   for (int i = std::max(0, graph.node_size() - 5); i < graph.node_size(); ++i) {
@@ -198,6 +209,24 @@ void setOnlyOutput(const std::string& name, onnx::Graph& graph) {
   type.mutable_shape();  // OpenCV requires one, and determines it by itself
 }
 
+/// Makes the first output of a node the only output, and removes what it does not need.
+void cutBehindNode(int last, onnx::Graph& graph) {
+  graph.mutable_node()->DeleteSubrange(last + 1, graph.node_size() - last - 1);
+  setOnlyOutput(std::string(graph.node(last).output(0)), graph);
+
+  const Names needed = keepNeeded(graph);
+  const auto is_needed = [&](const auto& element) { return needed.count(element.name()) > 0; };
+  keepOnly(*graph.mutable_initializer(), is_needed);
+  Names constants;
+  for (const onnx::Tensor& tensor : graph.initializer()) constants.insert(tensor.name());
+  keepOnly(*graph.mutable_input(), [&](const onnx::ValueInfo& input) {
+    return is_needed(input) && constants.count(input.name()) == 0;
+  });
+  graph.clear_value_info();
+  require(graph.input_size() == 1,
+          "it takes " + std::to_string(graph.input_size()) + " inputs instead of one image");
+}
+
 }  // namespace
 
 OnnxGraph::OnnxGraph(const std::string& bytes) : model_(std::make_unique<onnx::Model>()) {
@@ -218,27 +247,18 @@ void OnnxGraph::cutBehind(const std::string& layer) {
   const std::string& output = graph.node(last).output(0);
   require(wanted == output || wanted == graph.node(last).name(),
           "only the first output of layer " + describe(graph.node(last)) + " can be used");
-  graph.mutable_node()->DeleteSubrange(last + 1, graph.node_size() - last - 1);
-  setOnlyOutput(output, graph);
-
-  const Names needed = keepNeeded(graph);
-  const auto is_needed = [&](const auto& element) { return needed.count(element.name()) > 0; };
-  keepOnly(*graph.mutable_initializer(), is_needed);
-  Names constants;
-  for (const onnx::Tensor& tensor : graph.initializer()) constants.insert(tensor.name());
-  keepOnly(*graph.mutable_input(), [&](const onnx::ValueInfo& input) {
-    return is_needed(input) && constants.count(input.name()) == 0;
-  });
-  graph.clear_value_info();
-  require(graph.input_size() == 1,
-          "it takes " + std::to_string(graph.input_size()) + " inputs instead of one image");
+  cutBehindNode(last, graph);
 }
 
 void OnnxGraph::cutBeforePooling() {
-  const onnx::Graph& graph = model_->graph();
+  onnx::Graph& graph = *model_->mutable_graph();
   int i = graph.node_size() - 1;
-  while (i >= 0 && reshapes(graph.node(i))) i = findNode(graph, graph.node(i).input(0));
-  if (i >= 0 && averagesArea(graph.node(i))) cutBehind(std::string(graph.node(i).input(0)));
+  while (i >= 0 && reshapes(graph.node(i))) i = findSource(graph, i);
+  if (i < 0 || !averagesArea(graph.node(i))) return;
+  const int source = findSource(graph, i);
+  if (source >= 0 && graph.node(source).output(0) == graph.node(i).input(0)) {
+    cutBehindNode(source, graph);
+  }
 }
 
 NetworkInput OnnxGraph::input() const {

@@ -259,6 +259,21 @@ TEST(LoadNetwork, RefusesWhatWouldHarmOpenCv) {
                 "more than 1 GiB");
 }
 
+TEST(LoadNetwork, FollowsReshapingLayersToTheirEnd) {
+  const auto node = SmallNetwork::node;
+  for (const std::string& graph : {node("image", "Identity", {"image"}, "out", ""),
+                                   node("", "Reshape", {"", "image"}, "out", ""),
+                                   node("none", "Identity", {}, "nothing", "") +
+                                       node("last", "Flatten", {"nothing", "image"}, "out", ""),
+                                   node("mean", "GlobalAveragePool", {"image"}, "out", "")}) {
+    OnnxGraph onnx(networkOf(graph));
+    onnx.cutBehind("out");
+    const std::size_t layers = onnx.layers();
+    onnx.cutBeforePooling();
+    EXPECT_EQ(onnx.layers(), layers);  // there is nothing before a pooling to keep
+  }
+}
+
 TEST(LoadNetwork, RefusesWhatTakesNoSuchImages) {
   const std::string sound = SmallNetwork::onnx();
   EmbeddingOptions grey;
