@@ -15,34 +15,15 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;   // of all data between layers
 constexpr std::int64_t kMaxOperations = 100'000'000'000;  // on one image
 
-/// While any instance exists, OpenCV computes in the calling thread: sharing a layer between
-/// threads would change the last bits of the output, and callers already run several networks in
-/// parallel. OpenCV has one number of threads for the whole program.
-class OneThread {
- public:
-  OneThread() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (users_++ == 0) {
-      before_ = cv::getNumThreads();
-      cv::setNumThreads(1);
-    }
-  }
-  ~OneThread() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (--users_ == 0) cv::setNumThreads(before_);
-  }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-
- private:
-  static std::mutex mutex_;
-  static int users_;
-  static int before_;
-};
-
-std::mutex OneThread::mutex_;
-int OneThread::users_ = 0;
-int OneThread::before_ = 0;
+/// From now on, OpenCV computes in the calling thread: sharing a layer between threads would change
+/// the last bits of the output, and callers already run several networks in parallel. OpenCV has
+/// one number of threads for the whole program. It is not restored, because changing it ends
+/// threads that OpenCV may be using for another caller.
+void useOneThread() {
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (cv::getNumThreads() != 1) cv::setNumThreads(1);
+}
 
 std::vector<int> shapeOf(const NetworkInput& input) {
   return {1, input.channels, input.height, input.width};
@@ -110,7 +91,7 @@ std::size_t firstFailure(const OnnxGraph& graph) {
 }  // namespace
 
 NetworkRunner::NetworkRunner(const OnnxGraph& graph) {
-  const OneThread alone;
+  useOneThread();
   const NetworkInput input = graph.input();
   try {
     net_ = read(graph.bytes());
@@ -133,7 +114,7 @@ NetworkRunner::NetworkRunner(const OnnxGraph& graph) {
 }
 
 const cv::Mat& NetworkRunner::run(const cv::Mat& blob) {
-  const OneThread alone;
+  useOneThread();
   net_.setInput(blob);
   output_ = net_.forward();
   return output_;

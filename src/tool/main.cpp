@@ -3,6 +3,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <string>
 #include <vector>
@@ -58,6 +59,8 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   // The code that reads an image reports problems that OpenCV and libpng find with it.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  // Images are processed in parallel, each in one thread; a network needs it (NetworkRunner).
+  cv::setNumThreads(1);
   place_recognition::tool::stopOnSignals();
   // A file that exceeds the permitted size (ulimit -f) is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);

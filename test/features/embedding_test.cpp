@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <thread>
 
 #include "features/network_pass.h"
@@ -142,6 +144,24 @@ TEST(Embedding, IsTheSameFromEveryThreadAndForEveryNumberOfThreads) {
   }
   cv::setNumThreads(threads_before);
   if (kinds.size() == 1) GTEST_SKIP() << "real networks are absent";
+}
+
+TEST(Embedding, IsExtractedWhileOtherThreadsUseOpenCv) {
+  const EmbeddingOptions options = SmallNetwork::options();
+  const cv::Mat image = noise(24, 20);
+  const std::vector<float> expected = extract(image, options);
+  std::atomic<bool> done{false};
+  std::vector<std::thread> others;
+  for (int i = 0; i < 3; ++i) {
+    others.emplace_back([&done] {
+      const cv::Mat large = noise(1200, 1600);
+      cv::Mat scaled;
+      while (!done) cv::resize(large, scaled, cv::Size(600, 800), 0, 0, cv::INTER_AREA);
+    });
+  }
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(extract(image, options), expected);
+  done = true;
+  for (std::thread& other : others) other.join();
 }
 
 TEST(Embedding, OfAGreyImageIsThatOfTheSameImageInThreeChannels) {

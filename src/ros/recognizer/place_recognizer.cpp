@@ -60,7 +60,8 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       lazy_(parameters.flag("lazy", true)),
       place_tracker_(node, parameters, topicsOf(node, names_)),
       doubtful_frames_(readKeepOptions(parameters, node.resolveName(names::kPlaceLabel))) {
-  const int threads = parameters.integer("threads", 0, 0);
+  // A network needs it (NetworkRunner), and it must not change while the worker uses OpenCV.
+  cv::setNumThreads(1);
   if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
     ROS_WARN(
         "~simulated_time has no effect by itself: remap /use_sim_time to it, as recognize.launch "
@@ -74,7 +75,6 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
     advertise();
   }
   parameters.warnOfDoubts();
-  if (threads > 0) cv::setNumThreads(threads);
   reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaceRecognizerConfig>>(
       reconfigure_mutex_, private_node_);
   reconfigure_server_->setCallback(

@@ -3,6 +3,7 @@
 #include <place_recognition/LoadModel.h>
 
 #include <filesystem>
+#include <opencv2/core/utility.hpp>
 
 #include "base/confined_path.h"
 #include "base/user_path.h"
@@ -64,6 +65,7 @@ Trainer::Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_nod
       action_server_(
           private_node, names::kTrain, [this](GoalHandle handle) { onGoal(handle); },
           [this](GoalHandle handle) { onCancel(handle); }, false) {
+  cv::setNumThreads(1);  // images are processed in parallel; a network needs it (NetworkRunner)
   retrain_server_ =
       ros::NodeHandle(private_node).advertiseService(names::kRetrain, &Trainer::onRetrain, this);
   action_server_.start();
