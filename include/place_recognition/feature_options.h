@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "place_recognition/embedding_options.h"
+#include "place_recognition/hog_options.h"
 #include "place_recognition/local_feature_options.h"
 #include "place_recognition/texture_options.h"
 
@@ -55,7 +56,7 @@ struct CrfhOptions {
 };
 
 /// The feature of one cue; the key `type` names the alternative.
-using FeatureOptions =
-    std::variant<CrfhOptions, LocalFeatureOptions, LbpOptions, Mr8Options, EmbeddingOptions>;
+using FeatureOptions = std::variant<CrfhOptions, LocalFeatureOptions, LbpOptions, Mr8Options,
+                                    HogOptions, EmbeddingOptions>;
 
 }  // namespace place_recognition

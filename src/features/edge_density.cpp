@@ -2,13 +2,14 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "features/grey_levels.h"
+
 namespace place_recognition {
 
 double EdgeDensity::of(const cv::Mat& image) {
   constexpr int kSobelGain = 8;  // response to a ramp of one grey level per pixel
   constexpr int kLeast = 4 * kSobelGain;
-  if (image.channels() == 3) cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
-  cv::GaussianBlur(image.channels() == 3 ? grey_ : image, smoothed_, cv::Size(), 1);
+  cv::GaussianBlur(greyLevels(image, converted_), smoothed_, cv::Size(), 1);
   cv::spatialGradient(smoothed_, x_, y_);
   std::size_t edges = 0;
   for (int row = 0; row < x_.rows; ++row) {

@@ -13,7 +13,7 @@ class EdgeDensity {
   double of(const cv::Mat& image);
 
  private:
-  cv::Mat grey_, smoothed_, x_, y_;
+  cv::Mat converted_, smoothed_, x_, y_;
 };
 
 }  // namespace place_recognition

@@ -2,6 +2,7 @@
 
 #include "features/crfh.h"
 #include "features/embedding.h"
+#include "features/hog.h"
 #include "features/lbp.h"
 #include "features/local_features.h"
 #include "features/mr8.h"
@@ -23,6 +24,10 @@ std::unique_ptr<FeatureExtractor> make(const LbpOptions& options) {
 
 std::unique_ptr<FeatureExtractor> make(const Mr8Options& options) {
   return std::make_unique<Mr8Extractor>(options);
+}
+
+std::unique_ptr<FeatureExtractor> make(const HogOptions& options) {
+  return std::make_unique<HogExtractor>(options);
 }
 
 std::unique_ptr<FeatureExtractor> make(const EmbeddingOptions& options) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "base/simd.h"
+#include "features/grey_levels.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -107,21 +107,17 @@ void LbpExtractor::extract(const cv::Mat& image, Feature& feature) {
     feature = std::monostate();
     return;
   }
-  if (image.channels() == 3) {
-    cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
-  } else {
-    grey_ = image;
-  }
+  const cv::Mat1b grey = greyLevels(image, converted_);
   if (!std::holds_alternative<DenseVector>(feature)) feature = DenseVector();
   std::vector<float>& values = std::get<DenseVector>(feature).values;
   values.clear();
   for (LbpOperator& op : operators_) {
     std::vector<std::uint32_t> counts(op.codes());
-    for (int y = op.border(); y < grey_.rows - op.border(); ++y) {
-      for (const std::int32_t code : op.encodeRow(grey_, y)) ++counts[code];
+    for (int y = op.border(); y < grey.rows - op.border(); ++y) {
+      for (const std::int32_t code : op.encodeRow(grey, y)) ++counts[code];
     }
     const double total =
-        static_cast<double>(grey_.rows - 2 * op.border()) * (grey_.cols - 2 * op.border());
+        static_cast<double>(grey.rows - 2 * op.border()) * (grey.cols - 2 * op.border());
     for (const std::uint32_t count : counts) values.push_back(static_cast<float>(count / total));
   }
 }

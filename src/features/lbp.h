@@ -51,7 +51,7 @@ class LbpExtractor : public FeatureExtractor {
 
  private:
   std::vector<LbpOperator> operators_;
-  cv::Mat1b grey_;
+  cv::Mat converted_;
 };
 
 }  // namespace place_recognition

@@ -1,9 +1,9 @@
 #include "features/local_features.h"
 
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "base/require.h"
+#include "features/grey_levels.h"
 
 namespace place_recognition {
 
@@ -41,12 +41,7 @@ LocalFeatureExtractor::LocalFeatureExtractor(const LocalFeatureOptions& options)
     : options_(options), detector_(detectorOptions(options)) {}
 
 void LocalFeatureExtractor::extract(const cv::Mat& image, Feature& feature) {
-  if (image.channels() == 3) {
-    cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
-    grey_.convertTo(image_, CV_32F);
-  } else {
-    image.convertTo(image_, CV_32F);
-  }
+  greyLevels(image, converted_).convertTo(image_, CV_32F);
   auto* set = std::get_if<DescriptorSet>(&feature);
   if (!set) set = &feature.emplace<DescriptorSet>();
   set->descriptors.clear();

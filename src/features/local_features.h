@@ -23,7 +23,7 @@ class LocalFeatureExtractor : public FeatureExtractor {
   LocalFeatureOptions options_;
   HarrisLaplace detector_;
   SiftDescriptor sift_;
-  cv::Mat grey_;
+  cv::Mat converted_;
   cv::Mat1f image_;
 };
 

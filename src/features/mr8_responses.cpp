@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <opencv2/imgproc.hpp>
 
 #include "base/simd.h"
+#include "features/grey_levels.h"
 
 namespace place_recognition {
 
@@ -60,12 +60,7 @@ void scaleRow(const std::array<float*, Mr8FilterBank::kResponses>& responses, in
 }  // namespace
 
 const Mr8FilterBank::Responses& Mr8Responses::of(const cv::Mat& image) {
-  if (image.channels() == 3) {
-    cv::cvtColor(image, grey_, cv::COLOR_BGR2GRAY);
-  } else {
-    grey_ = image;
-  }
-  normalize(grey_, normalized_);
+  normalize(greyLevels(image, converted_), normalized_);
   filters_.apply(normalized_, responses_);
   if (weber_) scaleByContrast();
   return responses_;

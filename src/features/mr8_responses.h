@@ -23,7 +23,7 @@ class Mr8Responses {
   bool weber_;
   Mr8FilterBank filters_;
   Mr8FilterBank::Responses responses_;
-  cv::Mat grey_;
+  cv::Mat converted_;
   cv::Mat1f normalized_;
 };
 

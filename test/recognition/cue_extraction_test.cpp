@@ -7,6 +7,17 @@
 namespace place_recognition {
 namespace {
 
+void expectEqual(const Feature& feature, const Feature& expected) {
+  ASSERT_EQ(feature.index(), expected.index());
+  if (const auto* dense = std::get_if<DenseVector>(&feature)) {
+    EXPECT_EQ(dense->values, std::get<DenseVector>(expected).values);
+    return;
+  }
+  const auto& sparse = std::get<SparseVector>(feature);
+  EXPECT_EQ(sparse.indices, std::get<SparseVector>(expected).indices);
+  EXPECT_EQ(sparse.values, std::get<SparseVector>(expected).values);
+}
+
 TEST(CueExtraction, GivesWhatTheExtractorOfEachCueGives) {
   TrainingOptions options;
   for (CueOptions& cue : options.cues) cue.normalize = "none";
@@ -16,9 +27,7 @@ TEST(CueExtraction, GivesWhatTheExtractorOfEachCueGives) {
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
     Feature expected;
     makeFeatureExtractor(options.cues[c].feature)->extract(image, expected);
-    const auto& histogram = std::get<SparseVector>(features[c]);
-    EXPECT_EQ(histogram.indices, std::get<SparseVector>(expected).indices);
-    EXPECT_EQ(histogram.values, std::get<SparseVector>(expected).values);
+    expectEqual(features[c], expected);
   }
 }
 

@@ -41,6 +41,7 @@ std::vector<Kind> kindsOfEitherMulticlass() {
     kinds.push_back({std::string("dense ") + kernel, withKernel(kernel, LbpOptions())});
   }
   kinds.push_back({"local-match", withKernel("local-match", localFeature())});
+  kinds.push_back({"hog", withKernel("chi-squared", HogOptions())});
   kinds.push_back({"mr8", withKernel("intersection", Mr8Options())});
   for (const char* kernel : {"linear", "gaussian"}) {
     kinds.push_back(

@@ -82,7 +82,8 @@ TEST(RecognitionMessages, ModelInfoListsPlacesAndFeatures) {
   EXPECT_EQ(message.features,
             (std::vector<std::string>{
                 "colours: crfh, chi-squared kernel", "tints: crfh, chi-squared kernel",
-                "edges: crfh, chi-squared kernel", "shapes: crfh, chi-squared kernel"}));
+                "edges: crfh, chi-squared kernel", "shapes: crfh, chi-squared kernel",
+                "directions: hog, chi-squared kernel"}));
 }
 
 TEST(PlaceMarkers, AreTextWhereTheCameraIs) {

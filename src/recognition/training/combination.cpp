@@ -27,7 +27,7 @@ void forEachComposition(std::size_t count, int total, std::vector<int>& parts,
 }
 
 /// Steps that keep the grid below about a thousand points.
-int stepsFor(std::size_t cues) { return cues <= 3 ? 10 : cues == 4 ? 8 : 4; }
+int stepsFor(std::size_t cues) { return cues <= 3 ? 10 : cues <= 5 ? 8 : 4; }
 
 /// Shares of the cues, each vector with sum 1: equal shares, and all of a grid.
 std::vector<std::vector<double>> gridOfParts(std::size_t cues) {

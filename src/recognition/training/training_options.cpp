@@ -56,6 +56,14 @@ CueOptions histogramCue(const std::string& name, const std::string& normalize,
   return cue;
 }
 
+CueOptions directionsCue() {
+  CueOptions cue;
+  cue.name = "directions";
+  cue.weight = 0.5;
+  cue.feature = HogOptions();
+  return cue;
+}
+
 }  // namespace
 
 std::vector<CueOptions> defaultCues() {
@@ -63,7 +71,8 @@ std::vector<CueOptions> defaultCues() {
       histogramCue("colours", "run", {"L", "C1", "C2"}, {4}, 16, "linear"),
       histogramCue("tints", "grey-world", {"R", "G", "B"}, {1}, 16, "linear"),
       histogramCue("edges", "none", {"Rx", "Ry", "Gx", "Gy", "Bx", "By"}, {4}, 14, "logarithmic"),
-      histogramCue("shapes", "none", {"Lxx", "Lxy", "Lyy"}, {1, 4}, 28, "logarithmic")};
+      histogramCue("shapes", "none", {"Lxx", "Lxy", "Lyy"}, {1, 4}, 28, "logarithmic"),
+      directionsCue()};
 }
 
 void PanoramaOptions::check() const {

@@ -1,0 +1,113 @@
+#include "features/hog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "base/require.h"
+#include "features/grey_levels.h"
+
+namespace place_recognition {
+namespace {
+
+constexpr int kMaxCells = 16;
+constexpr int kMaxOrientations = 36;
+constexpr int kMinWidth = 32;
+constexpr int kMaxWidth = 1024;
+constexpr int kLargestDifference = 255;
+
+void requireRange(const std::string& key, int value, int least, int most) {
+  require(value >= least && value <= most, "HOG option '" + key + "' is " + std::to_string(value) +
+                                               "; give " + std::to_string(least) + " to " +
+                                               std::to_string(most) + ".");
+}
+
+}  // namespace
+
+void HogOptions::check() const {
+  requireRange("rows", rows, 1, kMaxCells);
+  requireRange("columns", columns, 1, kMaxCells);
+  requireRange("orientations", orientations, 2, kMaxOrientations);
+  requireRange("width", width, kMinWidth, kMaxWidth);
+}
+
+HogExtractor::HogExtractor(const HogOptions& options) : options_(options) {
+  options_.check();
+  const int count = options_.orientations;
+  for (int dy = 0; dy <= kLargestDifference; ++dy) {
+    for (int dx = -kLargestDifference; dx <= kLargestDifference; ++dx) {
+      const double magnitude = std::hypot(dx, dy);
+      const double orientation = std::atan2(dy, dx) / CV_PI * count - 0.5;  // -0.5 .. count - 0.5
+      const double lower = std::floor(orientation);
+      const int first = static_cast<int>(lower);
+      const double share = orientation - lower;
+      votes_.push_back(
+          {{static_cast<std::uint8_t>((first + count) % count),
+            static_cast<std::uint8_t>((first + 1) % count)},
+           {static_cast<float>(magnitude * (1 - share)), static_cast<float>(magnitude * share)}});
+    }
+  }
+}
+
+/// The vote for a gradient; that of the opposite gradient is the same.
+const HogExtractor::Vote& HogExtractor::voteFor(int dx, int dy) const {
+  const int sign = dy < 0 ? -1 : 1;
+  const int row = sign * dy;
+  const int column = sign * dx + kLargestDifference;
+  return votes_[static_cast<std::size_t>(row * (2 * kLargestDifference + 1) + column)];
+}
+
+/// Sets grey_.
+void HogExtractor::prepare(const cv::Mat& image) {
+  grey_ = greyLevels(image, converted_);
+  if (image.cols <= options_.width) return;
+  const double height = static_cast<double>(image.rows) * options_.width / image.cols;
+  const cv::Size size(options_.width, std::max(1, static_cast<int>(std::lround(height))));
+  cv::resize(grey_, scaled_, size, 0, 0, cv::INTER_AREA);
+  grey_ = scaled_;
+}
+
+/// Adds the votes of a row of pixels.
+void HogExtractor::addRow(int y) {
+  const std::uint8_t* const above = grey_.ptr<std::uint8_t>(y - 1);
+  const std::uint8_t* const row = grey_.ptr<std::uint8_t>(y);
+  const std::uint8_t* const below = grey_.ptr<std::uint8_t>(y + 1);
+  const int width = grey_.cols - 2;
+  const int cell_row = (y - 1) * options_.rows / (grey_.rows - 2);
+  double* sums =
+      &sums_[static_cast<std::size_t>(cell_row * options_.columns * options_.orientations)];
+  int x = 1;
+  for (int column = 0; column < options_.columns; ++column, sums += options_.orientations) {
+    // The pixels x for which (x - 1) * columns / width is this column.
+    const int end = 1 + ((column + 1) * width + options_.columns - 1) / options_.columns;
+    for (; x < end; ++x) {
+      const Vote& vote = voteFor(row[x + 1] - row[x - 1], below[x] - above[x]);
+      sums[vote.orientations[0]] += vote.magnitudes[0];
+      sums[vote.orientations[1]] += vote.magnitudes[1];
+    }
+  }
+}
+
+void HogExtractor::extract(const cv::Mat& image, Feature& feature) {
+  feature = std::monostate();
+  prepare(image);
+  if (grey_.rows - 2 < options_.rows || grey_.cols - 2 < options_.columns) {
+    missing_reason_ = "the image of " + std::to_string(image.cols) + " x " +
+                      std::to_string(image.rows) + " pixels is too small for its cells";
+    return;
+  }
+  sums_.assign(static_cast<std::size_t>(options_.rows * options_.columns * options_.orientations),
+               0);
+  for (int y = 1; y + 1 < grey_.rows; ++y) addRow(y);
+  const double total = std::accumulate(sums_.begin(), sums_.end(), 0.0);
+  if (total == 0) {
+    missing_reason_ = "the image has no gradient";
+    return;
+  }
+  DenseVector histogram;
+  for (const double sum : sums_) histogram.values.push_back(static_cast<float>(sum / total));
+  feature = std::move(histogram);
+}
+
+}  // namespace place_recognition
