@@ -64,9 +64,21 @@ TEST(EvidenceShift, FollowsTheFormula) {
   EXPECT_EQ(stream.shift(), 0);
   stream.show(1, 2, 0.75, 4);  // one view, a fifth less for being of one place, as unlike as 1.5
   const double views = 1 / (1 + 1.0 / 5);
-  const double ratio = (2 * 0.5 + views) / (2 + views);
-  EXPECT_GT(ratio, 0.6);
+  const double ratio = (2 * 0.45 + views) / (2 + views);
+  EXPECT_GT(ratio, 0.55);
   EXPECT_NEAR(stream.shift(), views * 1.5 / (1 + views), 1e-6);
+}
+
+TEST(EvidenceShift, CountsInPartWhereARoomStandsOutHalfAsClearly) {
+  const Model model = modelOf(4, 2, 0.9);
+  EvidenceShift shift(model);
+  // The lead is 4 / sqrt(3) standard deviations in the held-out frames, and half of it here.
+  const Eigen::RowVector4d learned(1, -1, -1, -1), now(1, (22 - std::sqrt(160)) / 18, 0, 0);
+  shift.beginFrame(0);
+  shift.add(Eigen::RowVector4d::Unit(0), now, model.calibration.logOdds(learned, 0.9) - 1.5);
+  const double views = 1 / (1 + 1.0 / 5);
+  const double ratio = (2 * 0.45 + views * 0.5) / (2 + views);
+  EXPECT_NEAR(shift.value(), (ratio - 0.45) / 0.1 * views * 1.5 / (1 + views), 1e-6);
 }
 
 TEST(EvidenceShift, MakesUpForOtherLight) {

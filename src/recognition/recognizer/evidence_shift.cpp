@@ -13,8 +13,8 @@ namespace {
 constexpr double kViewsBefore = 1;  // from the training, the prior of the drop
 constexpr double kLargestShift = 4;
 constexpr double kViewsOfStrangers = 2;  // prior of the ratio
-constexpr double kStrangeRatio = 0.5;
-constexpr double kKnownRatio = 0.6;
+constexpr double kStrangeRatio = 0.45;
+constexpr double kKnownRatio = 0.55;
 
 /// The lead of the largest decision value over the second, in standard deviations of all; 0 if they
 /// are equal.

@@ -16,8 +16,8 @@ namespace place_recognition {
 /// standard deviations of a frame's decision values. For the frames of a stream, with the views v_k
 /// of each place (see FadingViews),
 ///   drop  = Sum_k v_k (u_k - u) / (1 + Sum_k v_k),
-///   ratio = (2 * 0.5 + Sum_k v_k c / c_k) / (2 + Sum_k v_k),
-///   shift = drop, clamped to 0..4, times (ratio - 0.5) / 0.1, clamped to 0..1.
+///   ratio = (2 * 0.45 + Sum_k v_k c / c_k) / (2 + Sum_k v_k),
+///   shift = drop, clamped to 0..4, times (ratio - 0.45) / 0.1, clamped to 0..1.
 /// The lead does not depend on the size of the decision values. In other light one room still
 /// leads; in an unknown building none does, and the evidence stays unchanged. A room that was not
 /// learned remains less evident than the others. Not thread-safe: use one per stream.
