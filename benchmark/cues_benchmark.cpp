@@ -42,14 +42,15 @@ const std::vector<cv::Mat>& frames() {
 }
 
 /// The scales of the distinct responses. A response is a derivative of a channel at a scale, of the
-/// image with the colour normalization and levels of the cue.
+/// image with the colour normalization and levels of the cue. Other features have none.
 std::vector<double> distinctResponses(const TrainingOptions& options) {
   std::set<std::tuple<std::string, std::string, std::string, double>> responses;
   for (const CueOptions& cue : options.cues) {
-    const auto& crfh = std::get<CrfhOptions>(cue.feature);
-    for (double t : crfh.variances()) {
-      for (const std::string& descriptor : crfh.descriptors) {
-        responses.emplace(cue.normalize, crfh.levels, descriptor, t);
+    const auto* crfh = std::get_if<CrfhOptions>(&cue.feature);
+    if (!crfh) continue;
+    for (double t : crfh->variances()) {
+      for (const std::string& descriptor : crfh->descriptors) {
+        responses.emplace(cue.normalize, crfh->levels, descriptor, t);
       }
     }
   }

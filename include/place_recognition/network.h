@@ -16,6 +16,12 @@ namespace place_recognition {
 /// missing, damaged, or of a kind that OpenCV cannot run.
 std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options);
 
+/// Limits OpenCV to one thread in the whole program, for good. Running a network does the same:
+/// sharing a layer between threads would change the last bits of its output, and images are
+/// processed in parallel anyway. Changing the number ends threads of OpenCV that another caller may
+/// be using, so call this before other threads use OpenCV. Thread-safe apart from that.
+void limitOpenCvToOneThread();
+
 /// Properties of a network file.
 struct NetworkFacts {
   std::size_t bytes = 0;

@@ -11,25 +11,15 @@
 namespace place_recognition {
 namespace {
 
-constexpr int kMaxCells = 16;
-constexpr int kMaxOrientations = 36;
-constexpr int kMinWidth = 32;
-constexpr int kMaxWidth = 1024;
 constexpr int kLargestDifference = 255;
-
-void requireRange(const std::string& key, int value, int least, int most) {
-  require(value >= least && value <= most, "HOG option '" + key + "' is " + std::to_string(value) +
-                                               "; give " + std::to_string(least) + " to " +
-                                               std::to_string(most) + ".");
-}
 
 }  // namespace
 
 void HogOptions::check() const {
-  requireRange("rows", rows, 1, kMaxCells);
-  requireRange("columns", columns, 1, kMaxCells);
-  requireRange("orientations", orientations, 2, kMaxOrientations);
-  requireRange("width", width, kMinWidth, kMaxWidth);
+  requireOption(rows >= 1 && rows <= 16, "feature.rows", "1 to 16");
+  requireOption(columns >= 1 && columns <= 16, "feature.columns", "1 to 16");
+  requireOption(orientations >= 2 && orientations <= 36, "feature.orientations", "2 to 36");
+  requireOption(width >= 32 && width <= 1024, "feature.width", "32 to 1024 pixels");
 }
 
 HogExtractor::HogExtractor(const HogOptions& options) : options_(options) {
@@ -58,23 +48,23 @@ const HogExtractor::Vote& HogExtractor::voteFor(int dx, int dy) const {
   return votes_[static_cast<std::size_t>(row * (2 * kLargestDifference + 1) + column)];
 }
 
-/// Sets grey_.
-void HogExtractor::prepare(const cv::Mat& image) {
-  grey_ = greyLevels(image, converted_);
-  if (image.cols <= options_.width) return;
+/// The grey levels of the image at its final size.
+const cv::Mat& HogExtractor::prepare(const cv::Mat& image) {
+  const cv::Mat& grey = greyLevels(image, converted_);
+  if (image.cols <= options_.width) return grey;
   const double height = static_cast<double>(image.rows) * options_.width / image.cols;
   const cv::Size size(options_.width, std::max(1, static_cast<int>(std::lround(height))));
-  cv::resize(grey_, scaled_, size, 0, 0, cv::INTER_AREA);
-  grey_ = scaled_;
+  cv::resize(grey, scaled_, size, 0, 0, cv::INTER_AREA);
+  return scaled_;
 }
 
 /// Adds the votes of a row of pixels.
-void HogExtractor::addRow(int y) {
-  const std::uint8_t* const above = grey_.ptr<std::uint8_t>(y - 1);
-  const std::uint8_t* const row = grey_.ptr<std::uint8_t>(y);
-  const std::uint8_t* const below = grey_.ptr<std::uint8_t>(y + 1);
-  const int width = grey_.cols - 2;
-  const int cell_row = (y - 1) * options_.rows / (grey_.rows - 2);
+void HogExtractor::addRow(const cv::Mat& grey, int y) {
+  const std::uint8_t* const above = grey.ptr<std::uint8_t>(y - 1);
+  const std::uint8_t* const row = grey.ptr<std::uint8_t>(y);
+  const std::uint8_t* const below = grey.ptr<std::uint8_t>(y + 1);
+  const int width = grey.cols - 2;
+  const int cell_row = (y - 1) * options_.rows / (grey.rows - 2);
   double* sums =
       &sums_[static_cast<std::size_t>(cell_row * options_.columns * options_.orientations)];
   int x = 1;
@@ -90,24 +80,22 @@ void HogExtractor::addRow(int y) {
 }
 
 void HogExtractor::extract(const cv::Mat& image, Feature& feature) {
-  feature = std::monostate();
-  prepare(image);
-  if (grey_.rows - 2 < options_.rows || grey_.cols - 2 < options_.columns) {
-    missing_reason_ = "the image of " + std::to_string(image.cols) + " x " +
-                      std::to_string(image.rows) + " pixels is too small for its cells";
-    return;
-  }
-  sums_.assign(static_cast<std::size_t>(options_.rows * options_.columns * options_.orientations),
-               0);
-  for (int y = 1; y + 1 < grey_.rows; ++y) addRow(y);
+  const cv::Mat& grey = prepare(image);
+  sums_.assign(options_.dimension(), 0);
+  const bool fits = grey.rows - 2 >= options_.rows && grey.cols - 2 >= options_.columns;
+  for (int y = 1; fits && y + 1 < grey.rows; ++y) addRow(grey, y);
   const double total = std::accumulate(sums_.begin(), sums_.end(), 0.0);
   if (total == 0) {
-    missing_reason_ = "the image has no gradient";
+    missing_reason_ = fits ? "the image has no gradient"
+                           : "the image of " + std::to_string(image.cols) + " x " +
+                                 std::to_string(image.rows) + " pixels is too small for its cells";
+    feature = std::monostate();
     return;
   }
-  DenseVector histogram;
-  for (const double sum : sums_) histogram.values.push_back(static_cast<float>(sum / total));
-  feature = std::move(histogram);
+  if (!std::holds_alternative<DenseVector>(feature)) feature = DenseVector();
+  std::vector<float>& values = std::get<DenseVector>(feature).values;
+  values.clear();
+  for (const double sum : sums_) values.push_back(static_cast<float>(sum / total));
 }
 
 }  // namespace place_recognition

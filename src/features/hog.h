@@ -28,13 +28,12 @@ class HogExtractor : public FeatureExtractor {
     float magnitudes[2];
   };
 
-  void prepare(const cv::Mat& image);
+  const cv::Mat& prepare(const cv::Mat& image);
   const Vote& voteFor(int dx, int dy) const;
-  void addRow(int y);
+  void addRow(const cv::Mat& grey, int y);
 
   HogOptions options_;
   std::vector<Vote> votes_;  ///< by gradient, see voteFor()
-  cv::Mat grey_;             ///< the image at its final size; may be the caller's
   cv::Mat converted_, scaled_;
   std::vector<double> sums_;  ///< rows x columns x orientations
 };

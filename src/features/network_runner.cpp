@@ -8,22 +8,13 @@
 #include <vector>
 
 #include "base/require.h"
+#include "place_recognition/network.h"
 
 namespace place_recognition {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;   // of all data between layers
 constexpr std::int64_t kMaxOperations = 100'000'000'000;  // on one image
-
-/// From now on, OpenCV computes in the calling thread: sharing a layer between threads would change
-/// the last bits of the output, and callers already run several networks in parallel. OpenCV has
-/// one number of threads for the whole program. It is not restored, because changing it ends
-/// threads that OpenCV may be using for another caller.
-void useOneThread() {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  if (cv::getNumThreads() != 1) cv::setNumThreads(1);
-}
 
 std::vector<int> shapeOf(const NetworkInput& input) {
   return {1, input.channels, input.height, input.width};
@@ -90,8 +81,14 @@ std::size_t firstFailure(const OnnxGraph& graph) {
 
 }  // namespace
 
+void limitOpenCvToOneThread() {
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (cv::getNumThreads() != 1) cv::setNumThreads(1);
+}
+
 NetworkRunner::NetworkRunner(const OnnxGraph& graph) {
-  useOneThread();
+  limitOpenCvToOneThread();
   const NetworkInput input = graph.input();
   try {
     net_ = read(graph.bytes());
@@ -114,7 +111,7 @@ NetworkRunner::NetworkRunner(const OnnxGraph& graph) {
 }
 
 const cv::Mat& NetworkRunner::run(const cv::Mat& blob) {
-  useOneThread();
+  limitOpenCvToOneThread();
   net_.setInput(blob);
   output_ = net_.forward();
   return output_;

@@ -7,8 +7,7 @@
 namespace place_recognition {
 
 /// Runs a network in OpenCV: an image in, a vector out. cv::dnn::Net is not thread-safe: use one
-/// per thread. Limits OpenCV to one thread in the whole program, for good; a program with other
-/// threads that use OpenCV must have called cv::setNumThreads(1) before them.
+/// per thread. Limits OpenCV to one thread, see limitOpenCvToOneThread().
 class NetworkRunner {
  public:
   /// `graph` must be cut, and its input shape fixed. Runs it once. Throws Error, a phrase that

@@ -3,12 +3,12 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <string>
 #include <vector>
 
 #include "place_recognition/error.h"
+#include "place_recognition/network.h"
 #include "place_recognition/progress.h"
 #include "tool/command_line.h"
 #include "tool/signals.h"
@@ -59,8 +59,7 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   // The code that reads an image reports problems that OpenCV and libpng find with it.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  // Images are processed in parallel, each in one thread; a network needs it (NetworkRunner).
-  cv::setNumThreads(1);
+  place_recognition::limitOpenCvToOneThread();
   place_recognition::tool::stopOnSignals();
   // A file that exceeds the permitted size (ulimit -f) is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -23,9 +23,7 @@ std::size_t dimensionOf(const FeatureOptions& options) {
   if (const auto* embedding = std::get_if<EmbeddingOptions>(&options)) {
     return embedding->loaded->dimension * static_cast<std::size_t>(embedding->parts());
   }
-  if (const auto* hog = std::get_if<HogOptions>(&options)) {
-    return static_cast<std::size_t>(hog->rows * hog->columns * hog->orientations);
-  }
+  if (const auto* hog = std::get_if<HogOptions>(&options)) return hog->dimension();
   const auto* lbp = std::get_if<LbpOptions>(&options);
   std::size_t dimension = 0;
   if (!lbp) return dimension;

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <opencv2/core/utility.hpp>
 
 #include "base/place_name.h"
 #include "place_recognition/error.h"
+#include "place_recognition/network.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
 
@@ -60,8 +60,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       lazy_(parameters.flag("lazy", true)),
       place_tracker_(node, parameters, topicsOf(node, names_)),
       doubtful_frames_(readKeepOptions(parameters, node.resolveName(names::kPlaceLabel))) {
-  // A network needs it (NetworkRunner), and it must not change while the worker uses OpenCV.
-  cv::setNumThreads(1);
+  limitOpenCvToOneThread();
   if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
     ROS_WARN(
         "~simulated_time has no effect by itself: remap /use_sim_time to it, as recognize.launch "

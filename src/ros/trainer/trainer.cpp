@@ -3,10 +3,10 @@
 #include <place_recognition/LoadModel.h>
 
 #include <filesystem>
-#include <opencv2/core/utility.hpp>
 
 #include "base/confined_path.h"
 #include "base/user_path.h"
+#include "place_recognition/network.h"
 #include "ros/nodes/message_fields.h"
 #include "ros/nodes/node_names.h"
 #include "ros/nodes/parameters.h"
@@ -65,7 +65,7 @@ Trainer::Trainer(const ros::NodeHandle& node, const ros::NodeHandle& private_nod
       action_server_(
           private_node, names::kTrain, [this](GoalHandle handle) { onGoal(handle); },
           [this](GoalHandle handle) { onCancel(handle); }, false) {
-  cv::setNumThreads(1);  // images are processed in parallel; a network needs it (NetworkRunner)
+  limitOpenCvToOneThread();
   retrain_server_ =
       ros::NodeHandle(private_node).advertiseService(names::kRetrain, &Trainer::onRetrain, this);
   action_server_.start();
