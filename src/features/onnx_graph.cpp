@@ -141,8 +141,9 @@ bool averagesArea(const onnx::Node& node) {
   if (node.op_type() != "ReduceMean") return false;
   const auto& attributes = node.attribute();
   return std::any_of(attributes.begin(), attributes.end(), [](const onnx::Attribute& attribute) {
-    const auto& axes = attribute.ints();
-    return attribute.name() == "axes" && axes.size() == 2 && axes.Get(0) == 2 && axes.Get(1) == 3;
+    std::set<std::int64_t> axes;  // negative ones count from the end of 1 x values x height x width
+    for (const std::int64_t axis : attribute.ints()) axes.insert(axis < 0 ? axis + 4 : axis);
+    return attribute.name() == "axes" && axes == std::set<std::int64_t>{2, 3};
   });
 }
 

@@ -238,6 +238,23 @@ TEST(LoadNetwork, FollowsReshapingLayersToTheirEnd) {
   }
 }
 
+TEST(LoadNetwork, RemovesAFinalMeanOverHeightAndWidthHoweverItsAxesAreWritten) {
+  const auto layersLeft = [](const std::vector<int>& axes) {
+    OnnxGraph onnx(networkOf(SmallNetwork::node("rectified", "Relu", {"image"}, "map", "") +
+                             SmallNetwork::node("mean", "ReduceMean", {"map"}, "out",
+                                                SmallNetwork::ints("axes", axes))));
+    onnx.cutBehind("");
+    onnx.cutBeforePooling();
+    return onnx.layers();
+  };
+  for (const std::vector<int>& axes : {std::vector<int>{2, 3}, {-2, -1}, {3, 2}, {2, -1}}) {
+    EXPECT_EQ(layersLeft(axes), 1u);
+  }
+  for (const std::vector<int>& axes : {std::vector<int>{1, 2}, {-1}, {1, 2, 3}}) {
+    EXPECT_EQ(layersLeft(axes), 2u);
+  }
+}
+
 TEST(LoadNetwork, RefusesWhatTakesNoSuchImages) {
   const std::string sound = SmallNetwork::onnx();
   EmbeddingOptions grey;
