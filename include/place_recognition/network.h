@@ -9,12 +9,12 @@
 
 namespace place_recognition {
 
-/// Reads the network that `options` name, removes what the selected layer does not need and a final
-/// pooling over the whole area, and runs it once. An ONNX file is not trusted: sizes, shapes and
-/// references are checked before OpenCV sees them, and memory and work are checked before it runs.
-/// Throws Error, one line that names the file, the layer and OpenCV's version, if the file is
-/// missing, damaged, or of a kind that OpenCV cannot run.
-std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options);
+/// Reads the network that `options` name into them: removes what the selected layer does not need
+/// and a final pooling over the whole area, and runs it once. An ONNX file is not trusted: sizes,
+/// shapes and references are checked before OpenCV sees them, and memory and work are checked
+/// before it runs. Throws Error, one line that names the file, the layer and OpenCV's version, if
+/// the file is missing, damaged, or of a kind that OpenCV cannot run.
+void loadNetwork(EmbeddingOptions& options);
 
 /// Limits OpenCV to one thread in the whole program, for good. Running a network does the same:
 /// sharing a layer between threads would change the last bits of its output, and images are

@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 constexpr const char* kExtension = ".onnx";
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 1024;
+constexpr int kMaxStride = 64;
 constexpr int kMaxColumns = 16;
+constexpr int kMaxPower = 8;
 constexpr int kUsualSide = 224;  // default for networks that do not fix it
 constexpr int kUsualChannels = 3;
 
@@ -80,8 +82,13 @@ void EmbeddingOptions::check() const {
               "; give a name of letters, digits, '_' and '-', or a file that ends in .onnx.");
   require(isSide(width) && isSide(height),
           "Embedding options 'width' and 'height' must be 16 to 1024 pixels, or 0.");
+  require(stride == 0 || (stride > 1 && stride <= kMaxStride && (stride & (stride - 1)) == 0),
+          "Embedding option 'stride' is " + std::to_string(stride) +
+              "; give 2, 4, 8, 16, 32, 64, or 0.");
   require(columns >= 1 && columns <= kMaxColumns,
           "Embedding option 'columns' is " + std::to_string(columns) + "; give 1 to 16.");
+  require(power >= 1 && power <= kMaxPower,
+          "Embedding option 'power' is " + std::to_string(power) + "; give 1 to 8.");
   require(fit == "stretch" || fit == "crop",
           "Embedding option 'fit' is " + quoted(fit) + "; give stretch or crop.");
   require(channels == "rgb" || channels == "bgr" || channels == "grey",
@@ -99,20 +106,21 @@ void EmbeddingOptions::check() const {
   }
 }
 
-std::shared_ptr<const Network> loadNetwork(const EmbeddingOptions& options) {
+void loadNetwork(EmbeddingOptions& options) {
   options.check();
   const std::string file = readNetwork(options.network);
-  return explained(options.network, options.layer, [&] {
+  explained(options.network, options.layer, [&] {
     OnnxGraph graph(file);
     graph.cutBehind(options.layer);
     graph.cutBeforePooling();
     graph.setInput(chooseInput(graph.input(), options));
-    const NetworkRunner runner(graph);
-    require(runner.width() >= options.columns,
-            "its output is " + std::to_string(runner.width()) + " wide, too narrow for 'columns: " +
+    const NetworkRunner runner(graph, {options.stride});
+    const int width = runner.width(0);
+    require(width >= options.columns,
+            "its output is " + std::to_string(width) + " wide, too narrow for 'columns: " +
                 std::to_string(options.columns) + "'; name an earlier layer");
-    return std::make_shared<const Network>(
-        Network{graph.bytes(), runner.dimension(), sha256(file)});
+    options.dimension = runner.dimension(0);
+    options.loaded = std::make_shared<const Network>(Network{graph.bytes(), sha256(file)});
   });
 }
 
@@ -125,9 +133,9 @@ NetworkFacts networkFacts(const std::string& name, const std::string& layer) {
     const auto or_else = [](int value, int usual) { return value > 0 ? value : usual; };
     graph.setInput({or_else(declared.channels, kUsualChannels),
                     or_else(declared.height, kUsualSide), or_else(declared.width, kUsualSide)});
-    const NetworkRunner runner(graph);
-    return NetworkFacts{file.size(),     sha256(file),   declared.channels, declared.width,
-                        declared.height, graph.layers(), runner.dimension()};
+    const NetworkRunner runner(graph, {0});
+    return NetworkFacts{file.size(),     sha256(file),   declared.channels,  declared.width,
+                        declared.height, graph.layers(), runner.dimension(0)};
   });
 }
 

@@ -1,9 +1,11 @@
 #include "features/network_pass.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <opencv2/core/version.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "base/require.h"
 #include "features/network_runner.h"
@@ -31,18 +33,26 @@ void scaleTo(const cv::Mat& image, const cv::Size& size, cv::Mat& scaled) {
 
 }  // namespace
 
-NetworkPass::NetworkPass(const EmbeddingOptions& options)
-    : crop_(options.fit == "crop"), channels_(options.channels == "grey" ? 1 : 3) {
-  options.check();
-  const std::shared_ptr<const Network> network =
-      options.loaded ? options.loaded : loadNetwork(options);
+NetworkPass::NetworkPass(const std::vector<EmbeddingOptions>& sharing)
+    : crop_(sharing[0].fit == "crop"), channels_(sharing[0].channels == "grey" ? 1 : 3) {
+  const EmbeddingOptions& options = sharing[0];
+  std::set<int> strides;
+  for (const EmbeddingOptions& other : sharing) {
+    assert(other.loaded && other.loaded == options.loaded);
+    other.check();
+    strides.insert(other.stride);
+  }
+  strides_.assign(strides.begin(), strides.end());
   try {
-    const OnnxGraph graph(network->onnx);
+    const OnnxGraph graph(options.loaded->onnx);
     const NetworkInput input = graph.input();
     require(input.channels == channels_ && input.width > 0 && input.height > 0,
             "it does not accept the images that the options describe");
-    runner_ = std::make_unique<NetworkRunner>(graph);
-    require(runner_->dimension() == network->dimension, "the size of its output has changed");
+    runner_ = std::make_unique<NetworkRunner>(graph, strides_);
+    for (const EmbeddingOptions& other : sharing) {
+      require(runner_->dimension(indexOf(other.stride)) == other.dimension,
+              "the size of its output has changed");
+    }
     blob_.create(std::vector<int>{1, channels_, input.height, input.width}, CV_32F);
   } catch (const Error& e) {
     throw Error("the network '" + options.network + "' cannot be used: " + e.what() +
@@ -61,13 +71,21 @@ NetworkPass::NetworkPass(const EmbeddingOptions& options)
 
 NetworkPass::~NetworkPass() = default;
 
-int NetworkPass::width() const { return runner_->width(); }
+int NetworkPass::width(int stride) const { return runner_->width(indexOf(stride)); }
 
-const cv::Mat& NetworkPass::output(const cv::Mat& image) {
-  if (output_) return *output_;
-  fillBlob(image);
-  output_ = &runner_->run(blob_);
-  return *output_;
+std::size_t NetworkPass::indexOf(int stride) const {
+  const auto found = std::lower_bound(strides_.begin(), strides_.end(), stride);
+  assert(found != strides_.end() && *found == stride);
+  return static_cast<std::size_t>(found - strides_.begin());
+}
+
+const cv::Mat& NetworkPass::output(const cv::Mat& image, int stride) {
+  if (!has_run_) {
+    fillBlob(image);
+    runner_->run(blob_);
+    has_run_ = true;
+  }
+  return runner_->output(indexOf(stride));
 }
 
 void NetworkPass::fillBlob(const cv::Mat& image) {

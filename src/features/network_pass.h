@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "place_recognition/embedding_options.h"
 
@@ -14,32 +15,35 @@ class NetworkRunner;
 /// for all features that share the pass. Not thread-safe.
 class NetworkPass {
  public:
-  /// Loads the network unless the options contain it; this throws like loadNetwork(). Throws Error,
-  /// a phrase that names network and OpenCV's version, if a contained network cannot be used.
-  explicit NetworkPass(const EmbeddingOptions& options);
+  /// `options`: of the features that share the pass; they differ in the stride and in what is done
+  /// with the output, and contain the network. Throws Error, a phrase that names network and
+  /// OpenCV's version, if it cannot be used.
+  explicit NetworkPass(const std::vector<EmbeddingOptions>& options);
   ~NetworkPass();
 
-  /// The output for `image`, as NetworkRunner has it; computed only if none is remembered. Throws
-  /// cv::Exception if OpenCV fails.
-  const cv::Mat& output(const cv::Mat& image);
+  /// The output of this stride for `image`, as NetworkRunner has it; computed only if none is
+  /// remembered. Throws cv::Exception if OpenCV fails.
+  const cv::Mat& output(const cv::Mat& image, int stride);
 
-  /// Forgets the output. To be called before each new image.
-  void forget() { output_ = nullptr; }
+  /// Forgets the outputs. To be called before each new image.
+  void forget() { has_run_ = false; }
 
-  /// Width of the output; 1 if it has none.
-  int width() const;
+  /// Width of the output of this stride; 1 if it has none.
+  int width(int stride) const;
 
  private:
+  std::size_t indexOf(int stride) const;
   void fillBlob(const cv::Mat& image);
 
   bool crop_;
   std::array<int, 3> sources_{};                    ///< of each channel of the input, one of BGR
   std::array<std::array<float, 256>, 3> values_{};  ///< of each channel, by pixel value
   int channels_;
+  std::vector<int> strides_;  ///< in ascending order
   std::unique_ptr<NetworkRunner> runner_;
-  const cv::Mat* output_ = nullptr;  ///< null: not computed for the current image
-  cv::Mat blob_;                     ///< 1 x channels x height x width
-  cv::Mat scaled_;                   ///< the image at the network's size
+  bool has_run_ = false;  ///< on the current image
+  cv::Mat blob_;          ///< 1 x channels x height x width
+  cv::Mat scaled_;        ///< the image at the network's size
   cv::Mat grey_;
 };
 

@@ -1,7 +1,9 @@
 #include "features/network_runner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <opencv2/core/utility.hpp>
 #include <string>
@@ -37,10 +39,52 @@ void checkCosts(const cv::dnn::Net& net, const NetworkInput& input) {
           "it needs more than 100 billion operations per image");
 }
 
-/// Output of the network for a mid-grey image.
-cv::Mat firstOutput(cv::dnn::Net& net, const NetworkInput& input) {
-  net.setInput(cv::Mat(shapeOf(input), CV_32F, cv::Scalar(0.1)));
-  return net.forward();
+cv::Mat greyImage(const NetworkInput& input) {
+  return cv::Mat(shapeOf(input), CV_32F, cv::Scalar(0.1));
+}
+
+/// The power of two that is nearest to side / output. Layers without padding make the ratio uneven.
+int strideOf(int side, int output) {
+  return 1 << std::max(0L, std::lround(std::log2(static_cast<double>(side) / output)));
+}
+
+/// The last layer of each stride above 1 (see EmbeddingOptions) that is the same in height and
+/// width. The names are OpenCV's, which differ from version to version, so no file contains them.
+std::map<int, cv::String> layersByStride(cv::dnn::Net& net, const NetworkInput& input) {
+  std::vector<int> ids;
+  std::vector<std::vector<cv::dnn::MatShape>> inputs;
+  std::vector<std::vector<cv::dnn::MatShape>> outputs;
+  net.getLayersShapes(shapeOf(input), ids, inputs, outputs);
+  std::map<int, cv::String> layers;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (ids[i] == 0 || outputs[i].empty() || outputs[i][0].size() != 4) continue;
+    const int height = outputs[i][0][2];
+    const int width = outputs[i][0][3];
+    if (height < 1 || width < 1) continue;
+    const int stride = strideOf(input.width, width);
+    if (stride > 1 && stride == strideOf(input.height, height)) {
+      layers[stride] = net.getLayer(ids[i])->name;
+    }
+  }
+  return layers;
+}
+
+/// The names of the layers with these strides; that of the last layer for 0.
+std::vector<cv::String> layersOf(const std::vector<int>& strides, cv::dnn::Net& net,
+                                 const NetworkInput& input) {
+  const std::map<int, cv::String> layers = layersByStride(net, input);
+  std::string available;
+  for (const auto& layer : layers) {
+    available += (available.empty() ? "" : ", ") + std::to_string(layer.first);
+  }
+  std::vector<cv::String> names;
+  for (const int stride : strides) {
+    require(stride == 0 || layers.count(stride) > 0,
+            "it has no layer with 'stride: " + std::to_string(stride) + "'; it has strides of " +
+                (available.empty() ? "1 only" : available));
+    names.push_back(stride == 0 ? net.getLayerNames().back() : layers.at(stride));
+  }
+  return names;
 }
 
 /// The message of an exception without paths of sources, on one line. An error within a layer is at
@@ -61,7 +105,8 @@ std::string reasonOf(const std::exception& e) {
 bool works(const OnnxGraph& graph, std::size_t layers) {
   try {
     cv::dnn::Net net = read(graph.firstLayers(layers));
-    firstOutput(net, graph.input());
+    net.setInput(greyImage(graph.input()));
+    net.forward();
     return true;
   } catch (const std::exception&) {
     return false;
@@ -79,6 +124,13 @@ std::size_t firstFailure(const OnnxGraph& graph) {
   return bad - 1;
 }
 
+void checkOutput(const cv::Mat& output, const std::string& of) {
+  require(output.type() == CV_32F && (output.dims == 2 || output.dims == 4) &&
+              output.size[0] == 1 && output.total() > 0,
+          "the output of " + of + " is neither 1 x values nor 1 x values x height x width");
+  require(cv::checkRange(output.reshape(1, 1)), "the output of " + of + " is not finite");
+}
+
 }  // namespace
 
 void limitOpenCvToOneThread() {
@@ -87,13 +139,14 @@ void limitOpenCvToOneThread() {
   if (cv::getNumThreads() != 1) cv::setNumThreads(1);
 }
 
-NetworkRunner::NetworkRunner(const OnnxGraph& graph) {
+NetworkRunner::NetworkRunner(const OnnxGraph& graph, const std::vector<int>& strides) {
   limitOpenCvToOneThread();
   const NetworkInput input = graph.input();
   try {
     net_ = read(graph.bytes());
     checkCosts(net_, input);
-    output_ = firstOutput(net_, input);
+    layers_ = layersOf(strides, net_, input);
+    run(greyImage(input));
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {
@@ -101,20 +154,16 @@ NetworkRunner::NetworkRunner(const OnnxGraph& graph) {
                 reasonOf(e));
   }
   const std::string last = graph.describeLayer(graph.layers() - 1);
-  require(output_.type() == CV_32F && (output_.dims == 2 || output_.dims == 4) &&
-              output_.size[0] == 1 && output_.total() > 0,
-          "the output of its layer " + last +
-              " is neither 1 x values nor 1 x values x height x "
-              "width");
-  require(cv::checkRange(output_.reshape(1, 1)),
-          "the output of its layer " + last + " is not finite");
+  for (std::size_t i = 0; i < strides.size(); ++i) {
+    checkOutput(outputs_[i], strides[i] == 0 ? "its layer " + last
+                                             : "'stride: " + std::to_string(strides[i]) + "'");
+  }
 }
 
-const cv::Mat& NetworkRunner::run(const cv::Mat& blob) {
+void NetworkRunner::run(const cv::Mat& blob) {
   limitOpenCvToOneThread();
   net_.setInput(blob);
-  output_ = net_.forward();
-  return output_;
+  net_.forward(outputs_, layers_);
 }
 
 }  // namespace place_recognition

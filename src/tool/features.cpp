@@ -5,6 +5,7 @@
 #include "place_recognition/error.h"
 #include "recognition/frames/cue_extraction.h"
 #include "recognition/frames/mirror_search.h"
+#include "recognition/model/embeddings.h"
 #include "tool/configuration.h"
 #include "tool/inputs.h"
 #include "tool/verbs.h"
@@ -52,7 +53,7 @@ void print(const DescriptorSet& set) {
 void features(const FeaturesOptions& options) {
   TrainingOptions thesis;
   thesis.cues = {CueOptions()};
-  const TrainingOptions training_options = options.configuration.read(thesis);
+  const TrainingOptions training_options = withNetworks(options.configuration.read(thesis));
   const cv::Mat image = readImage(options.image);
   CueExtraction extraction(withMirror(training_options, image, options.image), ImageProfile());
   std::vector<Feature> features;

@@ -30,13 +30,14 @@ def weights(*shape):
 
 
 def build(channels, w):
-    """Convolution (3 x 3, stride 2, padding 1), ReLU, clipped depthwise convolution, 1 x 1."""
+    """Convolution (3 x 3, stride 2, padding 1), ReLU, clipped depthwise convolution with stride 2,
+    1 x 1."""
     nodes = [
         helper.make_node("Conv", ["image", "w1", "b1"], ["c1"], "first", strides=[2, 2],
                          pads=[1, 1, 1, 1], kernel_shape=[3, 3]),
         helper.make_node("Relu", ["c1"], ["r1"], "rectified"),
-        helper.make_node("Conv", ["r1", "w2", "b2"], ["c2"], "depthwise", group=8,
-                         kernel_shape=[3, 3]),
+        helper.make_node("Conv", ["r1", "w2", "b2"], ["c2"], "depthwise", group=8, strides=[2, 2],
+                         pads=[1, 1, 1, 1], kernel_shape=[3, 3]),
         helper.make_node("Clip", ["c2"], ["k2"], "clipped", min=-0.5, max=0.5),
         helper.make_node("Conv", ["k2", "w3", "b3"], ["map"], "last", kernel_shape=[1, 1]),
         helper.make_node("GlobalAveragePool", ["map"], ["mean"], "pooled"),
@@ -71,11 +72,11 @@ def convolve(x, w, b, stride=1, padding=0, group=1):
     return y
 
 
-def expected(blob, w, layer):
+def expected(blob, w, layer, stride):
     x = np.maximum(convolve(blob, w["w1"], w["b1"], 2, 1), 0)
-    if layer == "rectified":
+    if layer == "rectified" or stride == 2:
         return x
-    x = np.clip(convolve(x, w["w2"], w["b2"], group=8), -0.5, 0.5)
+    x = np.clip(convolve(x, w["w2"], w["b2"], 2, 1, 8), -0.5, 0.5)
     x = convolve(x, w["w3"], w["b3"])
     if layer in ("map", "last", "pooled", "flat"):
         return x
@@ -86,13 +87,19 @@ def unit(vector):
     return vector / np.linalg.norm(vector)
 
 
-def averages(x, columns):
+def generalized_mean(x, power):
+    if power == 1:
+        return x.mean(axis=(1, 2))
+    return (np.maximum(x, 0) ** power).mean(axis=(1, 2)) ** (1 / power)
+
+
+def averages(x, columns, power):
     """The whole; with several columns each of them, too, which together have the same norm."""
-    whole = unit(x.mean(axis=(1, 2)))
+    whole = unit(generalized_mean(x, power))
     if columns == 1:
         return whole
     edges = [x.shape[2] * c // columns for c in range(columns + 1)]
-    parts = [unit(x[:, :, a:b].mean(axis=(1, 2))) for a, b in zip(edges, edges[1:])]
+    parts = [unit(generalized_mean(x[:, :, a:b], power)) for a, b in zip(edges, edges[1:])]
     return unit(np.concatenate([whole] + [part / np.sqrt(columns) for part in parts]))
 
 
@@ -139,6 +146,9 @@ def main():
                 (small, "map", dict(plain, **each)),
                 (small, "flat", dict(plain, columns=3)), (small, "map", dict(plain, columns=4)),
                 (noise, "rectified", dict(plain, columns=5)),
+                (small, "map", dict(plain, stride=2)), (small, "", dict(plain, stride=2, power=3)),
+                (small, "map", dict(plain, stride=4, power=2)),
+                (noise, "", dict(plain, stride=2, power=8, columns=5)),
                 (small[:, :, 0], "map", plain), (small[:, :, 0], "map", dict(plain, channels="grey")),
                 (noise[:, :, 1], "", dict(plain, channels="grey"))):
             is_grey = options["channels"] == "grey"
@@ -149,9 +159,10 @@ def main():
             out = subprocess.run([dump, folder / "options.yaml", folder / "a.png"], check=True,
                                  stdout=subprocess.PIPE, universal_newlines=True).stdout
             measured = np.array(out.split(), float)
-            vector = expected(blob_of(image, options), of_grey if is_grey else w, layer)
-            columns = options.get("columns", 1)
-            vector = averages(vector, columns) if vector.ndim == 3 else unit(vector)
+            vector = expected(blob_of(image, options), of_grey if is_grey else w, layer,
+                              options.get("stride", 0))
+            how = options.get("columns", 1), options.get("power", 1)
+            vector = averages(vector, *how) if vector.ndim == 3 else unit(vector)
             error = np.abs(measured - vector).max() if measured.shape == vector.shape else np.inf
             failed = not error < 1e-5
             failures += failed

@@ -73,16 +73,67 @@ TEST(Embedding, TakesWhatTheLayerNeedsAndNoMore) {
   const ScratchFolder folder;
   EmbeddingOptions options;
   options.network = folder.write("a.onnx", SmallNetwork::onnx());
-  const auto whole = loadNetwork(options);
-  EXPECT_EQ(whole->dimension, SmallNetwork::kDimension);
+  loadNetwork(options);
+  const Network whole = *options.loaded;
+  EXPECT_EQ(options.dimension, SmallNetwork::kDimension);
   options.layer = "rectified";
-  const auto part = loadNetwork(options);
-  EXPECT_EQ(part->dimension, 4u);
-  EXPECT_LT(part->onnx.size(), whole->onnx.size());
-  EXPECT_EQ(OnnxGraph(part->onnx).layers(), 2u);
-  EXPECT_EQ(part->sha256, whole->sha256);
+  loadNetwork(options);
+  const Network part = *options.loaded;
+  EXPECT_EQ(options.dimension, SmallNetwork::kEarlyDimension);
+  EXPECT_LT(part.onnx.size(), whole.onnx.size());
+  EXPECT_EQ(OnnxGraph(part.onnx).layers(), 2u);
+  EXPECT_EQ(part.sha256, whole.sha256);
   options.layer = "r1";  // the same layer, by the name of its output
-  EXPECT_EQ(loadNetwork(options)->onnx, part->onnx);
+  loadNetwork(options);
+  EXPECT_EQ(options.loaded->onnx, part.onnx);
+}
+
+TEST(Embedding, OfAStrideIsThatOfTheLastLayerWithIt) {
+  const ScratchFolder folder;
+  EmbeddingOptions by_name;
+  by_name.network = folder.write("a.onnx", SmallNetwork::onnx());
+  EmbeddingOptions by_stride = by_name;
+  by_name.layer = "rectified";
+  by_stride.stride = 2;
+  for (const int power : {1, 3}) {
+    by_name.power = by_stride.power = power;
+    EXPECT_EQ(extract(noise(16, 16), by_stride), extract(noise(16, 16), by_name));
+  }
+  EmbeddingOptions early = by_stride;
+  loadNetwork(early);
+  EXPECT_EQ(early.dimension, SmallNetwork::kEarlyDimension);
+  EmbeddingOptions whole = by_stride;
+  whole.stride = 0;
+  loadNetwork(whole);
+  EXPECT_EQ(early.loaded->onnx, whole.loaded->onnx);  // so that a model stores it once
+  by_stride.stride = 4;
+  by_name.layer = "";
+  EXPECT_EQ(extract(noise(16, 16), by_stride), extract(noise(16, 16), by_name));
+  EmbeddingOptions absent;
+  absent.stride = 8;
+  expectRefused(SmallNetwork::onnx(), "it has no layer with 'stride: 8'; it has strides of 2, 4",
+                absent);
+}
+
+TEST(Embedding, OfAHighPowerTendsToTheLargestValues) {
+  EmbeddingOptions options = SmallNetwork::earlyOptions();
+  NetworkPass pass({options});
+  const cv::Mat output = pass.output(noise(16, 16), 2).reshape(1, SmallNetwork::kEarlyDimension);
+  cv::Mat largest;
+  cv::reduce(output, largest, 1, cv::REDUCE_MAX);
+  double before = 0;
+  for (const int power : {1, 4, 8}) {
+    options.power = power;
+    const std::vector<float> values = extract(noise(16, 16), options);
+    double product = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      product += static_cast<double>(values[i]) * largest.at<float>(static_cast<int>(i));
+    }
+    const double likeness = product / cv::norm(largest);
+    EXPECT_GT(likeness, before);
+    before = likeness;
+  }
+  EXPECT_GT(before, 0.999);
 }
 
 TEST(Embedding, HasAPartForTheWholeAndForEachColumn) {
@@ -90,22 +141,22 @@ TEST(Embedding, HasAPartForTheWholeAndForEachColumn) {
   EmbeddingOptions options;
   options.network = folder.write("a.onnx", SmallNetwork::onnx());
   const std::vector<float> whole = extract(noise(16, 16), options);
-  options.columns = 7;  // each of one value in a row of the output
+  options.columns = 4;  // each of one value in a row of the output
   const std::vector<float> parts = extract(noise(16, 16), options);
-  ASSERT_EQ(parts.size(), 8 * SmallNetwork::kDimension);
+  ASSERT_EQ(parts.size(), 5 * SmallNetwork::kDimension);
   for (std::size_t i = 0; i < SmallNetwork::kDimension; ++i) {
     EXPECT_NEAR(parts[i] * std::sqrt(2.0), whole[i], 1e-6);
   }
-  for (std::size_t part = 0; part < 8; ++part) {
+  for (std::size_t part = 0; part < 5; ++part) {
     double squares = 0;
     for (std::size_t i = 0; i < SmallNetwork::kDimension; ++i) {
       const float value = parts[part * SmallNetwork::kDimension + i];
       squares += static_cast<double>(value) * value;
     }
-    EXPECT_NEAR(squares, part == 0 ? 1 / 2.0 : 1 / 14.0, 1e-6);
+    EXPECT_NEAR(squares, part == 0 ? 1 / 2.0 : 1 / 8.0, 1e-6);
   }
-  options.columns = 8;
-  expectRefused(SmallNetwork::onnx(), "its output is 7 wide, too narrow for 'columns: 8'", options);
+  options.columns = 5;
+  expectRefused(SmallNetwork::onnx(), "its output is 4 wide, too narrow for 'columns: 5'", options);
 }
 
 TEST(Embedding, OfAGreyImageIsThatOfTheSameImageInThreeChannels) {
@@ -131,12 +182,15 @@ TEST(Embedding, OfTheSmallestImageExists) {
 }
 
 TEST(NetworkPass, RunsTheNetworkOnceUntilItForgets) {
-  NetworkPass pass(SmallNetwork::options());
-  const cv::Mat first = pass.output(noise(16, 16)).clone();
+  NetworkPass pass({SmallNetwork::options(), SmallNetwork::earlyOptions()});
+  const cv::Mat first = pass.output(noise(16, 16), 0).clone();
+  const cv::Mat early = pass.output(noise(16, 16), 2).clone();
   const cv::Mat other = cv::Mat(16, 16, CV_8UC3, cv::Scalar::all(7));
-  EXPECT_EQ(cv::norm(pass.output(other), first, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(pass.output(other, 0), first, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(pass.output(other, 2), early, cv::NORM_INF), 0);
   pass.forget();
-  EXPECT_GT(cv::norm(pass.output(other), first, cv::NORM_INF), 0);
+  EXPECT_GT(cv::norm(pass.output(other, 0), first, cv::NORM_INF), 0);
+  EXPECT_GT(cv::norm(pass.output(other, 2), early, cv::NORM_INF), 0);
 }
 
 TEST(EmbeddingOptions, RefuseWhatIsOutOfRange) {
@@ -151,6 +205,13 @@ TEST(EmbeddingOptions, RefuseWhatIsOutOfRange) {
   refuses([](EmbeddingOptions& o) { o.width = 15; });
   refuses([](EmbeddingOptions& o) { o.height = 1025; });
   refuses([](EmbeddingOptions& o) { o.height = -1; });
+  for (const int stride : {-2, 1, 3, 128}) {
+    EmbeddingOptions options = SmallNetwork::options();
+    options.stride = stride;
+    EXPECT_THROW(options.check(), Error) << stride;
+  }
+  refuses([](EmbeddingOptions& o) { o.power = 0; });
+  refuses([](EmbeddingOptions& o) { o.power = 9; });
   refuses([](EmbeddingOptions& o) { o.columns = 0; });
   refuses([](EmbeddingOptions& o) { o.columns = 17; });
   refuses([](EmbeddingOptions& o) { o.fit = "pad"; });
@@ -268,8 +329,7 @@ TEST(LoadNetwork, RefusesWhatTakesNoSuchImages) {
 
 TEST(EmbeddingExtractor, TakesNoNetworkOfAnotherSizeThanTheModels) {
   EmbeddingOptions options = SmallNetwork::options();
-  options.loaded = std::make_shared<const Network>(
-      Network{SmallNetwork::onnx(), SmallNetwork::kDimension + 1, std::string(64, '0')});
+  ++options.dimension;
   EXPECT_THROW(EmbeddingExtractor{options}, Error);
   options = SmallNetwork::options();
   options.columns = 8;

@@ -34,7 +34,10 @@ TEST(EmbeddingThreads, IsTheSameFromEveryThreadAndForEveryNumberOfThreads) {
     EmbeddingOptions options;
     options.network = std::string(data ? data : "") + "/networks/" + name + ".onnx";
     if (!std::filesystem::exists(options.network)) continue;
-    options.loaded = loadNetwork(options);
+    loadNetwork(options);
+    kinds.push_back(options);
+    options.stride = 16;
+    loadNetwork(options);
     kinds.push_back(options);
   }
   const int threads_before = cv::getNumThreads();

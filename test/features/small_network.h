@@ -12,31 +12,42 @@
 namespace place_recognition {
 
 /// An ONNX file, assembled field by field: a 3 x 3 convolution with stride 2, ReLU, and another
-/// convolution. The input is 16 x 16 pixels in three channels; the output has 6 channels.
+/// convolution with stride 2. The input is 16 x 16 pixels in three channels. The output has 6
+/// channels of 4 x 4 values; after the first convolution there are 4 channels of 7 x 7.
 class SmallNetwork {
  public:
   static constexpr std::size_t kDimension = 6;
+  static constexpr std::size_t kEarlyDimension = 4;  ///< of the layer with stride 2
 
   static std::string onnx() {
-    const std::string graph =
-        node("first", "Conv", {"image", "w1", "b1"}, "c1",
-             ints("strides", {2, 2}) + ints("kernel_shape", {3, 3})) +
-        node("rectified", "Relu", {"c1"}, "r1", "") +
-        node("second", "Conv", {"r1", "w2"}, "out", ints("kernel_shape", {1, 1})) +
-        bytes(2, "small") + tensor("w1", {4, 3, 3, 3}) + tensor("b1", {4}) +
-        tensor("w2", {6, 4, 1, 1}) + bytes(11, value("image", {1, 3, 16, 16})) +
-        bytes(12, value("out", {1, 6, 7, 7}));
+    const std::string graph = node("first", "Conv", {"image", "w1", "b1"}, "c1",
+                                   ints("strides", {2, 2}) + ints("kernel_shape", {3, 3})) +
+                              node("rectified", "Relu", {"c1"}, "r1", "") +
+                              node("second", "Conv", {"r1", "w2", "b2"}, "out",
+                                   ints("strides", {2, 2}) + ints("kernel_shape", {1, 1})) +
+                              bytes(2, "small") + tensor("w1", {4, 3, 3, 3}) + tensor("b1", {4}) +
+                              tensor("w2", {6, 4, 1, 1}) + tensor("b2", {6}) +
+                              bytes(11, value("image", {1, 3, 16, 16})) +
+                              bytes(12, value("out", {1, 6, 4, 4}));
     return number(1, 6) + bytes(7, graph) + bytes(8, number(2, 9));
   }
 
   static std::shared_ptr<const Network> network() {
-    return std::make_shared<const Network>(Network{onnx(), kDimension, sha256(onnx())});
+    return std::make_shared<const Network>(Network{onnx(), sha256(onnx())});
   }
 
   static EmbeddingOptions options() {
     EmbeddingOptions options;
     options.network = "small";
     options.loaded = network();
+    options.dimension = kDimension;
+    return options;
+  }
+  static EmbeddingOptions earlyOptions() {
+    EmbeddingOptions options = SmallNetwork::options();
+    options.stride = 2;
+    options.power = 3;
+    options.dimension = kEarlyDimension;
     return options;
   }
 

@@ -13,9 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     OnnxGraph graph(std::string(reinterpret_cast<const char*>(data), size));
     graph.cutBehind("");
     graph.setInput({3, 16, 16});
-    NetworkRunner runner(graph);
     const std::vector<int> shape{1, 3, 16, 16};
-    runner.run(cv::Mat(shape, CV_32F, cv::Scalar(0.5)));
+    const cv::Mat image(shape, CV_32F, cv::Scalar(0.5));
+    NetworkRunner(graph, {0}).run(image);
+    NetworkRunner(graph, {0, 2}).run(image);
   } catch (const Error&) {
   } catch (const cv::Exception&) {
   }

@@ -37,12 +37,14 @@ TEST(CueExtraction, RunsASharedNetworkOnEachImageAnew) {
   std::get<EmbeddingOptions>(options.cues[2].feature).columns = 3;
   options.cues.push_back(options.cues[1]);
   options.cues[3].normalize = "grey-world";  // another input of the network
+  options.cues.push_back(options.cues[1]);
+  options.cues[4].feature = SmallNetwork::earlyOptions();
   CueExtraction extraction(options, ImageProfile());
   for (const int seed : {300, 400}) {
     const cv::Mat image = drawRoom(1, seed);
     std::vector<Feature> features;
     extraction.extract(image, features);
-    for (const std::size_t c : {1, 2}) {
+    for (const std::size_t c : {1, 2, 4}) {
       Feature expected;
       makeFeatureExtractor(options.cues[c].feature)->extract(image, expected);
       EXPECT_EQ(std::get<DenseVector>(features[c]).values, std::get<DenseVector>(expected).values);

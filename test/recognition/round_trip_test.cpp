@@ -55,6 +55,8 @@ std::vector<Kind> kindsOfEitherMulticlass() {
   kinds.back().options.cues.push_back(kinds.back().options.cues.back());
   kinds.back().options.cues.back().name = "layout";
   std::get<EmbeddingOptions>(kinds.back().options.cues.back().feature).columns = 3;
+  kinds.back().options.cues.push_back(withKernel("gaussian", SmallNetwork::earlyOptions()).cues[0]);
+  kinds.back().options.cues.back().name = "early";
   for (const char* method : {"none", "qr", "shared-qr", "shared-greedy", "auto"}) {
     kinds.push_back({method, twoCueOptions()});
     kinds.back().options.reduction.method = method;
@@ -103,6 +105,9 @@ TEST(Networks, AreStoredOnceForAllTheirCues) {
   options.cues[1].name = "layout";
   std::get<EmbeddingOptions>(options.cues[1].feature).columns = 3;
   std::get<EmbeddingOptions>(options.cues[1].feature).loaded = SmallNetwork::network();
+  options.cues.push_back(options.cues[0]);
+  options.cues[2].name = "early";
+  options.cues[2].feature = SmallNetwork::earlyOptions();
   const Model model = train({opener(drawFrames(3, 6))}, options).model;
   const std::string bytes = serializeModel(model);
   const std::string& onnx = std::get<EmbeddingOptions>(model.options.cues[0].feature).loaded->onnx;

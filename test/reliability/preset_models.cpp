@@ -29,6 +29,9 @@ std::vector<TrainingOptions> presets() {
     readOptions(readYamlFile(file), file, all.emplace_back());
     for (EmbeddingOptions* embedding : embeddingsOf(all.back())) {
       embedding->loaded = SmallNetwork::network();
+      if (embedding->stride > 0) embedding->stride = 2;
+      embedding->dimension =
+          embedding->stride > 0 ? SmallNetwork::kEarlyDimension : SmallNetwork::kDimension;
     }
   }
   return all;

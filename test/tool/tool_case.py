@@ -93,7 +93,7 @@ class ToolCase(unittest.TestCase):
             self.skipTest("python3-onnx is not installed")
         weights = np.random.default_rng(3).normal(size=(8, 3, 5, 5)).astype(np.float32)
         graph = helper.make_graph(
-            [helper.make_node("Conv", ["image", "w"], ["map"], "first", strides=[3, 3],
+            [helper.make_node("Conv", ["image", "w"], ["map"], "first", strides=[16, 16],
                               kernel_shape=[5, 5]),
              helper.make_node("Relu", ["map"], ["positive"], "rectified"),
              helper.make_node("GlobalAveragePool", ["positive"], ["mean"], "pooled"),

@@ -32,7 +32,8 @@ CueExtraction::CueExtraction(const TrainingOptions& options, const ImageProfile&
                              double least_edge_density)
     : least_edge_density_(least_edge_density),
       scaler_(images, options.image.max_width),
-      panorama_(options.image.panorama) {
+      panorama_(options.image.panorama),
+      networks_(options.cues) {
   for (const CueOptions& cue : options.cues) {
     CueOptions extracted = cue;
     logarithmic_.push_back(takeLogarithmicLevels(extracted.feature));

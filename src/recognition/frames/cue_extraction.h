@@ -22,7 +22,7 @@ namespace place_recognition {
 class CueExtraction {
  public:
   /// For training. `images`: the training images, for their size. A mirror must no longer be
-  /// `found`, see withMirror().
+  /// `found`, see withMirror(), and networks must be loaded, see withNetworks().
   CueExtraction(const TrainingOptions& options, const ImageProfile& images);
   /// For recognition with the cues of `model`; those of weight 0 are missing in every image.
   explicit CueExtraction(const Model& model);

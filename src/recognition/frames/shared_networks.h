@@ -14,6 +14,9 @@ class NetworkPass;
 /// Extractors of cues, of which those with the same network and the same input share its run.
 class SharedNetworks {
  public:
+  /// `cues`: all for which extractor() will be called; they contain their networks.
+  explicit SharedNetworks(const std::vector<CueOptions>& cues);
+
   /// Like makeFeatureExtractor(cue.feature).
   std::unique_ptr<FeatureExtractor> extractor(const CueOptions& cue);
 
@@ -22,10 +25,13 @@ class SharedNetworks {
 
  private:
   struct Shared {
-    std::string input;  ///< the options on which the network's output depends
-    std::shared_ptr<const Network> network;
+    std::string input;  ///< the options on which the network's run depends
+    std::vector<EmbeddingOptions> embeddings;
     std::shared_ptr<NetworkPass> pass;
   };
+
+  /// Null if there is none.
+  Shared* find(const CueOptions& cue, const EmbeddingOptions& embedding);
 
   std::vector<Shared> shared_;
 };

@@ -21,7 +21,7 @@ bool allFinite(const std::vector<double>& numbers) {
 /// The dimension of an extractor's dense vectors; 0 if they are sparse.
 std::size_t dimensionOf(const FeatureOptions& options) {
   if (const auto* embedding = std::get_if<EmbeddingOptions>(&options)) {
-    return embedding->loaded->dimension * static_cast<std::size_t>(embedding->parts());
+    return embedding->dimension * static_cast<std::size_t>(embedding->parts());
   }
   if (const auto* hog = std::get_if<HogOptions>(&options)) return hog->dimension();
   const auto* lbp = std::get_if<LbpOptions>(&options);

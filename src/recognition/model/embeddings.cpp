@@ -51,7 +51,7 @@ std::vector<std::vector<std::size_t>> cuesByNetwork(const TrainingOptions& optio
 
 TrainingOptions withNetworks(TrainingOptions options) {
   for (EmbeddingOptions* embedding : embeddingsOf(options)) {
-    if (!embedding->loaded) embedding->loaded = loadNetwork(*embedding);
+    if (!embedding->loaded) loadNetwork(*embedding);
   }
   shareNetworks(options);
   return options;

@@ -30,7 +30,7 @@ void readNetworks(ContainerReader& reader, Model& model) {
     std::vector<char> onnx;
     reader(onnx);
     network.onnx.assign(onnx.begin(), onnx.end());
-    if (onnx.empty() && before && before->dimension == network.dimension) {
+    if (onnx.empty() && before && before->sha256 == network.sha256) {
       embedding->loaded = before;
     } else {
       embedding->loaded = std::make_shared<const Network>(std::move(network));

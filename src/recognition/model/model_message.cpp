@@ -60,7 +60,7 @@ void readCueWeights(const proto::Model& message, Model& model) {
 void writeEmbeddings(const Model& model, proto::Model& message) {
   std::vector<std::string> checksums;
   for (const EmbeddingOptions* embedding : embeddingsOf(model.options)) {
-    message.add_embedding_dimensions(static_cast<std::uint32_t>(embedding->loaded->dimension));
+    message.add_embedding_dimensions(static_cast<std::uint32_t>(embedding->dimension));
     checksums.push_back(embedding->loaded->sha256);
   }
   message.set_embedding_networks(joined(checksums));
@@ -80,7 +80,8 @@ void readEmbeddings(const proto::Model& message, Model& model) {
     require(checksums[i].size() == 64 &&
                 checksums[i].find_first_not_of("0123456789abcdef") == std::string::npos,
             "the checksum of a network is malformed");
-    embeddings[i]->loaded = std::make_shared<const Network>(Network{"", dimension, checksums[i]});
+    embeddings[i]->dimension = dimension;
+    embeddings[i]->loaded = std::make_shared<const Network>(Network{"", checksums[i]});
   }
 }
 
