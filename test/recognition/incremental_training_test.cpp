@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "features/small_network.h"
-#include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
@@ -279,50 +278,6 @@ TEST(TrainIncrementally, AModelOfOtherFeaturesCannotJoin) {
   options = quickOptions();
   options.image.max_width = 50;
   EXPECT_NE(problem(options, drawFrames(2, 8)).find("pixels"), std::string::npos);
-}
-
-/// Counts a model's support vectors of a given age, in one room or, if `room` is empty, in all.
-int countOfAge(const Model& model, int age, const std::string& room) {
-  int count = 0;
-  for (const VectorOrigin& origin : ClassifierParts::of(model.classifiers[0]).origins) {
-    const std::string& place = model.places[static_cast<std::size_t>(origin.place)];
-    count += origin.age == age && (room.empty() || place == room) ? 1 : 0;
-  }
-  return count;
-}
-
-TEST(TrainIncrementally, ViewsAgeAsTheirRoomIsLearnedAgain) {
-  TrainingOptions options = quickOptions();
-  options.reduction.method = "none";
-  Model model = train({opener(drawFrames(3, 15))}, options).model;
-  EXPECT_EQ(countOfAge(model, 0, ""), static_cast<int>(model.supportVectorCount()));
-  for (const unsigned first_frame : {100u, 200u}) {
-    const Model read = parseModel(serializeModel(model), "read");
-    std::vector<Frame> darker = framesOf("room1", first_frame);  // unlike those already known
-    for (Frame& frame : darker) frame.image = frame.image * (40.0 / first_frame);
-    model = trainIncrementally(read, {opener(darker)}, {}).model;
-  }
-  EXPECT_GT(countOfAge(model, 0, "room1"), 0);
-  EXPECT_GT(countOfAge(model, 1, "room1"), 0);
-  EXPECT_GT(countOfAge(model, 2, "room1"), 0);
-  EXPECT_GT(countOfAge(model, 0, "room0"), 0);
-  EXPECT_EQ(countOfAge(model, 1, "room0") + countOfAge(model, 2, "room0"), 0)
-      << "a room that does not come again is not forgotten";
-}
-
-// After a change of light, earlier views only matter for recognizing similar views.
-TEST(TrainIncrementally, ForgettingKeepsFewerOldViews) {
-  TrainingOptions options = quickOptions();
-  options.reduction.method = "none";
-  const Model before = train({opener(drawFrames(3, 25))}, options).model;
-  std::vector<Frame> darker = drawFrames(3, 25, 300);
-  for (Frame& frame : darker) frame.image = frame.image / 2;
-  const auto oldViews = [&](double forgetting) {
-    const Model after = trainIncrementally(before, {opener(darker)}, {12, forgetting}).model;
-    EXPECT_EQ(after.supportVectorCount(), 12u);
-    return countOfAge(after, 1, "");
-  };
-  EXPECT_LT(oldViews(0.95), oldViews(0));
 }
 
 }  // namespace
