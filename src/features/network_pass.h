@@ -15,10 +15,10 @@ class NetworkRunner;
 /// for all features that share the pass. Not thread-safe.
 class NetworkPass {
  public:
-  /// `options`: of the features that share the pass; they differ in the stride and in what is done
-  /// with the output, and contain the network. Throws Error, a phrase that names network and
-  /// OpenCV's version, if it cannot be used.
-  explicit NetworkPass(const std::vector<EmbeddingOptions>& options);
+  /// `sharing`: options of the features that share the pass, at least one. They contain the network
+  /// and differ only in the stride and in how its output is averaged. Throws Error, a phrase that
+  /// names network and OpenCV's version, if it cannot be used.
+  explicit NetworkPass(const std::vector<EmbeddingOptions>& sharing);
   ~NetworkPass();
 
   /// The output of this stride for `image`, as NetworkRunner has it; computed only if none is
