@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -54,13 +55,13 @@ class Saving : public testing::Test {
     }
   }
 
-  /// A process that alternately saves models of 2 and 3 rooms, `times` times or forever.
+  /// A process that alternately saves models of 2 and 3 rooms, `times` times.
   pid_t startSaving(int times) const {
     const Model& first = modelOf(2);
     const Model& second = modelOf(3);
     const pid_t child = fork();
     if (child != 0) return child;
-    for (int i = 0; i != times; ++i) saveModel(i % 2 == 0 ? first : second, path_);
+    for (int i = 0; i < times; ++i) saveModel(i % 2 == 0 ? first : second, path_);
     _exit(0);
   }
 
@@ -72,7 +73,7 @@ TEST_F(Saving, LeavesTheOldOrTheNewModelWhenKilled) {
   saveModel(modelOf(2), path_);
   std::mt19937 random(1);
   for (int i = 0, count = rounds(30, 500); i < count; ++i) {
-    const pid_t child = startSaving(-1);
+    const pid_t child = startSaving(std::numeric_limits<int>::max());
     std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % 20000));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
@@ -185,7 +186,7 @@ TEST_F(Saving, ABackupThatIsMissingOrDamagedIsNotRestored) {
 
 TEST_F(Saving, AModelThatIsReplacedWhileItIsReadIsReadWhole) {
   saveModel(modelOf(2), path_);
-  const pid_t writer = startSaving(-1);
+  const pid_t writer = startSaving(std::numeric_limits<int>::max());
   for (int i = 0, count = rounds(200, 5000); i < count; ++i) {
     const std::size_t rooms = roomsIn(path_);
     EXPECT_TRUE(rooms == 2 || rooms == 3);
