@@ -30,10 +30,10 @@ struct Calibration {
   /// One probability per place; they sum to 1 and are finite for every finite input.
   Eigen::RowVectorXd probabilities(const Eigen::RowVectorXd& decision_values) const;
 
-  /// Log odds that the frame shows any of the places: the weighted sum of decision values and
-  /// familiarity. Probabilities cannot express this: they sum to one even if every machine rejects
-  /// the frame. Neither can decision values alone: far from all support vectors they are just the
-  /// biases.
+  /// Log odds that the frame shows any of the places: the weighted sum of decision values (without
+  /// Model::decision_limit) and familiarity. Probabilities cannot express this: they sum to one
+  /// even if every machine rejects the frame. Neither can decision values alone: far from all
+  /// support vectors they are just the biases.
   double logOdds(const Eigen::RowVectorXd& decision_values, double familiarity = 0) const;
 
   /// The same as a probability, 0..1: logistic(logOdds()).

@@ -64,9 +64,13 @@ struct Model {
   ImageProfile images;                  ///< of the training images
   std::vector<std::string> places;      ///< names, in ascending order; at least two
   std::vector<Classifier> classifiers;  ///< one per cue of `options`
-  std::vector<double> cue_weights;      ///< one per cue, in the sum of decision values
-  Calibration calibration;              ///< of the summed decision values
-  double unknown_threshold = 0;         ///< see Recognition::known
+  std::vector<double> cue_weights;      ///< one per cue, in the mean of decision values
+  /// Each decision value f of a cue counts as limit tanh(f / limit) in the mean that names the
+  /// place, so that a cue far beyond the targets of an SVM, +1 and -1, cannot outvote the others.
+  /// 0: no limit, for a single cue and in files of earlier versions.
+  double decision_limit = 0;
+  Calibration calibration;       ///< of the mean decision values
+  double unknown_threshold = 0;  ///< see Recognition::known
   Validation validation;
   HeldOutFrames held_out;     ///< basis of the three above; empty in files of earlier versions
   ColourStatistics colours;   ///< of the training images

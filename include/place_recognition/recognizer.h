@@ -27,7 +27,7 @@ struct Recognition {
   double confidence = 0;  ///< probability of `place`, 0..1
   double evidence = 0;    ///< that the frame shows any of the places, 0..1
   Eigen::RowVectorXd probabilities;    ///< one per place; they sum to 1, `place` has the largest
-  Eigen::RowVectorXd decision_values;  ///< one per place, from the machines
+  Eigen::RowVectorXd decision_values;  ///< one per place: the mean of the cues'
   std::string reason;                  ///< why place is -1, for a person
   std::vector<std::size_t> held;       ///< cues not computed for this frame, ascending
 };

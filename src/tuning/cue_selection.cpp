@@ -31,9 +31,10 @@ std::vector<CueOptions> optionsOf(const std::vector<CueComparison>& comparisons,
 }
 
 /// The held-out values of these cues together, with the weights that training prefers.
-HeldOutValues combined(const std::vector<HeldOutValues>& held_out,
+HeldOutValues combined(const std::vector<HeldOutValues>& held_out, TrainingOptions options,
                        const std::vector<CueOptions>& cues) {
-  return combine(held_out, priorWeights(cues));
+  options.cues = cues;
+  return combine(held_out, priorWeights(cues), decisionLimit(options));
 }
 
 Combination without(Combination combination, std::size_t cue) {
@@ -81,7 +82,7 @@ Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_
     std::vector<HeldOutValues> of_these;
     for (const std::size_t c : combination) of_these.push_back(held_out[c]);
     const std::vector<CueOptions> cues = optionsOf(comparisons, combination);
-    const Score result = score(combined(of_these, cues), samples);
+    const Score result = score(combined(of_these, search.base, cues), samples);
     search.trials.push_back(trialOf(stage, cues, search.base.svm.c, samples, result));
     return result;
   };
@@ -125,7 +126,7 @@ double chooseC(const std::vector<CueComparison>& comparisons, const Combination&
     for (const std::size_t cue : chosen) {
       held_out.push_back(comparisons[cue].heldOut(svm, search.threads));
     }
-    scores.push_back(score(combined(held_out, cues), samples));
+    scores.push_back(score(combined(held_out, search.base, cues), samples));
     search.trials.push_back(trialOf("C", cues, c, samples, scores.back()));
   }
   const std::size_t index = firstNearlyAsGood(scores);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/place_name.h"
 #include "recognition/model/scores.h"
 #include "recognition/training/combination.h"
@@ -58,19 +60,48 @@ TEST(GammaChoice, GridFollowsTheFeatures) {
   EXPECT_EQ(gammaGrid(Kernel(options), Eigen::MatrixXd::Zero(3, 3)).neutral, 0.5);
 }
 
-HeldOutValues heldOut(const Eigen::MatrixXd& decision_values, const std::vector<bool>& valid) {
-  return {decision_values, valid, Eigen::VectorXd::Zero(decision_values.rows())};
+CombinedValues heldOut(const Eigen::MatrixXd& decision_values, const std::vector<bool>& valid) {
+  return {{decision_values, valid, Eigen::VectorXd::Zero(decision_values.rows())}, decision_values};
 }
 
 TEST(Combination, IsTheWeightedMeanOfTheCuesThatAreThere) {
   const Eigen::MatrixXd a = (Eigen::MatrixXd(3, 2) << 1, 2, 3, 4, 0, 0).finished();
   const Eigen::MatrixXd b = (Eigen::MatrixXd(3, 2) << 5, 6, 0, 0, 0, 0).finished();
-  const HeldOutValues combined =
-      combine({heldOut(a, {true, true, false}), heldOut(b, {true, false, false})}, {0.25, 0.75});
+  const std::vector<HeldOutValues> cues{heldOut(a, {true, true, false}),
+                                        heldOut(b, {true, false, false})};
+  const CombinedValues combined = combine(cues, {0.25, 0.75}, 0);
   const Eigen::MatrixXd expected =
       (Eigen::MatrixXd(3, 2) << 0.25 * 1 + 0.75 * 5, 0.25 * 2 + 0.75 * 6, 3, 4, 0, 0).finished();
   EXPECT_TRUE(combined.decision_values.isApprox(expected));
+  EXPECT_EQ(combined.unlimited, combined.decision_values);
   EXPECT_EQ(combined.valid, (std::vector<bool>{true, true, false}));
+
+  const CombinedValues limited = combine(cues, {0.25, 0.75}, 2);
+  EXPECT_NEAR(limited.decision_values(0, 0), 0.5 * std::tanh(0.5) + 1.5 * std::tanh(2.5), 1e-12);
+  EXPECT_NEAR(limited.decision_values(1, 1), 2 * std::tanh(2), 1e-12);
+  EXPECT_EQ(limited.unlimited, combined.unlimited);
+}
+
+TEST(Combination, OneCueCannotOutvoteTheOthersByItsSize) {
+  Eigen::MatrixXd loud(1, 2), low(1, 2);
+  loud << 9, -9;
+  low << -1, 1;
+  const std::vector<HeldOutValues> cues{heldOut(loud, {true}), heldOut(low, {true}),
+                                        heldOut(low, {true}), heldOut(low, {true})};
+  const std::vector<double> equal(4, 0.25);
+  EXPECT_GT(combine(cues, equal, 0).decision_values(0), 0);
+  EXPECT_LT(combine(cues, equal, 2).decision_values(0), 0);
+}
+
+TEST(Combination, LimitsSeveralCuesOfOneAgainstAll) {
+  TrainingOptions options;
+  options.cues.resize(2);
+  EXPECT_EQ(decisionLimit(options), 2);
+  options.svm.multiclass = "one-against-one";
+  EXPECT_EQ(decisionLimit(options), 0);
+  options = TrainingOptions{};
+  options.cues.resize(1);
+  EXPECT_EQ(decisionLimit(options), 0);
 }
 
 TEST(Combination, PrefersTheCueThatTellsAndElseThePrior) {
@@ -80,16 +111,17 @@ TEST(Combination, PrefersTheCueThatTellsAndElseThePrior) {
   const Eigen::MatrixXd bad = -good;
   const std::vector<double> half{0.5, 0.5};
   const std::vector<double> equal =
-      chooseCueWeights({heldOut(good, all), heldOut(good, all)}, half, samples, 2);
+      chooseCueWeights({heldOut(good, all), heldOut(good, all)}, half, 0, samples, 2);
   EXPECT_EQ(equal, (std::vector<double>{0.5, 0.5}));
   const std::vector<double> chosen =
-      chooseCueWeights({heldOut(bad, all), heldOut(good, all)}, half, samples, 2);
+      chooseCueWeights({heldOut(bad, all), heldOut(good, all)}, half, 0, samples, 2);
   EXPECT_GT(chosen[1], 0.5);
-  EXPECT_EQ(chooseCueWeights({heldOut(good, all)}, {1}, samples, 2), std::vector<double>{1});
+  EXPECT_EQ(chooseCueWeights({heldOut(good, all)}, {1}, 0, samples, 2), std::vector<double>{1});
   // A prior of five cues that lies between the steps.
   const std::vector<double> prior{0.15, 0.15, 0.15, 0.15, 0.4};
-  EXPECT_EQ(chooseCueWeights(std::vector<HeldOutValues>(5, heldOut(good, all)), prior, samples, 2),
-            prior);
+  EXPECT_EQ(
+      chooseCueWeights(std::vector<HeldOutValues>(5, heldOut(good, all)), prior, 0, samples, 2),
+      prior);
 }
 
 TEST(Validation, ThresholdLetsTheWantedShareFall) {
@@ -102,7 +134,7 @@ TEST(Validation, ThresholdLetsTheWantedShareFall) {
     decision_values.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
   }
   const std::vector<Fold> folds = timeBlockFolds(samples, 4, {TimeBlocks{5, 0}});
-  const HeldOutValues held_out = heldOut(decision_values, std::vector<bool>(40, true));
+  const CombinedValues held_out = heldOut(decision_values, std::vector<bool>(40, true));
   const CalibrationSet set{samples, folds, {}, std::vector<bool>(40, true)};
   const Calibrated calibrated = calibrate(held_out, set, 0.25);
   EXPECT_EQ(calibrated.validation.average_rate, 1);
@@ -125,7 +157,7 @@ TEST(Validation, SamplesThatDoNotJudgeUnknownOnlyTellHowSureAnAnswerIs) {
     decision_values.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
     judges[static_cast<std::size_t>(i)] = i < 20;
   }
-  const HeldOutValues held_out = heldOut(decision_values, std::vector<bool>(40, true));
+  const CombinedValues held_out = heldOut(decision_values, std::vector<bool>(40, true));
   const auto evidenceBelow = [&](const std::vector<bool>& judging) {
     const Calibrated calibrated = calibrate(held_out, {samples, {}, {}, judging}, 0.25);
     int below = 0;
@@ -140,6 +172,27 @@ TEST(Validation, SamplesThatDoNotJudgeUnknownOnlyTellHowSureAnAnswerIs) {
   EXPECT_EQ(
       calibrate(held_out, {samples, {}, {}, std::vector<bool>(40, true)}, 0.25).calibration.slope,
       all);
+}
+
+TEST(Validation, FitsProbabilitiesToLimitedValuesAndEvidenceToUnlimitedOnes) {
+  std::vector<SampleOrigin> samples;
+  Eigen::MatrixXd decision_values(40, 2);
+  for (int i = 0; i < 40; ++i) {
+    samples.push_back({i % 2, 0, static_cast<double>(i)});
+    const double f = 0.1 * (i % 5 == 0 ? -i : i);
+    decision_values.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
+  }
+  const CalibrationSet set{samples, {}, {}, std::vector<bool>(40, true)};
+  const std::vector<bool> all(40, true);
+  const CombinedValues limited = combine({heldOut(decision_values, all)}, {1}, 2);
+  const Calibration calibration = calibrate(limited, set, 0.25).calibration;
+  EXPECT_EQ(calibration.slope,
+            calibrate(heldOut(limited.decision_values, all), set, 0.25).calibration.slope);
+  int below = 0;
+  for (int i = 0; i < 40; ++i) {
+    below += calibration.evidence(decision_values.row(i)) < 0.5 - 1e-9 ? 1 : 0;
+  }
+  EXPECT_EQ(below, 10) << "a quarter";
 }
 
 TEST(Validation, WorksWithoutAnyHeldOutSample) {

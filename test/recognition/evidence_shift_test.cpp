@@ -17,6 +17,7 @@ namespace {
 Model modelOf(int places, double lead, double known) {
   Model model;
   model.cue_weights = {1};
+  model.decision_limit = 1;  // names the place only
   model.calibration.slope = 2;
   model.calibration.weights = {1, 10, -5};
   Eigen::MatrixXf decision_values = Eigen::MatrixXf::Constant(2 * places, places, -1);

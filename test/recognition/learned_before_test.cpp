@@ -19,7 +19,7 @@ namespace {
 double requestedLead(const Model& model, const std::vector<Frame>& frames) {
   const Samples added = collectSamplesFor(model, {opener(frames)}, model.options, 1, {}, 1);
   const Eigen::MatrixXd before =
-      combine(modelAnswers(model, added.features), model.cue_weights).decision_values;
+      combine(modelAnswers(model, added.features), model.cue_weights, 0).decision_values;
   const Samples samples = joinSamples(rememberedSamples(model), added);
   const Eigen::MatrixXd changes = learnedBefore(model, samples).changes.bottomRows(before.rows());
   double lead = std::numeric_limits<double>::infinity();

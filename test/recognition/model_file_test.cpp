@@ -41,6 +41,7 @@ TEST(ModelFile, KeepsEverythingElse) {
   EXPECT_EQ(serializeModel(read), smallModelBytes());
   EXPECT_EQ(read.places, (std::vector<std::string>{"room0", "room1", "room2"}));
   EXPECT_EQ(read.cue_weights, model.cue_weights);
+  EXPECT_EQ(read.decision_limit, 2);
   EXPECT_EQ(read.calibration.slope, model.calibration.slope);
   EXPECT_EQ(read.unknown_threshold, model.unknown_threshold);
   EXPECT_EQ(read.validation.average_rate, model.validation.average_rate);

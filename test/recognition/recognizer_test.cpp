@@ -42,6 +42,16 @@ TEST(Recognizer, AnswersTheSameFromTheModelFile) {
   }
 }
 
+TEST(Recognizer, LimitsDecisionValuesButNotTheEvidence) {
+  Model model = train({opener(drawFrames(3, 12))}, twoCueOptions()).model;
+  Recognizer limited(std::make_shared<const Model>(parseModel(serializeModel(model), "test")));
+  model.decision_limit = 0;
+  Recognizer unlimited(std::make_shared<const Model>(std::move(model)));
+  const cv::Mat image = drawRoom(1, 300);
+  EXPECT_EQ(limited.recognize(image).evidence, unlimited.recognize(image).evidence);
+  EXPECT_NE(limited.recognize(image).decision_values, unlimited.recognize(image).decision_values);
+}
+
 TEST(Recognizer, HoldsEvidenceAgainstTheThreshold) {
   Recognizer recognizer(modelOf(quickOptions()));
   const cv::Mat image = drawRoom(1, 300);
@@ -119,14 +129,14 @@ std::shared_ptr<const Model> modelWithNetwork() {
   return std::make_shared<const Model>(std::move(model));
 }
 
-/// Returns the decision values of one cue for an image.
+/// Returns the limited decision values of one cue for an image.
 Eigen::RowVectorXd decisionValues(const Model& model, std::size_t cue, const cv::Mat& image) {
   std::vector<Feature> features;
   CueExtraction(model).extract(image, features);
   Eigen::VectorXd kernel_values;
   Eigen::RowVectorXd decision_values;
   model.classifiers[cue].decisionValues(features[cue], kernel_values, decision_values);
-  return decision_values;
+  return model.decision_limit * (decision_values / model.decision_limit).array().tanh();
 }
 
 TEST(Recognizer, HoldsDecisionValuesOfEmbeddingsAndLetsThemAge) {

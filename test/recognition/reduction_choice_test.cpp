@@ -8,7 +8,7 @@ namespace {
 /// Answers to 40 samples of two places; the first `wrong` of each place are wrong.
 struct Answered {
   std::vector<SampleOrigin> samples;
-  HeldOutValues held_out{Eigen::MatrixXd(40, 2), std::vector<bool>(40, true)};
+  CombinedValues held_out{{Eigen::MatrixXd(40, 2), std::vector<bool>(40, true)}};
 
   explicit Answered(int wrong) {
     for (int i = 0; i < 40; ++i) {
@@ -29,7 +29,7 @@ ReductionOptions reduction(const std::string& method, double fraction) {
 
 /// Returns the choice among reductions with these numbers of wrong answers per place.
 std::size_t choice(const std::vector<ReductionOptions>& reductions, const std::vector<int>& wrong) {
-  std::vector<HeldOutValues> held_out;
+  std::vector<CombinedValues> held_out;
   for (const int count : wrong) held_out.push_back(Answered(count).held_out);
   return chooseReduction(reductions, held_out, Answered(0).samples, 2);
 }
@@ -89,7 +89,7 @@ TEST(ReductionChoice, LosesNoRateForProbabilitiesThatFitBetter) {
 }
 
 TEST(ReductionChoice, KeepsAllWhereNothingIsHeldOut) {
-  const HeldOutValues none{Eigen::MatrixXd::Zero(2, 2), {false, false}};
+  const CombinedValues none{{Eigen::MatrixXd::Zero(2, 2), {false, false}}};
   const std::vector<SampleOrigin> samples{{0, 0, 0}, {1, 0, 1}};
   EXPECT_EQ(chooseReduction({reduction("none", 0), reduction("qr", 0.1)}, {none, none}, samples, 2),
             0u);

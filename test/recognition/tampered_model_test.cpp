@@ -101,6 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{
             "WeightsOfCuesZero",
             [](auto& c) { message(c).set_cue_weights(0, 0), message(c).set_cue_weights(1, 0); }},
+        Tampering{"LimitNan", [](auto& c) { message(c).set_decision_limit(kNan); }},
+        Tampering{"LimitNegative", [](auto& c) { message(c).set_decision_limit(-1); }},
         Tampering{"SlopeNan", [](auto& c) { message(c).set_calibration_slope(kNan); }},
         Tampering{"SlopeNegative", [](auto& c) { message(c).set_calibration_slope(-1); }},
         Tampering{"ThresholdNan", [](auto& c) { message(c).set_unknown_threshold(kNan); }},

@@ -4,6 +4,7 @@ namespace place_recognition {
 
 void CueMean::begin(Eigen::Index places) {
   decision_values_.setZero(places);
+  unlimited_.setZero(places);
   familiarity_ = present_ = 0;
 }
 
@@ -12,7 +13,12 @@ void CueMean::add(
     const Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>& decision_values,
     double familiarity) {
   if (weight == 0) return;
-  decision_values_ += weight * decision_values;
+  unlimited_ += weight * decision_values;
+  if (limit_ > 0) {
+    decision_values_.array() += weight * limit_ * (decision_values.array() / limit_).tanh();
+  } else {
+    decision_values_ += weight * decision_values;
+  }
   familiarity_ += weight * familiarity;
   present_ += weight;
 }
@@ -20,6 +26,7 @@ void CueMean::add(
 bool CueMean::finish() {
   if (present_ == 0) return false;
   decision_values_ /= present_;
+  unlimited_ /= present_;
   familiarity_ /= present_;
   return true;
 }

@@ -86,6 +86,9 @@ void readEmbeddings(const proto::Model& message, Model& model) {
 }
 
 void readCalibration(const proto::Model& message, Model& model) {
+  model.decision_limit = message.decision_limit();
+  require(std::isfinite(model.decision_limit) && model.decision_limit >= 0,
+          "the limit of decision values is not a number >= 0");
   model.calibration.slope = message.calibration_slope();
   require(std::isfinite(model.calibration.slope) && model.calibration.slope > 0,
           "the slope of the calibration is not a positive number");
@@ -140,6 +143,7 @@ proto::Model toMessage(const Model& model) {
   message.set_asked(writeOptions(model.asked));
   message.set_places(joined(model.places));
   for (const double weight : model.cue_weights) message.add_cue_weights(weight);
+  message.set_decision_limit(model.decision_limit);
   message.set_calibration_slope(model.calibration.slope);
   const EvidenceWeights& weights = model.calibration.weights;
   for (const double weight : {weights.decision_values, weights.familiarity, weights.offset}) {

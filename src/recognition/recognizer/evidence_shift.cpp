@@ -39,7 +39,7 @@ EvidenceShift::EvidenceShift(const Model& model)
   const HeldOutFrames& frames = model.held_out;
   if (places < 3 || frames.places.empty()) return;
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(places, 3);  // log odds, leads, frames
-  CueMean mean;
+  CueMean mean(model.decision_limit);
   for (std::size_t i = 0; i < frames.places.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     mean.begin(places);
@@ -51,8 +51,8 @@ EvidenceShift::EvidenceShift(const Model& model)
     }
     if (!mean.finish()) continue;
     sums.row(largest(mean.decisionValues())) +=
-        Eigen::RowVector3d(model.calibration.logOdds(mean.decisionValues(), mean.familiarity()),
-                           leadOf(mean.decisionValues()), 1);
+        Eigen::RowVector3d(model.calibration.logOdds(mean.unlimited(), mean.familiarity()),
+                           leadOf(mean.unlimited()), 1);
   }
   const Eigen::RowVector3d all = sums.colwise().sum();
   if (!(all[1] > 0) || !all.allFinite()) return;

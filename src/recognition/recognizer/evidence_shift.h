@@ -30,8 +30,8 @@ class EvidenceShift {
   /// See FadingViews.
   void beginFrame(double stamp);
 
-  /// Adds that frame: the recognizer's results, with the unshifted log odds of evidence. A value
-  /// that is not finite is ignored.
+  /// Adds that frame: the recognizer's probabilities, the mean decision values without a limit, and
+  /// the unshifted log odds of evidence. A value that is not finite is ignored.
   void add(const Eigen::RowVectorXd& probabilities, const Eigen::RowVectorXd& decision_values,
            double log_odds);
 

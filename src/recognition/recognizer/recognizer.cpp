@@ -30,7 +30,7 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
       embedding_limit_(std::make_unique<RateLimit>()),
       budget_(std::make_unique<CueBudget>(groups_.size())),
       unknown_threshold_(model_->unknown_threshold),
-      mean_(std::make_unique<CueMean>()) {
+      mean_(std::make_unique<CueMean>(model_->decision_limit)) {
   for (const CueOptions& cue : model_->options.cues) {
     follows_run_.push_back(colourNormalization(cue.normalize) == ColourNormalization::kRun);
     is_embedding_.push_back(std::holds_alternative<EmbeddingOptions>(cue.feature));
@@ -65,7 +65,7 @@ const Recognition& Recognizer::recognize(const cv::Mat& image, double stamp, dou
   combine(stream_answers_, stamp, light_->certainty(), evidence_shift_->value());
   light_->add(extraction_->colour(), recognition_.probabilities);
   if (recognition_.place >= 0) {
-    evidence_shift_->add(recognition_.probabilities, recognition_.decision_values, log_odds_);
+    evidence_shift_->add(recognition_.probabilities, mean_->unlimited(), log_odds_);
   }
   return recognition_;
 }
@@ -149,7 +149,7 @@ void Recognizer::decide(double evidence_shift) {
   recognition_.probabilities = model_->calibration.probabilities(recognition_.decision_values);
   recognition_.place = largest(recognition_.probabilities);
   recognition_.confidence = recognition_.probabilities[recognition_.place];
-  log_odds_ = model_->calibration.logOdds(recognition_.decision_values, mean_->familiarity());
+  log_odds_ = model_->calibration.logOdds(mean_->unlimited(), mean_->familiarity());
   recognition_.evidence = logistic(log_odds_ + evidence_shift);
   recognition_.known = recognition_.evidence >= unknown_threshold_;
   recognition_.reason.clear();

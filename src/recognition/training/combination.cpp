@@ -78,13 +78,20 @@ std::vector<double> sumOfTheBest(const std::vector<Trial>& trials) {
 
 }  // namespace
 
-HeldOutValues combine(const std::vector<HeldOutValues>& cues, const std::vector<double>& weights) {
+double decisionLimit(const TrainingOptions& options) {
+  constexpr double kLimit = 2;
+  return options.cues.size() > 1 && options.svm.multiclass == "one-against-all" ? kLimit : 0;
+}
+
+CombinedValues combine(const std::vector<HeldOutValues>& cues, const std::vector<double>& weights,
+                       double limit) {
   const Eigen::Index places = cues[0].decision_values.cols();
-  HeldOutValues combined;
+  CombinedValues combined;
   combined.decision_values.setZero(cues[0].decision_values.rows(), places);
+  combined.unlimited = combined.decision_values;
   combined.valid.assign(cues[0].valid.size(), false);
   combined.familiarity.setZero(cues[0].decision_values.rows());
-  CueMean mean;
+  CueMean mean(limit);
   for (std::size_t i = 0; i < combined.valid.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     mean.begin(places);
@@ -96,6 +103,7 @@ HeldOutValues combine(const std::vector<HeldOutValues>& cues, const std::vector<
     }
     combined.valid[i] = mean.finish();
     combined.decision_values.row(row) = mean.decisionValues();
+    combined.unlimited.row(row) = mean.unlimited();
     combined.familiarity[row] = mean.familiarity();
   }
   return combined;
@@ -110,10 +118,10 @@ std::vector<double> priorWeights(const std::vector<CueOptions>& cues) {
 }
 
 std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
-                                     const std::vector<double>& prior,
+                                     const std::vector<double>& prior, double limit,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
   const auto judge = [&](const std::vector<double>& parts) -> Trial {
-    const HeldOutValues combined = combine(cues, scaled(prior, parts));
+    const CombinedValues combined = combine(cues, scaled(prior, parts), limit);
     return {parts, averageRate(combined, samples, places),
             averageRateError(combined, samples, places)};
   };

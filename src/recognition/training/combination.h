@@ -8,12 +8,21 @@
 namespace place_recognition {
 
 // Cues are combined by the weighted mean of their decision values over the cues that an image has
-// (discriminative accumulation). It is divided by the weights of the cues present, which keeps the
-// result in the units of its calibration.
+// (discriminative accumulation); see CueMean.
+
+/// The means over the cues.
+struct CombinedValues : HeldOutValues {
+  Eigen::MatrixXd unlimited = {};  ///< samples x places: decision values for the evidence
+};
+
+/// The limit of decision values for training with these options: 2 for several cues. A single cue
+/// outvotes no other, and the decision values of one-against-one are numbers of votes.
+double decisionLimit(const TrainingOptions& options);
 
 /// Combines the held-out decision values and familiarity of the cues; valid if any cue with
-/// positive weight is.
-HeldOutValues combine(const std::vector<HeldOutValues>& cues, const std::vector<double>& weights);
+/// positive weight is. `limit`: see Model::decision_limit.
+CombinedValues combine(const std::vector<HeldOutValues>& cues, const std::vector<double>& weights,
+                       double limit);
 
 /// The weights in the options, scaled to sum 1.
 std::vector<double> priorWeights(const std::vector<CueOptions>& cues);
@@ -23,7 +32,7 @@ std::vector<double> priorWeights(const std::vector<CueOptions>& cues);
 /// distinguish them. The settings are multiples of `prior` in steps of a tenth (coarser for many
 /// cues). A cue whose weight in this mean is less than a fifth of an equal share gets weight 0.
 std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
-                                     const std::vector<double>& prior,
+                                     const std::vector<double>& prior, double limit,
                                      const std::vector<SampleOrigin>& samples, std::size_t places);
 
 }  // namespace place_recognition

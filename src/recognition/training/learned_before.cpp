@@ -48,15 +48,15 @@ std::vector<std::vector<Feature>> newFeatures(const Samples& samples) {
 
 Eigen::MatrixXd changesFor(const Model& model, const Samples& samples,
                            const std::vector<int>& place_of) {
-  const HeldOutValues answers =
-      combine(modelAnswers(model, newFeatures(samples)), model.cue_weights);
+  const CombinedValues answers =
+      combine(modelAnswers(model, newFeatures(samples)), model.cue_weights, model.decision_limit);
   std::vector<int> labels;
   for (std::size_t i = samples.remembered; i < samples.origins.size(); ++i) {
     labels.push_back(samples.origins[i].place);
   }
   Eigen::MatrixXd changes =
-      changesToLead(extended(answers.decision_values, place_of, samples.places.size(), kUnseen),
-                    labels, leadFor(labels, samples.places.size(), model.calibration));
+      changesToLead(extended(answers.unlimited, place_of, samples.places.size(), kUnseen), labels,
+                    leadFor(labels, samples.places.size(), model.calibration));
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!answers.valid[i]) changes.row(static_cast<Eigen::Index>(i)).setZero();
   }

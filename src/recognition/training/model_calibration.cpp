@@ -8,7 +8,7 @@
 namespace place_recognition {
 namespace {
 
-Calibration fit(const HeldOutValues& held_out, const CalibrationSet& set,
+Calibration fit(const CombinedValues& held_out, const CalibrationSet& set,
                 const std::vector<int>& chosen, double false_alarm_rate) {
   const auto count = static_cast<Eigen::Index>(chosen.size());
   Eigen::MatrixXd decision_values(count, held_out.decision_values.cols());
@@ -26,7 +26,7 @@ Calibration fit(const HeldOutValues& held_out, const CalibrationSet& set,
   for (Eigen::Index i = 0; i < count; ++i) {
     const int sample = chosen[static_cast<std::size_t>(i)];
     if (!set.judges_unknown[sample]) continue;
-    log_sums[judges] = calibration.logSum(decision_values.row(i));
+    log_sums[judges] = calibration.logSum(held_out.unlimited.row(sample));
     familiarity[judges] = held_out.familiarity[sample];
     ++judges;
   }
@@ -41,13 +41,17 @@ struct Answers {
   std::vector<double> confidences, evidence;
   std::vector<bool> correct;
 
-  void add(int place, const Calibration& calibration, const Eigen::RowVectorXd& decision_values,
-           double familiarity, bool judges_unknown) {
-    const Eigen::RowVectorXd probabilities = calibration.probabilities(decision_values);
+  void add(const CombinedValues& held_out, int sample, int place, const Calibration& calibration,
+           bool judges_unknown) {
+    const Eigen::RowVectorXd probabilities =
+        calibration.probabilities(held_out.decision_values.row(sample));
     truth.push_back(place);
     places.push_back(largest(probabilities));
     confidences.push_back(probabilities[places.back()]);
-    if (judges_unknown) evidence.push_back(calibration.evidence(decision_values, familiarity));
+    if (judges_unknown) {
+      evidence.push_back(
+          calibration.evidence(held_out.unlimited.row(sample), held_out.familiarity[sample]));
+    }
     correct.push_back(places.back() == place);
   }
 };
@@ -64,7 +68,7 @@ std::vector<int> validSamples(const HeldOutValues& held_out, const std::vector<i
 
 }  // namespace
 
-Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
+Calibrated calibrate(const CombinedValues& held_out, const CalibrationSet& set,
                      double false_alarm_rate) {
   const int fold_count = static_cast<int>(set.folds.size());
   std::vector<int> fold_of(set.samples.size(), -1);
@@ -77,8 +81,7 @@ Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
     const Calibration others =
         fit(held_out, set, validSamples(held_out, fold_of, f, false), false_alarm_rate);
     for (const int i : validSamples(held_out, fold_of, f, true)) {
-      answers.add(set.samples[i].place, others, held_out.decision_values.row(i),
-                  held_out.familiarity[i], set.judges_unknown[i]);
+      answers.add(held_out, i, set.samples[i].place, others, set.judges_unknown[i]);
     }
   }
   const std::size_t places = static_cast<std::size_t>(held_out.decision_values.cols());

@@ -4,6 +4,7 @@
 
 #include "place_recognition/model.h"
 #include "recognition/training/calibration_set.h"
+#include "recognition/training/combination.h"
 
 namespace place_recognition {
 
@@ -17,7 +18,7 @@ struct Calibrated {
 
 /// Fits the calibration and estimates its quality. `held_out`: decision values of all cues together
 /// for the samples of `set`. `false_alarm_rate`: see UnknownOptions.
-Calibrated calibrate(const HeldOutValues& held_out, const CalibrationSet& set,
+Calibrated calibrate(const CombinedValues& held_out, const CalibrationSet& set,
                      double false_alarm_rate);
 
 }  // namespace place_recognition

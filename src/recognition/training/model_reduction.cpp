@@ -153,7 +153,7 @@ double RateOnSamples::operator()(const std::vector<BinarySvms>& machines) const 
     }
     cues.push_back(std::move(cue));
   }
-  const HeldOutValues combined = combine(cues, model_.cue_weights);
+  const HeldOutValues combined = combine(cues, model_.cue_weights, model_.decision_limit);
   std::vector<int> answers(truth_.size(), -1);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);

@@ -51,7 +51,7 @@ KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::st
 }
 
 /// The evidence of the valid frames as found by a recognizer that follows each run.
-std::vector<double> evidenceOfStreams(const Model& model, const HeldOutValues& combined,
+std::vector<double> evidenceOfStreams(const Model& model, const CombinedValues& combined,
                                       const std::vector<SampleOrigin>& origins) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < origins.size(); ++i) {
@@ -70,12 +70,12 @@ std::vector<double> evidenceOfStreams(const Model& model, const HeldOutValues& c
     if (its != stream) shift.reset();
     stream = its;
     shift.beginFrame(origins[i].stamp);
-    const Eigen::RowVectorXd decision_values =
-        combined.decision_values.row(static_cast<Eigen::Index>(i));
-    const double log_odds = model.calibration.logOdds(
-        decision_values, combined.familiarity[static_cast<Eigen::Index>(i)]);
+    const auto row = static_cast<Eigen::Index>(i);
+    const Eigen::RowVectorXd unlimited = combined.unlimited.row(row);
+    const double log_odds = model.calibration.logOdds(unlimited, combined.familiarity[row]);
     evidence.push_back(logistic(log_odds + shift.value()));
-    shift.add(model.calibration.probabilities(decision_values), decision_values, log_odds);
+    shift.add(model.calibration.probabilities(combined.decision_values.row(row)), unlimited,
+              log_odds);
   }
   return evidence;
 }
@@ -86,7 +86,7 @@ double fractionBelow(const std::vector<double>& values, double limit) {
   return static_cast<double>(below) / static_cast<double>(values.size());
 }
 
-AnswerFigures figuresOf(const Model& model, const HeldOutValues& combined,
+AnswerFigures figuresOf(const Model& model, const CombinedValues& combined,
                         const std::vector<SampleOrigin>& origins) {
   std::vector<int> truth, places;
   std::vector<double> confidences;
@@ -125,7 +125,8 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
                                  {modelAnswers(model, frames.features)},
                                  std::vector<bool>(frames.origins.size(), true)};
   const std::vector<HeldOutValues>& cues = calibration_set.reductions.front();
-  result.before = figuresOf(model, combine(cues, model.cue_weights), frames.origins);
+  result.before =
+      figuresOf(model, combine(cues, model.cue_weights, model.decision_limit), frames.origins);
 
   int last_recording = 0;
   for (const SampleOrigin& origin : frames.origins)
@@ -134,9 +135,9 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   calibration_set.folds = timeBlockFolds(
       frames.origins, options.validation.folds,
       std::vector<TimeBlocks>(static_cast<std::size_t>(last_recording) + 1, kAFifth));
-  model.cue_weights =
-      chooseCueWeights(cues, priorWeights(options.cues), frames.origins, model.places.size());
-  const HeldOutValues combined = combine(cues, model.cue_weights);
+  model.cue_weights = chooseCueWeights(cues, priorWeights(options.cues), model.decision_limit,
+                                       frames.origins, model.places.size());
+  const CombinedValues combined = combine(cues, model.cue_weights, model.decision_limit);
   const double false_alarm_rate = options.unknown.false_alarm_rate;
   const Calibrated calibrated = calibrate(combined, calibration_set, false_alarm_rate);
   model.calibration = calibrated.calibration;

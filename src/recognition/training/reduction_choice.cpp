@@ -60,7 +60,7 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
 }
 
 std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
-                            const std::vector<HeldOutValues>& held_out,
+                            const std::vector<CombinedValues>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places) {
   const LossComparison comparison(held_out[0], samples, places);
   if (comparison.empty()) return 0;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "recognition/training/cross_validation.h"
+#include "recognition/training/combination.h"
 
 namespace place_recognition {
 
@@ -22,7 +22,7 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
 /// `held_out`: one for each of `reductions`, of which the first keeps most vectors; it is the
 /// result if no sample is valid.
 std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
-                            const std::vector<HeldOutValues>& held_out,
+                            const std::vector<CombinedValues>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places);
 
 }  // namespace place_recognition

@@ -163,13 +163,14 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
   Training training;
   Model& model = training.model;
   model.options = options;
+  model.decision_limit = decisionLimit(options);
   model.cue_weights =
       learned ? learned->cue_weights
               : chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
-                                 calibration_set.samples, places);
-  std::vector<HeldOutValues> held_out;
+                                 model.decision_limit, calibration_set.samples, places);
+  std::vector<CombinedValues> held_out;
   for (const std::vector<HeldOutValues>& reduced : calibration_set.reductions) {
-    held_out.push_back(combine(reduced, model.cue_weights));
+    held_out.push_back(combine(reduced, model.cue_weights, model.decision_limit));
   }
   const std::size_t chosen = chooseReduction(reductions, held_out, calibration_set.samples, places);
   model.options.reduction = reductions[chosen];
