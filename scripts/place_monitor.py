@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Prints the answers of place_recognizer: one line whenever the answer or the true label changes.
+"""Prints the room over time of place_recognizer: one line whenever it or the true label changes.
 
   rosrun place_recognition place_monitor.py [--recognizer /place_recognizer] [--label-topic /place_label]
 
-If the label topic is published, as when a labelled bag is replayed, the true label is printed
-beside each answer. Ends with a summary on Ctrl-C or after --idle-exit seconds without an answer.
+A line has the room of ~place with its probability (~belief). If the label topic is published, as
+when a labelled bag is replayed, the true label is printed beside it. Ends with a summary on Ctrl-C
+or after --idle-exit seconds without an answer.
 """
 import argparse
 import sys
@@ -20,6 +21,25 @@ def percentile(values, share):
     return sorted(values)[min(len(values) - 1, int(share * len(values)))]
 
 
+def answer_of(message):
+    return message.place if message.known else "unknown"
+
+
+class Count:
+    """The fraction of right answers among the labelled frames."""
+
+    def __init__(self):
+        self.right = self.labelled = 0
+
+    def add(self, answer, truth):
+        if truth:
+            self.labelled += 1
+            self.right += answer == truth
+
+    def __str__(self):
+        return f"{100 * self.right / max(self.labelled, 1):.1f} %"
+
+
 class Monitor:
     def __init__(self, recognizer, label_topic):
         self.lock = threading.Lock()
@@ -29,10 +49,11 @@ class Monitor:
         self.first = self.last = None  # wall time of the first and last answer
         self.first_stamp = None  # s
         self.seconds = []
-        self.right = self.labelled = 0
+        self.single, self.over_time = Count(), Count()
         rospy.Subscriber(label_topic, String, self.on_label, queue_size=10)
         rospy.Subscriber(recognizer + "/recognition", PlaceRecognition, self.on_answer,
                          queue_size=1000)
+        rospy.Subscriber(recognizer + "/belief", PlaceRecognition, self.on_belief, queue_size=1000)
 
     def on_label(self, message):
         with self.lock:
@@ -43,10 +64,12 @@ class Monitor:
             self.last = time.time()
             self.first = self.first or self.last
             self.seconds.append(message.seconds)
-            if self.truth:
-                self.labelled += 1
-                self.right += message.known and message.place == self.truth
-            answer = message.place if message.known else "unknown"
+            self.single.add(answer_of(message), self.truth)
+
+    def on_belief(self, message):
+        with self.lock:
+            answer = answer_of(message)
+            self.over_time.add(answer, self.truth)
             if (answer, self.truth) != self.shown:
                 self.shown = (answer, self.truth)
                 self.print_line(message, answer)
@@ -56,10 +79,12 @@ class Monitor:
         if self.truth:
             mark = "right" if answer == self.truth else "wrong" if message.known else "  -  "
             verdict = f"   {mark}   truth: {self.truth}"
+        probability = (message.confidence * message.evidence if message.known
+                       else 1 - message.evidence)
         stamp = message.header.stamp.to_sec()
         self.first_stamp = self.first_stamp or stamp
         print(f"{stamp - self.first_stamp:8.2f} s   {answer:<16}"
-              f" {100 * message.confidence:3.0f} %{verdict}", flush=True)
+              f" {100 * probability:3.0f} %{verdict}", flush=True)
 
     def is_idle(self, seconds):
         """Returns whether there has been no answer for `seconds`; allows ten times as long for the
@@ -75,8 +100,9 @@ class Monitor:
         text = (f"{len(self.seconds)} frames answered, {rate:.0f} per second; latency in the node "
                 f"{1e3 * percentile(self.seconds, 0.5):.1f} ms (median), "
                 f"{1e3 * percentile(self.seconds, 0.99):.1f} ms (99th percentile)")
-        if self.labelled:
-            text += f"; {100 * self.right / self.labelled:.1f} % of the labelled frames correct"
+        if self.single.labelled:
+            text += (f"; of the labelled frames {self.single} are right frame by frame, "
+                     f"{self.over_time} over time")
         return text
 
 

@@ -63,6 +63,20 @@ class ReplayTest(NodeCase):
                 self.assertEqual(self.replay(given, *arguments),
                                  list(range(1000, 1000 + FRAMES)))
 
+    def test_the_monitor_compares_the_room_over_time_with_the_labels(self):
+        run = self.write_run(self.trip / "run.bag")
+        program = self.start(os.environ["PLACE_TOOL"], "train", run, "--model", "home", "--config",
+                             "crfh_colour")
+        self.assertEqual(program.wait(), 0, program.output)
+        monitor = self.start(PROGRAMS / "place_monitor.py")
+        self.replay(run)
+        self.assertEqual(monitor.interrupt(), 0)
+        lines = monitor.output.splitlines()
+        self.assertRegex(lines[0], r"^ +0\.00 s   kitchen +\d+ %")
+        self.assertRegex(lines[-2], r"^ +\d+\.00 s   office +\d+ %   right   truth: office$")
+        self.assertRegex(lines[-1], r"^\d+ frames answered, .* of the labelled frames "
+                                   r"\d+\.\d % are right frame by frame, \d+\.\d % over time$")
+
     def test_what_cannot_be_played_is_told(self):
         run = self.write_run(self.trip / "the run.bag")
         (self.trip / "notes.bag").write_text("notes")
