@@ -179,7 +179,7 @@ TEST(Validation, FitsProbabilitiesToLimitedValuesAndEvidenceToUnlimitedOnes) {
   Eigen::MatrixXd decision_values(40, 2);
   for (int i = 0; i < 40; ++i) {
     samples.push_back({i % 2, 0, static_cast<double>(i)});
-    const double f = 0.1 * (i % 5 == 0 ? -i : i);
+    const double f = 0.3 * (i % 5 == 0 ? -i : i);
     decision_values.row(i) << (i % 2 == 0 ? f : -f), (i % 2 == 0 ? -f : f);
   }
   const CalibrationSet set{samples, {}, {}, std::vector<bool>(40, true)};
