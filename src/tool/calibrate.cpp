@@ -66,7 +66,7 @@ void printSummary(const Recalibration& result, const Fitted& before, std::ostrea
 
 void calibrateModel(const CalibrateOptions& options) {
   const std::string path = modelPath(options.out.empty() ? options.model : options.out);
-  requireWritable(path);
+  requireWritable(path, Contents::kModel);
   Model model = loadModel(modelPath(options.model));
   const Fitted before = fittedOf(model);
   const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);

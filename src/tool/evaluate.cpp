@@ -33,7 +33,7 @@ std::shared_ptr<const Model> modelOf(const EvaluateOptions& options) {
 
 void evaluateModel(const EvaluateOptions& options) {
   const std::string report = options.report + "/report.html";
-  if (!options.report.empty()) requireWritable(report);
+  if (!options.report.empty()) requireWritable(report, Contents::kText);
   const std::shared_ptr<const Model> model = modelOf(options);
   const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
 

@@ -25,7 +25,7 @@ void importImages(const ImportOptions& options) {
   if (!options.layout.camera.empty() && options.layout.name != "cold") {
     throw UsageError("--camera requires --layout cold");
   }
-  requireWritable(options.out);
+  requireWritable(options.out, Contents::kBag);
   std::vector<std::string> warnings;
   const std::vector<LabelledImage> images = listImages(options.folder, options.layout, warnings);
 

@@ -32,9 +32,13 @@ struct OutputOptions {
 /// One line of JSON; its strings may contain any bytes.
 std::string jsonLine(const Json& value);
 
-/// Throws Error if no file can be created at `path`, so that this is reported before the work
-/// instead of after it. Missing folders are allowed, and are not created.
-void requireWritable(const std::string& path);
+/// What a verb writes.
+enum class Contents { kText, kBag, kModel };
+
+/// Throws Error if no file can be created at `path`, or a file is there that does not begin like
+/// one of these contents, for example an image whose name was meant as an input. This is reported
+/// before the work instead of after it. Missing folders are allowed, and are not created.
+void requireWritable(const std::string& path, Contents contents);
 
 /// Creates a folder, with those above it, unless it exists. The destructor removes those created
 /// folders that are still empty.

@@ -128,8 +128,8 @@ void reduceModel(const ReduceOptions& options) {
   options.reduction.check();
   const std::string path = modelPath(options.out);
   const std::string page = options.report + "/reduction.html";
-  requireWritable(path);
-  if (!options.report.empty()) requireWritable(page);
+  requireWritable(path, Contents::kModel);
+  if (!options.report.empty()) requireWritable(page, Contents::kText);
 
   ProgressDisplay display(options.output.progress);
   const Progress progress = display.callback();

@@ -153,7 +153,7 @@ void train(const TrainOptions& options) {
   }
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);
-  requireWritable(path);
+  requireWritable(path, Contents::kModel);
   const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);

@@ -173,7 +173,7 @@ void tune(const TuneOptions& options) {
   Task task{options.configuration.read(), readSpace(options.space), {}, {}};
   if (options.same_light) task.space.other_light = false;
   addInstalledNetwork(task.base, task.space);
-  requireWritable(options.out);
+  requireWritable(options.out, Contents::kText);
   task.recordings = options.input.openers(options.inputs);
   if (!options.validate.empty()) task.hold_out = options.input.openers(options.validate);
   std::optional<NewFolder> cells;

@@ -58,6 +58,27 @@ class BadInputTest(ToolCase):
         self.assert_fails(["run.bag"], "import", "monday", "--out", "file/run.bag")
         self.assert_fails(["file"], "simulate", "--out", "file/runs", "--size", "32x24")
 
+    def test_an_output_replaces_only_a_file_of_its_kind(self):
+        self.write_run("monday")
+        images = [self.write_image(name, paint("kitchen", 1)) for name in ("1.jpg", "2.png")]
+        bag = self.folder / self.write_bag("run.bag", [(room, room) for room in ROOMS] * 6)
+        files = [*images, bag, self.folder / "empty", self.folder / "text"]
+        files[-2].touch()
+        files[-1].write_text("kitchen\n")
+        before = [path.read_bytes() for path in files]
+        for path in images + [bag]:
+            for arguments in (["recognize", *MODEL, "--json", path, *images],
+                              ["tune", "monday", "--out", path],
+                              ["train", "monday", "--model", path]):
+                self.assert_fails([str(path), "another name"], *arguments)
+        for path in images + [files[-1]]:
+            self.assert_fails([str(path), "another name"], "import", "monday", "--out", path)
+        self.assertEqual([path.read_bytes() for path in files], before)
+        self.succeed("import", "monday", "--out", bag)
+        for path in files[-2:]:
+            self.succeed("info", bag, "--json", path)
+            self.assertTrue(path.read_text().startswith("{"))
+
     def test_an_existing_folder_is_not_rendered_into(self):
         self.write_run("runs/night")
         self.assert_fails(["runs/night"], "simulate", "--out", "runs", "--conditions", "night",
