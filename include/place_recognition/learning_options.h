@@ -27,6 +27,9 @@ struct KernelOptions {
     visitor("theta", self.theta, "offset of the sigmoid kernel");
   }
   void check() const;
+
+  /// Whether the type has a gamma, to be found by cross-validation if it is 0.
+  bool hasGamma() const;
 };
 
 /// Support vector classification, thesis chapter 5.

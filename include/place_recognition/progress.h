@@ -10,7 +10,7 @@ namespace place_recognition {
 /// completed part of it, 0..1. Returning false requests a stop: the work then throws Cancelled.
 using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
-/// The caller's Progress stopped the work; no partial results are left behind.
+/// The caller's Progress stopped the work. No half-written file is left behind.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("Cancelled.") {}

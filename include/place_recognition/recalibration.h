@@ -21,7 +21,7 @@ struct AnswerFigures {
 struct Recalibration {
   Model model;
   AnswerFigures before;
-  AnswerFigures after;  ///< each fifth of a room is judged by a calibration fitted on the others
+  AnswerFigures after;  ///< each block of a room is judged by a calibration fitted on the others
   std::uint64_t images = 0;
   std::vector<std::string> warnings;  ///< for a person: skipped images
 };
@@ -30,8 +30,8 @@ struct Recalibration {
 /// threshold of 'unknown' anew to labelled `recordings` that the model was not trained on; its
 /// machines stay the same. The threshold leaves the configured fraction of these frames 'unknown'
 /// as a recognizer sees them, in the order of each recording. Frames of places unknown to the model
-/// are skipped. Later incremental training validates on these frames. Throws Error if no frame is
-/// left; Cancelled if `progress` requests it.
+/// are skipped. Later incremental training validates on these frames. Throws Error if fewer
+/// than 5 frames are left; Cancelled if `progress` requests it.
 Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recordings,
                           unsigned threads = 0, const Progress& progress = {});
 

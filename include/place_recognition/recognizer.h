@@ -92,6 +92,7 @@ class Recognizer {
   using CueAnswers = std::vector<CueAnswer>;
 
   void beginStreamFrame(double stamp);
+  void forgetAnswers();
   void askCue(std::size_t cue, double stamp, CueAnswer& answer);
   void askCuesInTime(double stamp);
   double weightOf(std::size_t cue, double certainty, double age) const;

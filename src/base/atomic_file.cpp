@@ -92,6 +92,9 @@ std::string behindLinks(const std::string& path) {
   for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(file, failure)); ++i) {
     file = file.parent_path() / fs::read_symlink(file, failure);
   }
+  if (fs::is_symlink(fs::symlink_status(file, failure))) {
+    throw Error("Cannot write " + path + ": its links lead in a circle; remove it.");
+  }
   return file.string();
 }
 
@@ -136,15 +139,21 @@ std::string readFile(const std::string& path, std::size_t limit) {
     throw Error("Cannot read " + path + ": " + why + "; check the name.");
   }
   std::string bytes;
+  int failure = 0;
   if (static_cast<std::size_t>(status.st_size) <= limit) {
     bytes.resize(static_cast<std::size_t>(status.st_size));
     std::size_t got = 0;
-    for (ssize_t n; got < bytes.size() && (n = read(fd, &bytes[got], bytes.size() - got)) > 0;) {
+    while (got < bytes.size()) {
+      const ssize_t n = read(fd, &bytes[got], bytes.size() - got);
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) failure = errno;
+      if (n <= 0) break;
       got += static_cast<std::size_t>(n);
     }
     bytes.resize(got);
   }
   close(fd);
+  if (failure != 0) throw Error("Cannot read " + path + ": " + std::strerror(failure) + ".");
   if (static_cast<std::size_t>(status.st_size) > limit) {
     throw Error(path + " has " + std::to_string(status.st_size) +
                 " bytes, more than the maximum of " + std::to_string(limit) +

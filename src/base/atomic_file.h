@@ -16,7 +16,7 @@ void writeFileAtomically(const std::string& path, std::string_view bytes,
                          const std::function<void()>& before_rename = {});
 
 /// The path that a write to `path` reaches: `path` itself or, if it is a link, its final target,
-/// whether that file exists or not.
+/// whether that file exists or not. Throws Error if its links lead in a circle.
 std::string behindLinks(const std::string& path);
 
 /// Removes the temporary files of killed writers of `path`. Nobody may be writing to it.

@@ -31,8 +31,9 @@ std::optional<Json> CellStore::find(const Json& key) const {
   if (!std::filesystem::exists(path)) return std::nullopt;
   const Json cell = Json::parse(readFile(path, kMaxCellBytes), nullptr, false);
   // Another key with the same hash, or a damaged file, counts as a missing result.
-  if (!cell.is_object() || !cell.contains("key") || cell["key"] != key) return std::nullopt;
-  return cell.at("result");
+  const bool is_it = cell.is_object() && cell.contains("key") && cell["key"] == key;
+  if (!is_it || !cell.contains("result")) return std::nullopt;
+  return cell["result"];
 }
 
 void CellStore::save(const Json& key, const Json& result) const {

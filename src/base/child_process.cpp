@@ -135,16 +135,21 @@ bool ChildProcess::readLines(std::chrono::milliseconds timeout, const LineCallba
   return true;
 }
 
-void ChildProcess::interrupt() const { ::kill(pid_, SIGINT); }
+void ChildProcess::interrupt() const {
+  if (pid_ > 0) ::kill(pid_, SIGINT);
+}
 
-void ChildProcess::kill() const { ::kill(pid_, SIGKILL); }
+void ChildProcess::kill() const {
+  if (pid_ > 0) ::kill(pid_, SIGKILL);
+}
 
 int ChildProcess::wait() {
-  int status = 0;
-  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  if (pid_ > 0) {
+    while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+    }
   }
   pid_ = -1;
-  return status;
+  return status_;
 }
 
 std::string describeExit(int status) {

@@ -31,15 +31,17 @@ class ChildProcess {
   bool readLines(std::chrono::milliseconds timeout, const LineCallback& on_output,
                  const LineCallback& on_error);
 
-  /// Asks the program to stop (SIGINT).
+  /// Asks the program to stop (SIGINT), unless wait() has returned.
   void interrupt() const;
-  /// Stops the program at once (SIGKILL).
+  /// Stops the program at once (SIGKILL), unless wait() has returned.
   void kill() const;
-  /// Waits for the program to end and returns its status, as waitpid() does.
+  /// Waits for the program to end and returns its status, as waitpid() does; again, if called
+  /// again.
   int wait();
 
  private:
-  pid_t pid_ = -1;
+  pid_t pid_ = -1;  // -1: it has been waited for
+  int status_ = 0;
   int output_ = -1;
   int errors_ = -1;          // -1: discarded
   std::string output_line_;  // start of a line that is still incomplete

@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kShown = 200;  // bytes of a path in a message
 constexpr std::size_t kMaxPathBytes = 4096;
 
 std::string home() {
@@ -99,13 +100,6 @@ std::optional<WayOut> wayOut(const fs::path& path, const std::string& root,
   return std::nullopt;
 }
 
-std::string shortened(const std::string& path) {
-  std::string text = path.substr(0, 200);
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return text;
-}
-
 }  // namespace
 
 std::string confinedBagPath(const std::string& path, const std::vector<std::string>& roots) {
@@ -118,20 +112,18 @@ std::string confinedBagPath(const std::string& path, const std::vector<std::stri
     }
     for (const std::string& root : roots) {
       const std::string why_not = whyNoBag(expanded, root, roots);
-      if (!why_not.empty()) throw Error("'" + shortened(path) + "' " + why_not + ".");
+      if (!why_not.empty()) throw Error(inQuotes(path, kShown) + " " + why_not + ".");
     }
     for (const std::string& root : roots) {
       if (const auto way_out = wayOut(expanded, root, roots)) {
-        throw Error("'" + shortened(path) + "' is reached through the link " +
+        throw Error(inQuotes(path, kShown) + " is reached through the link " +
                     way_out->link.string() + ", which leads to " + way_out->target.string() +
                     ", outside of the permitted folders; add " + way_out->folder.string() +
                     " to ~bag_roots.");
       }
     }
   }
-  std::string folders;
-  for (const std::string& root : roots) folders += (folders.empty() ? "" : ", ") + root;
-  throw Error("'" + shortened(path) + "' is not a bag (*.bag) below " + folders +
+  throw Error(inQuotes(path, kShown) + " is not a bag (*.bag) below " + listed(roots) +
               "; move it there, or set ~bag_roots.");
 }
 

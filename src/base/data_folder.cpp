@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -13,10 +14,6 @@ constexpr std::size_t kMaxPlainNameBytes = 64;
 std::string environment(const char* variable) {
   const char* value = std::getenv(variable);
   return value == nullptr ? "" : value;
-}
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 }  // namespace
@@ -44,14 +41,6 @@ bool isPlainName(const std::string& name) {
 bool isFileName(const std::string& name, const std::string& extension) {
   return name.find('\0') == std::string::npos &&
          (name.find('/') != std::string::npos || endsWith(name, extension));
-}
-
-std::string quoted(const std::string& name) {
-  std::string text = name.substr(0, 80);
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return "'" + text + (name.size() > 80 ? "...'" : "'");
 }
 
 }  // namespace place_recognition

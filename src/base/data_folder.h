@@ -18,7 +18,4 @@ bool isPlainName(const std::string& name);
 /// a slash or ends in `extension`.
 bool isFileName(const std::string& name, const std::string& extension);
 
-/// A name from any source, sanitized for use in a message.
-std::string quoted(const std::string& name);
-
 }  // namespace place_recognition

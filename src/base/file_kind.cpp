@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
 
 namespace place_recognition {
 namespace {
@@ -71,6 +73,16 @@ bool matches(std::string_view start, const Signature& signature) {
 }
 
 }  // namespace
+
+std::string startOfFile(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return "";
+  std::string start(512, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return start;
+}
 
 const FileKind* foreignFile(std::string_view start) {
   const auto found =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace place_recognition {
@@ -9,6 +10,10 @@ struct FileKind {
   std::string_view name;    ///< as in "it is NAME"
   std::string_view remedy;  ///< what to do, in the imperative
 };
+
+/// The first 512 bytes of a file; fewer if it is shorter, and none if it is not a regular file or
+/// cannot be read.
+std::string startOfFile(const std::string& path);
 
 /// Identifies a file of the wrong kind by its first bytes (64 are enough); nullptr if the kind is
 /// not known.

@@ -16,12 +16,6 @@ namespace place_recognition {
 namespace options_detail {
 namespace {
 
-std::string join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string inside(const std::string& where) {
   return where.empty() ? "the configuration" : "'" + where + "'";
 }
@@ -47,13 +41,13 @@ void readAs(const YAML::Node& node, const std::string& where, const char* kind, 
 void throwUnknownKey(const std::string& key, const std::string& where,
                      const std::vector<std::string>& known) {
   throw Error("Unknown option '" + key + "' in " + inside(where) +
-              "; the known ones are: " + join(known) + ".");
+              "; the known ones are: " + listed(known) + ".");
 }
 
 void throwUnknownType(const std::string& type, const std::string& where,
                       const std::vector<std::string>& known) {
   throw Error("Unknown type '" + type + "' in " + inside(where) +
-              "; the known ones are: " + join(known) + ".");
+              "; the known ones are: " + listed(known) + ".");
 }
 
 void requireMapping(const YAML::Node& node, const std::string& where) {

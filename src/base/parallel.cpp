@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -31,7 +32,10 @@ void parallelFor(std::size_t count, unsigned threads,
 
   const std::size_t wanted = std::min<std::size_t>(threadCount(threads), count);
   std::vector<std::thread> helpers;
-  for (std::size_t thread = 1; thread < wanted; ++thread) helpers.emplace_back(run, thread);
+  try {
+    for (std::size_t thread = 1; thread < wanted; ++thread) helpers.emplace_back(run, thread);
+  } catch (const std::system_error&) {  // the system gives no more threads: these do all the work
+  }
   run(0);
   for (std::thread& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);

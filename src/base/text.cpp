@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/place_name.h"
+
 namespace place_recognition {
 namespace {
 
@@ -135,6 +137,32 @@ std::string lowerCase(std::string text) {
 
 bool startsWith(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& separator) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : separator) + word;
+  return list;
+}
+
+std::string printable(const std::string& text, std::size_t most) {
+  std::size_t end = std::min(most, text.size());
+  const auto continues = [&](std::size_t i) { return i < text.size() && (text[i] & 0xc0) == 0x80; };
+  while (end > 0 && continues(end)) --end;
+  std::string shown = text.substr(0, end);
+  const unsigned char last = isUtf8(text) ? 0xff : 0x7e;
+  std::replace_if(
+      shown.begin(), shown.end(),
+      [last](unsigned char c) { return c < 0x20 || c == 0x7f || c > last; }, '?');
+  return shown + (end < text.size() ? "..." : "");
+}
+
+std::string inQuotes(const std::string& text, std::size_t most) {
+  return "'" + printable(text, most) + "'";
 }
 
 }  // namespace place_recognition

@@ -43,4 +43,18 @@ std::string likeness(const std::string& text);
 /// Whether `text` begins with `start`.
 bool startsWith(const std::string& text, const std::string& start);
 
+/// Whether `text` ends with `end`.
+bool endsWith(const std::string& text, const std::string& end);
+
+/// The words with `separator` between them.
+std::string listed(const std::vector<std::string>& words, const std::string& separator = ", ");
+
+/// For messages: at most `most` bytes of `text`, whole characters, and '?' for control characters.
+/// If `text` is not well-formed UTF-8, '?' also stands for each byte that is not ASCII. "..."
+/// stands for what is left out.
+std::string printable(const std::string& text, std::size_t most = 80);
+
+/// printable() in single quotes.
+std::string inQuotes(const std::string& text, std::size_t most = 80);
+
 }  // namespace place_recognition

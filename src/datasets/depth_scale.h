@@ -23,7 +23,6 @@ class DepthScale {
   /// Widens the range, unless it was given.
   void see(const DepthExtent& extent);
 
-  bool isGiven() const { return given_; }
   bool hasSeen() const { return width_ > 0; }
   const DepthExtent& extent() const { return extent_; }
 

@@ -1,8 +1,9 @@
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "datasets/image_folder.h"
-#include "datasets/image_sequence.h"
+#include "datasets/image_recording.h"
 #include "place_recognition/error.h"
 #include "place_recognition/recording.h"
 
@@ -27,52 +28,17 @@ namespace fs = std::filesystem;
   throw Error(text);
 }
 
-class FolderRecording : public Recording {
- public:
-  explicit FolderRecording(const std::string& folder) : Recording(folder) {
-    FoundImages found = findRoomImages(folder);
-    if (found.images.empty()) throwNoImages(folder, found.warnings);
-    warnings_ = std::move(found.warnings);
-    std::vector<std::string> paths;
-    for (PlacedImage& image : found.images) {
-      paths.push_back(std::move(image.path));
-      places_.push_back(std::move(image.place));
-    }
-    images_ = ImageSequence(std::move(paths));
-  }
-
-  bool next(Frame& frame) override {
-    if (position_ == images_.size()) {
-      if (!images_.note().empty()) warnings_.push_back(name() + ": " + images_.note());
-      return false;
-    }
-    DecodedImage decoded = images_.read(position_);
-    frame.image = std::move(decoded.image);
-    frame.problem = std::move(decoded.problem);
-    frame.place = places_[position_];
-    frame.stamp = static_cast<double>(position_);
-    frame.name = images_.path(position_);
-    ++position_;
-    return true;
-  }
-
-  void setDepthExtent(const DepthExtent& extent) override { images_.setDepthExtent(extent); }
-  DepthExtent depthExtent() const override { return images_.depthExtent(); }
-
-  double fraction() const override {
-    return static_cast<double>(position_) / static_cast<double>(images_.size());
-  }
-
- private:
-  ImageSequence images_;
-  std::vector<std::string> places_;  // by image
-  std::size_t position_ = 0;
-};
-
 }  // namespace
 
 std::unique_ptr<Recording> openFolderRecording(const std::string& folder) {
-  return std::make_unique<FolderRecording>(folder);
+  FoundImages found = findRoomImages(folder);
+  if (found.images.empty()) throwNoImages(folder, found.warnings);
+  std::vector<LabelledImage> images;
+  for (PlacedImage& image : found.images) {
+    const auto stamp = static_cast<double>(images.size());
+    images.push_back({std::move(image.path), std::move(image.place), stamp});
+  }
+  return recordingOf(folder, std::move(images), std::move(found.warnings));
 }
 
 }  // namespace place_recognition

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
-
-#include "place_recognition/recording.h"
 
 namespace place_recognition {
 
@@ -29,8 +25,5 @@ ImageSet thinnedOut(const ImageSet& set, int step);
 /// A SHA-256 of names, places and contents, independent of where the files are. Throws Error if a
 /// file cannot be read.
 std::string digestOf(const std::vector<ImageSet>& sets);
-
-/// The set as a recording; `set` must outlive it.
-std::unique_ptr<Recording> openImageSet(const ImageSet& set);
 
 }  // namespace place_recognition

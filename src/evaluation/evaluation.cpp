@@ -23,9 +23,9 @@ int indexIn(std::vector<std::string>& names, const std::string& name) {
 }
 
 std::string joined(const std::vector<std::string>& words, std::size_t first, std::size_t last) {
-  std::string text;
-  for (std::size_t i = first; i < last; ++i) text += (text.empty() ? "" : ", ") + words[i];
-  return text;
+  const auto begin = words.begin();
+  return listed(
+      {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)});
 }
 
 std::string thumbnail(const cv::Mat& image) {

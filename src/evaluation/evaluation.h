@@ -15,7 +15,7 @@ namespace place_recognition {
 /// The answer to one labelled image.
 struct FrameResult {
   std::string name;          ///< of the image
-  int recording = 0;         ///< index into Evaluation::runs
+  int recording = 0;         ///< index into Evaluation::recordings
   int camera = 0;            ///< index into Evaluation::cameras
   double stamp = 0;          ///< s
   int truth = 0;             ///< index into Evaluation::places

@@ -45,13 +45,6 @@ std::string warningList(const Evaluation& evaluation) {
   return html + "</ul>\n";
 }
 
-/// The rate of a room in one recording; empty if the recording does not show it.
-std::string rateIn(const RecordingSummary& recording, int place) {
-  const auto found = std::find_if(recording.rooms.begin(), recording.rooms.end(),
-                                  [place](const RoomSummary& room) { return room.place == place; });
-  return found == recording.rooms.end() ? "" : percent(found->rate());
-}
-
 /// Rooms by runs, if there are several runs.
 std::string runTable(const Summary& summary) {
   if (summary.recordings.size() < 2) return "";
@@ -64,7 +57,7 @@ std::string runTable(const Summary& summary) {
     html +=
         "<tr><th>" + escapeMarkup(summary.places[static_cast<std::size_t>(room.place)]) + "</th>";
     for (const RecordingSummary& recording : summary.recordings)
-      html += "<td>" + rateIn(recording, room.place) + "</td>";
+      html += "<td>" + recording.rateText(room.place) + "</td>";
     html += "</tr>\n";
   }
   html += "<tr><th>mean of the rooms</th>";

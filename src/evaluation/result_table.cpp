@@ -9,14 +9,6 @@
 namespace place_recognition {
 namespace {
 
-/// The rate of a room in one recording; empty if the recording does not show it.
-std::string rateIn(const RecordingSummary& recording, int place) {
-  for (const RoomSummary& room : recording.rooms) {
-    if (room.place == place) return percent(room.rate());
-  }
-  return "";
-}
-
 std::string ratesTable(const Summary& summary) {
   const bool several = summary.recordings.size() > 1;
   TextRows rows{{"room", "images", "right", "'unknown'"}};
@@ -30,7 +22,7 @@ std::string ratesTable(const Summary& summary) {
                     percent(room.unknownFraction())});
     if (!several) continue;
     for (const RecordingSummary& recording : summary.recordings)
-      rows.back().push_back(rateIn(recording, room.place));
+      rows.back().push_back(recording.rateText(room.place));
   }
   rows.push_back({"mean of the rooms", "", percent(summary.average_rate), ""});
   if (several) {

@@ -1,8 +1,10 @@
 #include "evaluation/summary.h"
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 
+#include "base/text.h"
 #include "recognition/model/scores.h"
 #include "report/text_table.h"
 
@@ -135,6 +137,13 @@ void summarizeLatency(const Evaluation& evaluation, Summary& summary) {
 }
 
 }  // namespace
+
+std::string RecordingSummary::rateText(int place) const {
+  const auto room = std::find_if(rooms.begin(), rooms.end(), [place](const RoomSummary& candidate) {
+    return candidate.place == place;
+  });
+  return room == rooms.end() ? "" : percent(room->rate());
+}
 
 Summary summarize(const Evaluation& evaluation) {
   Summary summary;

@@ -32,6 +32,9 @@ struct RecordingSummary {
   std::string condition;           ///< last part of the name, without `.bag`
   std::vector<RoomSummary> rooms;  ///< learned rooms with images
   double average_rate = 0;         ///< mean of their rates
+
+  /// The rate of a room, such as "96.5 %"; empty if the recording does not show it.
+  std::string rateText(int place) const;
 };
 
 /// The answers to the single frames of one of several cameras.

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "datasets/image_file.h"
+#include "datasets/image_recording.h"
 #include "experiments/place_training.h"
 #include "experiments/test_sets.h"
 #include "learning/gram.h"
@@ -207,10 +208,10 @@ void CuesExperiment::compute(const std::vector<Json>& cells, const CellSink& fin
     const auto trained = std::find_if(sets_.begin(), sets_.end(), [&](const ImageSet& set) {
       return cell.at("training_set") == set.name;
     });
-    const auto model =
-        std::make_shared<const Model>(train({[&] { return openImageSet(*trained); }},
-                                            optionsOf(cell.at("cue_set")), threads_, progress)
-                                          .model);
+    const auto model = std::make_shared<const Model>(
+        train({[&] { return recordingOf(trained->name, trained->images); }},
+              optionsOf(cell.at("cue_set")), threads_, progress)
+            .model);
     std::vector<std::vector<Tested>> tested;
     for (const ImageSet& set : sets_) {
       report(progress, "Testing", 0);

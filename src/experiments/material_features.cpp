@@ -7,6 +7,7 @@
 #include "base/options.h"
 #include "base/parallel.h"
 #include "datasets/image_file.h"
+#include "datasets/image_recording.h"
 #include "experiments/textons.h"
 #include "features/mr8_responses.h"
 #include "place_recognition/error.h"
@@ -31,7 +32,8 @@ TrainingOptions trainingOptions(const std::string& feature) {
 
 std::vector<RecordingOpener> runsOf(const std::vector<ImageSet>& sets) {
   std::vector<RecordingOpener> recordings;
-  for (const ImageSet& set : sets) recordings.push_back([&set] { return openImageSet(set); });
+  for (const ImageSet& set : sets)
+    recordings.push_back([&set] { return recordingOf(set.name, set.images); });
   return recordings;
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "datasets/image_recording.h"
 #include "learning/gram.h"
 #include "learning/support_set.h"
 #include "recognition/training/cue_training.h"
@@ -47,7 +48,8 @@ PlaceSamples::PlaceSamples(const std::vector<ImageSet>& sets, PlaceFeatures feat
                            unsigned threads, const Progress& progress)
     : options_(trainingOptions(features)), threads_(threads) {
   std::vector<RecordingOpener> recordings;
-  for (const ImageSet& set : sets) recordings.push_back([&set] { return openImageSet(set); });
+  for (const ImageSet& set : sets)
+    recordings.push_back([&set] { return recordingOf(set.name, set.images); });
   samples_ = collectSamples(recordings, options_, threads, progress);
   set_samples_.place_count = static_cast<int>(samples_.places.size());
   set_samples_.set_count = static_cast<int>(sets.size());

@@ -9,6 +9,7 @@
 #include "base/data_folder.h"
 #include "base/require.h"
 #include "base/sha256.h"
+#include "base/text.h"
 #include "features/network_runner.h"
 #include "features/onnx_graph.h"
 
@@ -65,7 +66,7 @@ auto explained(const std::string& name, const std::string& layer, const Work& wo
     return work();
   } catch (const Error& e) {
     throw Error("The network " + networkPath(name) + " cannot be used (" +
-                (layer.empty() ? "its output" : "layer " + quoted(layer)) +
+                (layer.empty() ? "its output" : "layer " + inQuotes(layer)) +
                 ", OpenCV " CV_VERSION "): " + e.what() +
                 "; doc/networks.md lists networks that can.");
   }
@@ -78,7 +79,7 @@ void EmbeddingOptions::check() const {
           "Embedding option 'network' is empty; name a network or a "
           "file.");
   require(isFileName(network, kExtension) || isPlainName(network),
-          "Embedding option 'network' is " + quoted(network) +
+          "Embedding option 'network' is " + inQuotes(network) +
               "; give a name of letters, digits, '_' and '-', or a file that ends in .onnx.");
   require(isSide(width) && isSide(height),
           "Embedding options 'width' and 'height' must be 16 to 1024 pixels, or 0.");
@@ -90,9 +91,9 @@ void EmbeddingOptions::check() const {
   require(power >= 1 && power <= kMaxPower,
           "Embedding option 'power' is " + std::to_string(power) + "; give 1 to 8.");
   require(fit == "stretch" || fit == "crop",
-          "Embedding option 'fit' is " + quoted(fit) + "; give stretch or crop.");
+          "Embedding option 'fit' is " + inQuotes(fit) + "; give stretch or crop.");
   require(channels == "rgb" || channels == "bgr" || channels == "grey",
-          "Embedding option 'channels' is " + quoted(channels) + "; give rgb, bgr or grey.");
+          "Embedding option 'channels' is " + inQuotes(channels) + "; give rgb, bgr or grey.");
   for (const std::vector<double>* numbers : {&mean, &scale}) {
     const std::string key = numbers == &mean ? "mean" : "scale";
     require(numbers->size() == 1 || (numbers->size() == 3 && channels != "grey"),
@@ -157,7 +158,8 @@ std::string networkFolder() { return dataFolder("networks"); }
 std::string networkPath(const std::string& name) {
   if (isFileName(name, kExtension)) return name;
   if (!isPlainName(name)) {
-    throw Error(quoted(name) + " cannot name a network; use 1 to 64 letters, digits, '_' or '-'.");
+    throw Error(inQuotes(name) +
+                " cannot name a network; use 1 to 64 letters, digits, '_' or '-'.");
   }
   return networkFolder() + "/" + name + kExtension;
 }

@@ -5,6 +5,7 @@
 
 #include "base/data_folder.h"
 #include "base/require.h"
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
@@ -95,7 +96,7 @@ void checkAttributes(const onnx::Node& node) {
 std::string describe(const onnx::Node& node) {
   const std::string name =
       node.name().empty() && node.output_size() > 0 ? node.output(0) : node.name();
-  return quoted(name) + " (" + quoted(node.op_type()).substr(1, node.op_type().size()) + ")";
+  return inQuotes(name) + " (" + inQuotes(node.op_type()).substr(1, node.op_type().size()) + ")";
 }
 
 void checkGraph(const onnx::Graph& graph) {
@@ -103,14 +104,14 @@ void checkGraph(const onnx::Graph& graph) {
   require(graph.node_size() <= kMaxLayers, "it has too many layers");
   std::set<std::string> known;
   for (const onnx::Tensor& tensor : graph.initializer()) {
-    checkTensor(tensor, "the tensor " + quoted(tensor.name()));
+    checkTensor(tensor, "the tensor " + inQuotes(tensor.name()));
     known.insert(tensor.name());
   }
   for (const onnx::ValueInfo& input : graph.input()) known.insert(input.name());
   for (const onnx::Node& node : graph.node()) {
     for (const std::string& input : node.input()) {
       require(input.empty() || known.count(input) > 0, "layer " + describe(node) + " uses " +
-                                                           quoted(input) +
+                                                           inQuotes(input) +
                                                            ", which nothing before it provides");
     }
     require(node.output_size() > 0, "layer " + describe(node) + " has no output");

@@ -8,6 +8,7 @@
 
 #include "base/data_folder.h"
 #include "base/require.h"
+#include "base/text.h"
 #include "features/onnx_check.h"
 #include "onnx.pb.h"
 
@@ -139,7 +140,7 @@ void OnnxGraph::cutBehind(const std::string& layer) {
   const std::string wanted = layer.empty() ? graph.output(0).name() : layer;
   const int last = findNode(graph, wanted);
   require(last >= 0,
-          "it has no layer " + quoted(wanted) + "; its last layers are " + lastLayers(graph));
+          "it has no layer " + inQuotes(wanted) + "; its last layers are " + lastLayers(graph));
   const std::string& output = graph.node(last).output(0);
   require(wanted == output || wanted == graph.node(last).name(),
           "only the first output of layer " + describe(graph.node(last)) + " can be used");
@@ -161,12 +162,12 @@ NetworkInput OnnxGraph::input() const {
   const onnx::ValueInfo& input = model_->graph().input(0);
   const onnx::Shape& shape = input.type().tensor_type().shape();
   require(shape.dim_size() == 4,
-          "its input " + quoted(input.name()) +
+          "its input " + inQuotes(input.name()) +
               " does not have the shape of an image, 1 x channels x height x "
               "width");
   std::vector<int> sides;
   for (const onnx::Dimension& dim : shape.dim()) {
-    require(dim.dim_value() <= kMaxSide, "its input " + quoted(input.name()) + " is too large");
+    require(dim.dim_value() <= kMaxSide, "its input " + inQuotes(input.name()) + " is too large");
     sides.push_back(static_cast<int>(std::max<std::int64_t>(dim.dim_value(), 0)));
   }
   require(sides[0] <= 1, "it takes " + std::to_string(sides[0]) + " images at a time");

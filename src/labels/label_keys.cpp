@@ -37,6 +37,12 @@ LabelKeys::LabelKeys(std::vector<std::string> places, std::vector<int> buttons, 
   if (buttons_.size() != places_.size()) {
     throw Error("The parameter ~buttons must have one button for each of ~places.");
   }
+  std::set<int> meanings{no_place_button_};
+  for (const int button : buttons_) {
+    if (meanings.insert(button).second) continue;
+    throw Error("The parameters ~buttons and ~no_place_button use button " +
+                std::to_string(button) + " twice; give each one meaning.");
+  }
 }
 
 std::optional<std::string> LabelKeys::placeOfKey(char key) const {

@@ -8,6 +8,7 @@
 
 #include "base/options.h"
 #include "base/place_name.h"
+#include "base/text.h"
 #include "labels/label_lines.h"
 #include "place_recognition/error.h"
 
@@ -37,15 +38,6 @@ struct LabelsFile {
     visitor("labels", self.labels, "intervals");
   }
 };
-
-/// For messages: printable and short, whatever the label contains.
-std::string inQuotes(const std::string& label) {
-  std::string text = label.substr(0, 40);
-  for (char& c : text) {
-    if (c < 0x20 || c == 0x7f) c = '?';
-  }
-  return "'" + text + (label.size() > 40 ? "...'" : "'");
-}
 
 /// Nothing if the file says `labels: []`, which means that there deliberately are none.
 std::optional<std::vector<Interval>> readIntervals(const std::string& path, double start) {

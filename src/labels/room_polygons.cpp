@@ -12,6 +12,8 @@ namespace {
 
 /// Maximum number of corners of a room: the search for crossing walls takes quadratic time.
 constexpr std::size_t kMaxCorners = 10000;
+/// Largest coordinate, m: that of UTM.
+constexpr double kMaxCoordinate = 1e7;
 /// The smallest area of a room, m^2.
 constexpr double kMinArea = 1e-4;
 
@@ -35,6 +37,11 @@ struct PlacesFile {
   }
 };
 
+std::string cornerText(const Eigen::Vector2d& corner) {
+  return "[" + options_detail::formatDouble(corner.x()) + ", " +
+         options_detail::formatDouble(corner.y()) + "]";
+}
+
 /// Normalizes an outline drawn by a person: the last corner may repeat the first, and a corner may
 /// occur twice.
 Polygon toOutline(const PlaceEntry& entry, const std::string& where) {
@@ -42,15 +49,14 @@ Polygon toOutline(const PlaceEntry& entry, const std::string& where) {
   for (const std::vector<double>& corner : entry.position) {
     if (corner.size() != 2) throw Error(where + ": a corner is not of the form [x, y].");
     const Eigen::Vector2d point(corner[0], corner[1]);
+    if (!(point.cwiseAbs().maxCoeff() <= kMaxCoordinate)) {
+      throw Error(where + ": the corner " + cornerText(point) +
+                  " is more than 10,000 km from the origin of the map; give metres.");
+    }
     if (outline.empty() || outline.back() != point) outline.push_back(point);
   }
   if (outline.size() > 1 && outline.back() == outline.front()) outline.pop_back();
   return outline;
-}
-
-std::string cornerText(const Eigen::Vector2d& corner) {
-  return "[" + options_detail::formatDouble(corner.x()) + ", " +
-         options_detail::formatDouble(corner.y()) + "]";
 }
 
 std::string edgeText(const Polygon& outline, std::size_t edge) {

@@ -15,6 +15,10 @@ void KernelOptions::check() const {
   requireOption(std::isfinite(theta), "kernel.theta", "a finite number");
 }
 
+bool KernelOptions::hasGamma() const {
+  return type == "gaussian" || type == "chi-squared" || type == "local-match";
+}
+
 void SvmOptions::check() const {
   requireOption(std::isfinite(c) && c > 0, "svm.c", "a number above 0");
   requireOption(multiclass == "one-against-all" || multiclass == "one-against-one",

@@ -10,6 +10,7 @@
 #include "base/data_folder.h"
 #include "base/options.h"
 #include "base/process_limits.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "recognition/model/embeddings.h"
 #include "tool/output.h"
@@ -74,7 +75,7 @@ std::string runTrial(const std::vector<std::string>& arguments, const std::strin
     throw Error(complaint.substr(own_name.size()));
   }
   throw Error("The network " + networkPath(name) + " cannot be used (" +
-              (layer.empty() ? "its output" : "layer " + quoted(layer)) +
+              (layer.empty() ? "its output" : "layer " + inQuotes(layer)) +
               ", OpenCV " CV_VERSION "): the process that tried it ended with " +
               describeExit(status) + "; doc/networks.md lists networks that can.");
 }

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
-
-std::string joined(const std::vector<std::string>& words, char separator) {
-  std::string text;
-  for (const std::string& word : words)
-    text += (text.empty() ? "" : std::string(1, separator)) + word;
-  return text;
-}
 
 std::string shortNumber(double number) {
   std::ostringstream text;
@@ -24,7 +18,7 @@ std::string shortNumber(double number) {
 std::string nameOf(const CrfhOptions& crfh) {
   std::vector<std::string> scales;
   for (const double t : crfh.scales) scales.push_back(shortNumber(t));
-  std::string name = joined(crfh.descriptors, '-') + "_t" + joined(scales, '-') + "_b" +
+  std::string name = listed(crfh.descriptors, "-") + "_t" + listed(scales, "-") + "_b" +
                      std::to_string(crfh.bins.front());
   std::replace(name.begin(), name.end(), '.', 'p');
   name.erase(std::remove_if(name.begin(), name.end(),
@@ -54,7 +48,7 @@ CueOptions cueOf(const CrfhOptions& crfh, const std::string& normalize) {
 }
 
 Family familyOf(const std::vector<std::string>& descriptors, const SearchSpace& space) {
-  Family family{joined(descriptors, ' '), {}};
+  Family family{listed(descriptors, " "), {}};
   std::vector<std::vector<double>> scales = space.scales;
   std::stable_sort(scales.begin(), scales.end(),
                    [](const auto& a, const auto& b) { return a.size() < b.size(); });

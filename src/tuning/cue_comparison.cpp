@@ -6,14 +6,6 @@
 #include "recognition/training/gamma_choice.h"
 
 namespace place_recognition {
-namespace {
-
-/// Whether the kernel has a gamma; the sigmoid and polynomial kernels have none.
-bool hasGamma(const KernelOptions& kernel) {
-  return kernel.type == "gaussian" || kernel.type == "chi-squared" || kernel.type == "local-match";
-}
-
-}  // namespace
 
 CueComparison::CueComparison(CueOptions cue, std::vector<Feature> features,
                              const TuningSamples& samples, unsigned threads)
@@ -28,7 +20,7 @@ CueComparison::CueComparison(CueOptions cue, std::vector<Feature> features,
     if (i < samples.recorded) ++recorded;
   }
 
-  const bool open = hasGamma(kernel_) && kernel_.gamma == 0;
+  const bool open = kernel_.hasGamma() && kernel_.gamma == 0;
   const bool measures_have_gamma = !Kernel(kernel_).measureIsFreeOfGamma();
   if (open && measures_have_gamma) kernel_.gamma = gammaGrid(Kernel(kernel_), measures_).neutral;
   measures_ = measureColumns(Kernel(kernel_), present, recorded, threads);

@@ -1,8 +1,10 @@
 #include "tuning/recorded_images.h"
 
+#include <set>
 #include <string_view>
 
 #include "base/sha256.h"
+#include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
@@ -23,12 +25,15 @@ std::string describe(const Frame& frame) {
   return text + "\n" + digestOf(frame.image);
 }
 
-void lookThrough(const std::vector<RecordingOpener>& recordings, RecordedImages& found,
-                 const Progress& progress) {
+/// Returns the places of the recordings.
+std::set<std::string> lookThrough(const std::vector<RecordingOpener>& recordings,
+                                  RecordedImages& found, const Progress& progress) {
+  std::set<std::string> places;
   for (std::size_t r = 0; r < recordings.size(); ++r) {
     const std::unique_ptr<Recording> recording = recordings[r]();
     for (Frame frame; recording->next(frame);) {
       found.labelled += frame.place.empty() ? 0 : 1;
+      if (!frame.place.empty()) places.insert(frame.place);
       found.digest = sha256(found.digest + describe(frame));
       report(progress, "Counting images",
              (static_cast<double>(r) + recording->fraction()) /
@@ -38,15 +43,20 @@ void lookThrough(const std::vector<RecordingOpener>& recordings, RecordedImages&
     found.digest = sha256(found.digest + " end " + std::to_string(depth.low) + " " +
                           std::to_string(depth.high));
   }
+  return places;
 }
 
 }  // namespace
 
 RecordedImages lookThrough(const TuningRecordings& recordings, const Progress& progress) {
   RecordedImages found;
-  lookThrough(recordings.recordings, found, progress);
+  const std::set<std::string> learned = lookThrough(recordings.recordings, found, progress);
   found.digest += " held out ";
-  lookThrough(recordings.hold_out, found, progress);
+  for (const std::string& place : lookThrough(recordings.hold_out, found, progress)) {
+    if (learned.count(place) > 0) continue;
+    throw Error("The runs to validate on show '" + place +
+                "', which no other run shows; leave it out of them, or learn it.");
+  }
   return found;
 }
 

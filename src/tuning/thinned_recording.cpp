@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "recognition/training/sampling.h"
 
@@ -12,14 +13,19 @@ namespace {
 class ThinnedRecording : public Recording {
  public:
   ThinnedRecording(std::unique_ptr<Recording> recording, std::size_t step, std::uint64_t seed)
-      : Recording(recording->name()), recording_(std::move(recording)), step_(step), seed_(seed) {}
+      : Recording(recording->name()), recording_(std::move(recording)), step_(step), seed_(seed) {
+    warnings_ = recording_->warnings();
+  }
 
   bool next(Frame& frame) override {
     while (recording_->next(frame)) {
       if (!frame.place.empty() && streamOf(frame.place).keepsNext()) return true;
     }
+    warnings_ = recording_->warnings();
     return false;
   }
+
+  std::vector<std::string> cameras() const override { return recording_->cameras(); }
 
   void setDepthExtent(const DepthExtent& extent) override { recording_->setDepthExtent(extent); }
   DepthExtent depthExtent() const override { return recording_->depthExtent(); }

@@ -1,8 +1,11 @@
 #include "place_recognition/tuning.h"
 
+#include <algorithm>
 #include <chrono>
+#include <string>
 #include <utility>
 
+#include "base/options.h"
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/mirror_search.h"
 #include "recognition/model/embeddings.h"
@@ -33,13 +36,33 @@ Search prepare(const std::vector<RecordingOpener>& recordings,
   return search;
 }
 
+bool isNamed(const std::vector<CueOptions>& cues, const std::string& name) {
+  return std::any_of(cues.begin(), cues.end(),
+                     [&name](const CueOptions& cue) { return cue.name == name; });
+}
+
+/// Appends a cue unless it is among `cues`, under a name that none of them has.
+void addDistinct(CueOptions cue, std::vector<CueOptions>& cues) {
+  const std::string name = cue.name;
+  for (const CueOptions& other : cues) {
+    cue.name = other.name;
+    if (writeOptions(cue) == writeOptions(other)) return;
+  }
+  constexpr std::size_t kLongest = 60;  // of a name, to which a number is appended
+  cue.name = name;
+  for (int number = 2; isNamed(cues, cue.name); ++number) {
+    cue.name = name.substr(0, kLongest) + "_" + std::to_string(number);
+  }
+  cues.push_back(std::move(cue));
+}
+
 /// The cues to choose from: those of the base and of the space, and the best of each family.
 std::vector<CueOptions> cuesInQuestion(const Thinning& thinning, Search& search) {
   std::vector<CueOptions> cues = search.base.cues;
-  cues.insert(cues.end(), search.space.cues.begin(), search.space.cues.end());
-  const std::vector<CueOptions> winners =
-      bestOfEach(candidateFamilies(search.space), thinning, search);
-  cues.insert(cues.end(), winners.begin(), winners.end());
+  for (const CueOptions& cue : search.space.cues) addDistinct(cue, cues);
+  for (CueOptions& cue : bestOfEach(candidateFamilies(search.space), thinning, search)) {
+    addDistinct(std::move(cue), cues);
+  }
   return cues;
 }
 

@@ -13,23 +13,26 @@
 namespace place_recognition {
 namespace {
 
+/// `opened` counts the recordings that have been opened.
 std::vector<RecordingOpener> thinnedOpeners(const TuningRecordings& recordings, std::size_t step,
-                                            std::uint64_t seed) {
+                                            std::uint64_t seed, std::size_t& opened) {
   constexpr std::uint64_t kSeedsOfRecording = kMaxPlaces;  // one seed per place
   std::vector<RecordingOpener> openers;
   for (const std::vector<RecordingOpener>* group : {&recordings.recordings, &recordings.hold_out}) {
     for (const RecordingOpener& open : *group) {
       const std::uint64_t run_seed = seed + kSeedsOfRecording * openers.size();
-      openers.push_back([open, step, run_seed] { return thinOut(open(), step, run_seed); });
+      openers.push_back([open, step, run_seed, &opened] {
+        ++opened;
+        return thinOut(open(), step, run_seed);
+      });
     }
   }
   return openers;
 }
 
 /// The progress of reading one of several recordings as a fraction of the whole.
-Progress partOf(const Progress& whole, std::size_t recordings, std::size_t& opened) {
+Progress partOf(const Progress& whole, std::size_t recordings, const std::size_t& opened) {
   return [&whole, recordings, &opened](const std::string&, double fraction) {
-    if (fraction == 0) ++opened;
     const double done = static_cast<double>(opened) - 1 + fraction;
     return !whole || whole("Extracting features", done / static_cast<double>(recordings));
   };
@@ -72,8 +75,9 @@ std::vector<Fold> recordedFolds(const Samples& samples, const TuningRecordings& 
 TuningSamples collectTuningSamples(const TuningRecordings& recordings,
                                    const TrainingOptions& options, bool other_light,
                                    std::size_t step, unsigned threads, const Progress& progress) {
-  const std::vector<RecordingOpener> openers = thinnedOpeners(recordings, step, options.seed);
   std::size_t opened = 0;
+  const std::vector<RecordingOpener> openers =
+      thinnedOpeners(recordings, step, options.seed, opened);
   NextRun next_run(options.seed, other_light);
   const ImageChange change = [&next_run](const cv::Mat& image, const std::string& place) {
     return next_run.change(image, place);

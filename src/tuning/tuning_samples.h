@@ -13,7 +13,7 @@ namespace place_recognition {
 struct TuningRecordings {
   const std::vector<RecordingOpener>& recordings;
   const std::vector<RecordingOpener>& hold_out;  ///< for testing only; may be empty
-  std::optional<ImageProfile> images = {};       ///< commonSize(runs), if already known
+  std::optional<ImageProfile> images = {};       ///< commonSize(recordings), if already known
 };
 
 /// Samples for the comparison of cues, each as recorded and as the next run might show it

@@ -58,5 +58,29 @@ TEST(Text, CountsInSingularAndPlural) {
   EXPECT_EQ(counted(2, "image"), "2 images");
 }
 
+TEST(Listed, PutsSeparatorsBetweenWords) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"a"}), "a");
+  EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
+  EXPECT_EQ(listed({"a", "b"}, "-"), "a-b");
+}
+
+TEST(InQuotes, IsPrintableAndShort) {
+  EXPECT_EQ(inQuotes("K\u00fcche\n2"), "'K\u00fcche?2'");
+  EXPECT_EQ(inQuotes("K\xfc"
+                     "che"),
+            "'K?che'");  // Latin-1
+  EXPECT_EQ(inQuotes("abcd", 4), "'abcd'");
+  EXPECT_EQ(inQuotes("abcde", 4), "'abcd...'");
+  EXPECT_EQ(inQuotes("ab\u00fcd", 3), "'ab...'");  // a letter of two bytes is not cut in two
+  EXPECT_EQ(inQuotes(std::string("a\0b", 3)), "'a?b'");
+}
+
+TEST(EndsWith, ComparesTheEnd) {
+  EXPECT_TRUE(endsWith("run.bag", ".bag"));
+  EXPECT_FALSE(endsWith("bag", ".bag"));
+  EXPECT_TRUE(endsWith("bag", ""));
+}
+
 }  // namespace
 }  // namespace place_recognition

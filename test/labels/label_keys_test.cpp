@@ -63,6 +63,8 @@ TEST(LabelKeys, ButtonsCanBeChosen) {
   EXPECT_EQ(keys.placeOfButtons({1, 0, 0, 0, 0, 0}), std::nullopt);
   EXPECT_EQ(keys.placeOfButtons({0, 0, 0, 0, 0, 1}), "kitchen");
   EXPECT_THROW(LabelKeys(kPlaces, {1}, -1), Error);
+  EXPECT_THROW(LabelKeys({"kitchen", "hall"}, {3, 3}, -1), Error);
+  EXPECT_THROW(LabelKeys({"kitchen", "hall"}, {}, 1), Error);
   EXPECT_THROW(LabelKeys({"unknown"}, {}, -1), Error);
 }
 

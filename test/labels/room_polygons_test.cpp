@@ -119,6 +119,7 @@ TEST(RoomPolygons, OfABadFileSayWhatIsWrong) {
               "places[0]: a room needs at least three");
   expectError("places: [{name: a, position: [[0, 0], [1, 0], [1]]}]", "[x, y]");
   expectError("places: [{name: a, position: [[0, 0], [1, 0], [1, .nan]]}]", "finite");
+  expectError("places: [{name: a, position: [[0, 0], [1, 0], [1, 1e300]]}]", "10,000 km");
   expectError("places: [{name: '', position: [[0, 0], [1, 0], [1, 1]]}]", "not a place name");
   expectError("places: [{name: unknown, position: [[0, 0], [1, 0], [1, 1]]}]", "unknown");
   expectError("places: [{name: a, position: [[0, 0], [1, 1], [0, 0]]}]",

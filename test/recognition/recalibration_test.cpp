@@ -59,7 +59,8 @@ TEST(Recalibrate, LeavesTheMachinesAsTheyAre) {
 }
 
 TEST(Recalibrate, LeavesPlacesOutThatTheModelDoesNotKnow) {
-  const Recalibration result = recalibrate(drawnModel(2), {opener(drawFrames(3, 20, 800))});
+  const Recalibration result =
+      recalibrate(drawnModel(2), {opener(drawFrames(3, 20, 800), "tuesday")});
   EXPECT_EQ(result.images, 40u);
   ASSERT_EQ(result.warnings.size(), 1u);
   EXPECT_NE(result.warnings[0].find("'room2'"), std::string::npos);

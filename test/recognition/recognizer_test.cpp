@@ -203,6 +203,14 @@ TEST(Recognizer, HoldsDecisionValuesOfCuesForWhichThereIsNoTime) {
     recognizer.recognize(first, stamp + 0.1);
     recognizer.forgetStream();
   }
+  // Nor when time reaches their stamps again.
+  recognizer.recognize(first, 300);
+  for (const double stamp : {250.0, 300.1}) {
+    const Recognition& answer = recognizer.recognize(image, stamp, 0);
+    ASSERT_EQ(answer.held.size(), 1u);
+    EXPECT_TRUE(
+        answer.decision_values.isApprox(decisionValues(*model, 1 - answer.held[0], image), 1e-12));
+  }
 }
 
 TEST(Recognizer, HoldsAllCuesOfANetworkOrNone) {

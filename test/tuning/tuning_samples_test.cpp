@@ -123,5 +123,12 @@ TEST(ThinnedRecording, KeepsOneOfEveryThreeLabelledFramesOfEachPlace) {
   EXPECT_NE(keptNames(2), kept);
 }
 
+TEST(ThinnedRecording, HasTheCamerasOfTheRecording) {
+  std::vector<Frame> frames = drawFrames(2, 12);
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].camera = static_cast<int>(i % 2);
+  const auto recording = thinOut(opener(frames, "two", {"/front", "/rear"})(), 2, 1);
+  EXPECT_EQ(recording->cameras(), (std::vector<std::string>{"/front", "/rear"}));
+}
+
 }  // namespace
 }  // namespace place_recognition

@@ -1,5 +1,7 @@
 #include "recognition/frames/extraction_pool.h"
 
+#include <system_error>
+
 #include "base/parallel.h"
 #include "recognition/frames/cue_extraction.h"
 
@@ -8,8 +10,12 @@ namespace place_recognition {
 ExtractionPool::ExtractionPool(const TrainingOptions& options, const ImageProfile& images,
                                unsigned threads)
     : queue_(2 * threadCount(threads)) {
-  for (unsigned i = 0; i < threadCount(threads); ++i) {
-    threads_.emplace_back([this, options, images] { work(options, images); });
+  try {
+    for (unsigned i = 0; i < threadCount(threads); ++i) {
+      threads_.emplace_back([this, options, images] { work(options, images); });
+    }
+  } catch (const std::system_error&) {
+    if (threads_.empty()) throw;  // else these do all the work
   }
 }
 

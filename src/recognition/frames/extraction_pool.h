@@ -21,7 +21,7 @@ namespace place_recognition {
 /// The features of one image.
 struct ExtractedFeatures {
   std::vector<Feature> features;  ///< one per cue
-  Eigen::RowVector3d colour;      ///< logColor() in the light of the training
+  Eigen::RowVector3d colour;      ///< logColour() in the light of the training
   std::string problem;            ///< why no cue could be extracted; empty if one could
 };
 

@@ -10,7 +10,6 @@ namespace {
 constexpr double kFadingTime = 300;  // s
 constexpr double kViewsOfAPlace = 5;
 constexpr double kNewFrame = 1;  // s, spacing of frames that count in full
-constexpr double kTimeJump = 1;  // s; a larger step back begins a new stream
 
 }  // namespace
 

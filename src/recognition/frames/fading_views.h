@@ -4,6 +4,9 @@
 
 namespace place_recognition {
 
+/// A larger step back of the stamps, s, begins a new stream.
+constexpr double kTimeJump = 1;
+
 /// Means of a few values over the frames of a stream, for each place. Older frames fade, within
 /// five minutes to 1/e. A place counts as no more than five views, however long the robot stays
 /// there. Not thread-safe: use one per stream.
@@ -13,8 +16,8 @@ class FadingViews {
 
   void reset();
 
-  /// Fades older frames up to `stamp` (s), that of the next frame. The first stamp, or one more
-  /// than a second before the last one, starts anew.
+  /// Fades older frames up to `stamp` (s), that of the next frame. The first stamp, or a
+  /// jump back by more than kTimeJump, starts anew.
   void beginFrame(double stamp);
 
   /// Adds that frame: its values for each place (places x values), assuming it shows that place,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "features/feature_extractor.h"
@@ -25,13 +24,13 @@ class SharedNetworks {
 
  private:
   struct Shared {
-    std::string input;  ///< the options on which the network's run depends
+    CueOptions first;  ///< of those that share the run
     std::vector<EmbeddingOptions> embeddings;
     std::shared_ptr<NetworkPass> pass;
   };
 
   /// Null if there is none.
-  Shared* find(const CueOptions& cue, const EmbeddingOptions& embedding);
+  Shared* find(const CueOptions& cue);
 
   std::vector<Shared> shared_;
 };

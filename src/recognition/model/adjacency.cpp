@@ -5,6 +5,7 @@
 
 #include "base/options.h"
 #include "base/place_name.h"
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
@@ -15,9 +16,8 @@ int indexOf(const std::string& name, const std::string& where,
             const std::vector<std::string>& places) {
   const auto found = std::find(places.begin(), places.end(), placeName(name));
   if (found != places.end()) return static_cast<int>(found - places.begin());
-  std::string known;
-  for (const std::string& place : places) known += (known.empty() ? "" : ", ") + place;
-  throw Error("Room '" + name + "' in '" + where + "' is not one of the model's: " + known + ".");
+  throw Error("Room '" + name + "' in '" + where +
+              "' is not one of the model's: " + listed(places) + ".");
 }
 
 std::string scalar(const YAML::Node& node, const std::string& where) {

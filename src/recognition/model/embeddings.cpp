@@ -1,10 +1,23 @@
 #include "recognition/model/embeddings.h"
 
-#include <map>
+#include <algorithm>
 
+#include "base/options.h"
 #include "place_recognition/network.h"
 
 namespace place_recognition {
+namespace {
+
+/// All options but those that concern the output alone.
+std::string inputOf(EmbeddingOptions embedding) {
+  const EmbeddingOptions defaults;
+  embedding.stride = defaults.stride;
+  embedding.columns = defaults.columns;
+  embedding.power = defaults.power;
+  return writeOptions(embedding);
+}
+
+}  // namespace
 
 std::vector<EmbeddingOptions*> embeddingsOf(TrainingOptions& options) {
   std::vector<EmbeddingOptions*> embeddings;
@@ -36,15 +49,24 @@ void shareNetworks(TrainingOptions& options) {
   }
 }
 
-std::vector<std::vector<std::size_t>> cuesByNetwork(const TrainingOptions& options) {
+bool shareNetworkRun(const CueOptions& a, const CueOptions& b) {
+  const auto* first = std::get_if<EmbeddingOptions>(&a.feature);
+  const auto* second = std::get_if<EmbeddingOptions>(&b.feature);
+  return first && second && first->loaded == second->loaded && a.normalize == b.normalize &&
+         inputOf(*first) == inputOf(*second);
+}
+
+std::vector<std::vector<std::size_t>> cuesByNetworkRun(const TrainingOptions& options) {
   std::vector<std::vector<std::size_t>> groups;
-  std::map<const Network*, std::size_t> group_of;
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
-    const auto* embedding = std::get_if<EmbeddingOptions>(&options.cues[c].feature);
-    const bool is_first =
-        !embedding || group_of.emplace(embedding->loaded.get(), groups.size()).second;
-    if (is_first) groups.emplace_back();
-    groups[is_first ? groups.size() - 1 : group_of[embedding->loaded.get()]].push_back(c);
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& cues) {
+      return shareNetworkRun(options.cues[cues.front()], options.cues[c]);
+    });
+    if (group == groups.end()) {
+      groups.push_back({c});
+    } else {
+      group->push_back(c);
+    }
   }
   return groups;
 }

@@ -117,7 +117,7 @@ Model parseModel(const std::string& bytes, const std::string& where) {
 std::uint64_t saveModel(const Model& model, const std::string& path) {
   const std::string bytes = serializeModel(model);
   requireLoadable(bytes, path);
-  const fs::path folder = fs::path(path).parent_path();
+  const fs::path folder = fs::path(behindLinks(path)).parent_path();
   std::error_code failure;
   if (!folder.empty()) fs::create_directories(folder, failure);
   if (failure) {

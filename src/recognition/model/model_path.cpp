@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "base/data_folder.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 
@@ -23,7 +24,7 @@ std::string modelPath(const std::string& name) {
 
 std::string namedModelPath(const std::string& name) {
   if (!isPlainName(name)) {
-    throw Error(quoted(name) + " cannot name a model; use 1 to 64 letters, digits, '_' or '-'.");
+    throw Error(inQuotes(name) + " cannot name a model; use 1 to 64 letters, digits, '_' or '-'.");
   }
   const std::string path = modelFolder() + "/" + name + kExtension;
   if (fs::is_symlink(fs::symlink_status(path))) {

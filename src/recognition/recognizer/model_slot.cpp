@@ -1,18 +1,15 @@
 #include "recognition/recognizer/model_slot.h"
 
+#include <utility>
+
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 
 namespace place_recognition {
 
-void ModelSlot::load(const std::string& name) {
-  const std::lock_guard<std::mutex> one_at_a_time(loading_);
+ModelSlot::Loaded ModelSlot::read(const std::string& name) {
   try {
-    auto loaded = std::make_shared<const Model>(loadModel(namedModelPath(name)));
-    const std::lock_guard<std::mutex> lock(mutex_);
-    model_ = std::move(loaded);
-    name_ = name;
-    problem_.clear();
+    return {name, std::make_shared<const Model>(loadModel(namedModelPath(name)))};
   } catch (const std::exception& e) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!model_) name_ = name;
@@ -21,7 +18,7 @@ void ModelSlot::load(const std::string& name) {
   }
 }
 
-void ModelSlot::reload() {
+ModelSlot::Loaded ModelSlot::readAgain() {
   std::string name;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -30,7 +27,14 @@ void ModelSlot::reload() {
   if (name.empty()) {
     throw Error("No model has been named yet; set the parameter ~model or call ~load_model.");
   }
-  load(name);
+  return read(name);
+}
+
+void ModelSlot::use(Loaded loaded) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  model_ = std::move(loaded.model);
+  name_ = std::move(loaded.name);
+  problem_.clear();
 }
 
 std::shared_ptr<const Model> ModelSlot::model() const {

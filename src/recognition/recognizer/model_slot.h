@@ -9,29 +9,40 @@
 namespace place_recognition {
 
 /// The model in use, which can be replaced while others recognize with it. Thread-safe: a model is
-/// loaded in the calling thread, and getting the model in use never waits for that.
+/// read in the calling thread, and getting the model in use never waits for that.
 class ModelSlot {
  public:
-  /// Replaces the model in use by `name` from modelFolder(). Throws Error, saying why and keeping
-  /// the model in use, if it cannot be loaded.
-  void load(const std::string& name);
+  /// A model that has been read.
+  struct Loaded {
+    std::string name;
+    std::shared_ptr<const Model> model;
+  };
 
-  /// Loads the model in use again or, if there is none yet, the one that could not be loaded.
-  /// Throws Error like load().
-  void reload();
+  /// Reads the model `name` from modelFolder(). Throws Error, saying why, if it cannot be loaded.
+  Loaded read(const std::string& name);
+
+  /// Reads the model in use again or, if there is none yet, the one that could not be loaded.
+  /// Throws Error like read().
+  Loaded readAgain();
+
+  /// Replaces the model in use.
+  void use(Loaded loaded);
+
+  /// Throws Error like read(), keeping the model in use.
+  void load(const std::string& name) { use(read(name)); }
+  void reload() { use(readAgain()); }
 
   /// The model in use; null: none yet.
   std::shared_ptr<const Model> model() const;
 
-  /// Why the last load() or reload() failed; empty if it did not.
+  /// Why no model could be read since the last one was put into use; empty if none failed.
   std::string problem() const;
 
  private:
   mutable std::mutex mutex_;  // guards the three below
   std::shared_ptr<const Model> model_;
-  std::string name_;  // what reload() loads
+  std::string name_;  // what readAgain() reads
   std::string problem_;
-  std::mutex loading_;  // one at a time
 };
 
 }  // namespace place_recognition

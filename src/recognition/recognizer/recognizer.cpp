@@ -5,6 +5,7 @@
 
 #include "base/rate_limit.h"
 #include "recognition/frames/cue_extraction.h"
+#include "recognition/frames/fading_views.h"
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/light_estimate.h"
 #include "recognition/model/cue_mean.h"
@@ -26,7 +27,7 @@ Recognizer::Recognizer(std::shared_ptr<const Model> model)
       light_(std::make_unique<LightEstimate>(model_->colours)),
       unknown_light_(light_->certainty()),
       evidence_shift_(std::make_unique<EvidenceShift>(*model_)),
-      groups_(cuesByNetwork(model_->options)),
+      groups_(cuesByNetworkRun(model_->options)),
       embedding_limit_(std::make_unique<RateLimit>()),
       budget_(std::make_unique<CueBudget>(groups_.size())),
       unknown_threshold_(model_->unknown_threshold),
@@ -76,6 +77,10 @@ void Recognizer::forgetStream() {
   light_->reset();
   evidence_shift_->reset();
   embedding_limit_->reset();
+  forgetAnswers();
+}
+
+void Recognizer::forgetAnswers() {
   for (CueAnswer& answer : stream_answers_) answer.missing = true;
 }
 
@@ -85,6 +90,7 @@ void Recognizer::beginStreamFrame(double stamp) {
   light_->beginFrame(stamp);
   evidence_shift_->beginFrame(stamp);
   if (stamp < stamp_) embedding_limit_->reset();
+  if (stamp < stamp_ - kTimeJump) forgetAnswers();
   stamp_ = stamp;
 }
 

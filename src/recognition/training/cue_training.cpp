@@ -117,25 +117,20 @@ class CueTrainer {
   double measured_gamma_ = 0;
 };
 
-bool gammaIsOpen(const KernelOptions& kernel) {
-  const bool has_gamma =
-      kernel.type == "gaussian" || kernel.type == "chi-squared" || kernel.type == "local-match";
-  return has_gamma && kernel.gamma == 0;
-}
-
 }  // namespace
 
 TrainedCue trainCue(std::vector<Feature> features, const CueOptions& cue,
                     const std::vector<ReductionOptions>& reductions, const TrainingTask& task) {
   double gamma = cue.kernel.gamma;
+  const bool gamma_is_open = cue.kernel.hasGamma() && gamma == 0;
   const bool costly = !Kernel(cue.kernel).measureIsFreeOfGamma();
   const std::size_t enough = costly ? kSamplesForCostlySearch : kSamplesForSearch;
   const bool search_apart = costly || features.size() > enough;
-  if (gammaIsOpen(cue.kernel) && search_apart) {
+  if (gamma_is_open && search_apart) {
     gamma = CueTrainer(thinnedOut(features, task, enough), cue, task).searchGamma();
   }
   CueTrainer trainer(std::move(features), cue, task);
-  if (gammaIsOpen(cue.kernel) && !search_apart) gamma = trainer.searchGamma();
+  if (gamma_is_open && !search_apart) gamma = trainer.searchGamma();
   trainer.setGamma(gamma);
   return trainer.train(reductions);
 }

@@ -1,5 +1,6 @@
 #include "recognition/training/halving_sample.h"
 
+#include <limits>
 #include <random>
 
 namespace place_recognition {
@@ -14,10 +15,10 @@ bool drawnBit(std::uint64_t seed, int round, std::uint64_t pair) {
 }  // namespace
 
 int StratifiedLevels::next() {
-  constexpr int kHighest = 63;
   const std::uint64_t member = seen_++;
+  if (member == 0) return std::numeric_limits<int>::max();
   int level = 0;
-  for (; level < kHighest; ++level) {
+  for (;; ++level) {
     const std::uint64_t pair = member >> level >> 1;
     const bool is_second = member >> level & 1;
     const bool second_wins = pair > 0 && drawnBit(seed_, level, pair);

@@ -19,6 +19,8 @@
 namespace place_recognition {
 namespace {
 
+constexpr std::size_t kFewest = 5;  // frames
+
 /// The frames of places that `model` knows, with the model's indices of places.
 struct KnownFrames {
   std::vector<SampleOrigin> origins;
@@ -114,9 +116,19 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   Recalibration result;
   Samples samples = collectSamplesFor(model, recordings, options, threads, progress, 1);
   result.warnings = samples.warnings;
+  for (const std::string& input : samples.inputs) {
+    const std::vector<std::string>& trained = model.provenance.inputs;
+    if (std::find(trained.begin(), trained.end(), input) == trained.end()) continue;
+    result.warnings.push_back("The model was trained on " + input +
+                              ", so it seems to be right and sure more often than on other runs.");
+  }
   const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);
   if (frames.origins.empty()) {
     throw Error("The runs show none of the places that the model knows; give one that does.");
+  }
+  if (frames.origins.size() < kFewest) {
+    throw Error("The runs have only " + counted(frames.origins.size(), "usable image") +
+                " of places that the model knows; give at least " + std::to_string(kFewest) + ".");
   }
   report(progress, "Calibrating", 0);
   result.images = frames.origins.size();
@@ -131,10 +143,10 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   int last_recording = 0;
   for (const SampleOrigin& origin : frames.origins)
     last_recording = std::max(last_recording, origin.recording);
-  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 0};
+  constexpr TimeBlocks kLongest{std::numeric_limits<double>::infinity(), 0};
   calibration_set.folds = timeBlockFolds(
       frames.origins, options.validation.folds,
-      std::vector<TimeBlocks>(static_cast<std::size_t>(last_recording) + 1, kAFifth));
+      std::vector<TimeBlocks>(static_cast<std::size_t>(last_recording) + 1, kLongest));
   model.cue_weights = chooseCueWeights(cues, priorWeights(options.cues), model.decision_limit,
                                        frames.origins, model.places.size());
   const CombinedValues combined = combine(cues, model.cue_weights, model.decision_limit);

@@ -26,14 +26,35 @@ ImageChange changeOfLight(const TrainingOptions& options) {
   };
 }
 
+std::set<std::string> labelledPlaces(const FrameCollection& collected) {
+  std::set<std::string> places;
+  for (const std::vector<SeenLabel>& recording : collected.seen) {
+    for (const SeenLabel& label : recording) {
+      if (!label.place.empty()) places.insert(label.place);
+    }
+  }
+  return places;
+}
+
+/// Why a frame was left out, in brackets.
+std::string whyNoOthers(const FrameCollection& collected) {
+  for (const LeftOutFrames& recording : collected.left_out) {
+    if (!recording.firstProblem().empty()) return " (" + recording.firstProblem() + ")";
+  }
+  if (collected.passed_over == 0) return "";
+  return " (sampling.rate passes over " + counted(collected.passed_over, "image") + ")";
+}
+
 /// Why the usable frames show fewer places than needed.
 std::string whyTooFewPlaces(const FrameCollection& collected) {
-  std::string recordings;
-  for (const std::string& input : collected.inputs) {
-    recordings += (recordings.empty() ? "" : ", ") + input;
-  }
+  const std::string recordings = listed(collected.inputs);
   if (collected.images == 0) {
     return "There are no images in " + recordings + "; give a run with images.";
+  }
+  if (!collected.frames.empty() && labelledPlaces(collected).size() > 1) {
+    return "Only '" + collected.frames.front().place + "' of the " +
+           std::to_string(labelledPlaces(collected).size()) + " places in " + recordings +
+           " has usable images" + whyNoOthers(collected) + "; a model needs at least two places.";
   }
   if (!collected.frames.empty()) {
     return "All images in " + recordings + " show one place, '" + collected.frames.front().place +

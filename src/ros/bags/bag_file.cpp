@@ -1,7 +1,5 @@
 #include "ros/bags/bag_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <system_error>
 
 #include "base/file_kind.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -19,29 +18,11 @@ namespace fs = std::filesystem;
 constexpr const char* kStart = "#ROSBAG V2.0";
 constexpr const char* kRos2Remedy = "convert it to a ROS 1 bag, for instance with rosbags-convert";
 
-bool endsWith(const std::string& path, const std::string& ending) {
-  return path.size() > ending.size() &&
-         std::equal(
-             ending.begin(), ending.end(), path.end() - static_cast<long>(ending.size()),
-             [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
-}
-
-/// The first bytes of a file; fewer if it is shorter, and none if it cannot be read.
-std::string startOf(const std::string& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return "";
-  std::string start(512, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  return start;
-}
-
-bool startsAsBag(const std::string& path) { return startOf(path).rfind(kStart, 0) == 0; }
+bool startsAsBag(const std::string& path) { return startsWith(startOfFile(path), kStart); }
 
 }  // namespace
 
-bool isActiveBag(const std::string& path) { return endsWith(path, ".bag.active"); }
+bool isActiveBag(const std::string& path) { return endsWith(lowerCase(path), ".bag.active"); }
 
 std::string whyActive(const std::string& path) {
   const std::string name = path.substr(0, path.size() - std::string(".active").size());
@@ -53,7 +34,18 @@ std::string whyActive(const std::string& path) {
 bool isBag(const std::string& path) {
   std::error_code ignored;
   if (isRos2Bag(path)) return false;
-  return endsWith(path, ".bag") || isActiveBag(path) || startsAsBag(path);
+  return endsWith(lowerCase(path), ".bag") || isActiveBag(path) || startsAsBag(path);
+}
+
+std::string ownLabelsFile(const std::string& path) {
+  fs::path bag = path;
+  if (isActiveBag(path)) bag.replace_extension();
+  for (const char* ending : {".labels.yaml", ".labels.yml"}) {
+    std::error_code ignored;
+    if (fs::exists(bag.replace_extension(ending), ignored)) return bag.string();
+    bag.replace_extension().replace_extension();
+  }
+  return "";
 }
 
 bool isRos2Bag(const std::string& folder) {
@@ -72,7 +64,7 @@ std::string whyNoRecording(const std::string& path) {
   std::error_code ignored;
   if (isRos2Bag(path)) return std::string("a ROS 2 bag; ") + kRos2Remedy;
   if (fs::is_directory(path, ignored)) return "";
-  const std::string start = startOf(path);
+  const std::string start = startOfFile(path);
   if (start.empty() && fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) == 0) {
     return "empty; copy or record it again";
   }

@@ -15,6 +15,10 @@ bool isActiveBag(const std::string& path);
 /// follows "PATH: ", without a full stop.
 std::string whyActive(const std::string& path);
 
+/// The file of labels with the name of the bag, RUN.labels.yaml or RUN.labels.yml beside RUN.bag or
+/// RUN.bag.active; empty if there is none.
+std::string ownLabelsFile(const std::string& path);
+
 /// Whether the folder is a ROS 2 bag.
 bool isRos2Bag(const std::string& folder);
 

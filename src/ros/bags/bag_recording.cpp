@@ -25,13 +25,10 @@ namespace fs = std::filesystem;
 /// The file of labels for the bag at `path`; empty if there is none.
 std::string findLabelsFile(const std::string& path, const BagRecordingOptions& options) {
   if (!options.labels_file.empty()) return options.labels_file;
-  const fs::path yaml = fs::path(path).replace_extension(".labels.yaml");
-  const fs::path yml = fs::path(path).replace_extension(".labels.yml");
+  const std::string own = ownLabelsFile(path);
+  if (!own.empty()) return own;
   const fs::path lines = fs::path(path).replace_filename("labels.dat");
-  for (const fs::path& file : {yaml, yml, lines}) {
-    if (fs::exists(file)) return file.string();
-  }
-  return "";
+  return fs::exists(lines) ? lines.string() : "";
 }
 
 /// The records that bag_reader writes about one bag, each of them checked.
@@ -231,7 +228,9 @@ class BagRecording : public Recording {
 
 }  // namespace
 
-bool hasImages(const BagTopic& topic) { return topic.type.find("Image") != std::string::npos; }
+bool hasImages(const BagTopic& topic) {
+  return topic.type == "sensor_msgs/Image" || topic.type == "sensor_msgs/CompressedImage";
+}
 
 std::unique_ptr<Recording> openBagRecording(const std::string& path,
                                             const BagRecordingOptions& options) {

@@ -17,8 +17,7 @@ struct BagRecordingOptions {
       "/place_label";         ///< std_msgs/String: holds until the next; see labels.h
   std::string label;          ///< one place for the whole bag
   std::string initial_label;  ///< what was said before the bag starts, for labels of its topic
-  std::string
-      labels_file;  ///< empty: RUN.labels.yaml or labels.dat beside RUN.bag, if there is one
+  std::string labels_file;    ///< empty: ownLabelsFile(), or labels.dat in the bag's folder
 };
 
 /// Reads the images of a bag (sensor_msgs/Image or CompressedImage; uncompressed, bz2 or lz4) with

@@ -28,7 +28,7 @@ LabelledBagWriter::LabelledBagWriter(const std::string& path, const LabelledBagO
   refuse(path);
 }
 LabelledBagWriter::~LabelledBagWriter() = default;
-void LabelledBagWriter::write(const cv::Mat&, const std::string&, double) {}
+void LabelledBagWriter::write(const cv::Mat&, const std::string&, double, const std::string&) {}
 void LabelledBagWriter::close() {}
 
 }  // namespace place_recognition

@@ -21,10 +21,6 @@ const std::string kCompressed = "/compressed";
 /// Types of topics by name.
 using Topics = std::map<std::string, std::string>;
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 bool isDepth(const std::string& topic) { return endsWith(topic, "/compressedDepth"); }
 
 bool isImages(const std::string& topic, const std::string& type) {

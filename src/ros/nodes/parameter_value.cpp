@@ -8,21 +8,13 @@
 #include <limits>
 
 #include "base/options.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
 
 using XmlRpc::XmlRpcValue;
-
-/// For messages: short and printable.
-std::string inQuotes(const std::string& text) {
-  std::string shown = text.substr(0, 60);
-  for (char& c : shown) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return "'" + shown + (text.size() > shown.size() ? "...'" : "'");
-}
 
 std::string describe(const XmlRpcValue& value) {
   switch (value.getType()) {

@@ -38,12 +38,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "~" : ", ~") + name;
-  return text;
-}
-
 template <typename Number>
 void requireWithin(Number value, Number least, Number most, const std::string& name) {
   if (value >= least && value <= most) return;
@@ -173,9 +167,9 @@ std::vector<std::string> Parameters::doubts() const {
       if (contains(known_, name) || contains(kOfLibraries, name)) continue;
       const std::string meant = meantBy(name, value);
       if (meant.empty() && value.getType() == XmlRpcValue::TypeStruct) continue;
-      sentences.push_back(
-          where(name) + " of " + node_ + " is not known and has no effect; " +
-          (meant.empty() ? "known are " + listed(known_) + "." : "did you mean ~" + meant + "?"));
+      sentences.push_back(where(name) + " of " + node_ + " is not known and has no effect; " +
+                          (meant.empty() ? "known are ~" + listed(known_, ", ~") + "."
+                                         : "did you mean ~" + meant + "?"));
     }
   }
   for (const std::string& name : known_) {

@@ -1,0 +1,57 @@
+#include "datasets/image_recording.h"
+
+#include <utility>
+
+#include "datasets/image_sequence.h"
+
+namespace place_recognition {
+namespace {
+
+class ImageRecording : public Recording {
+ public:
+  ImageRecording(std::string name, std::vector<LabelledImage> images,
+                 std::vector<std::string> warnings)
+      : Recording(std::move(name)), images_(std::move(images)) {
+    warnings_ = std::move(warnings);
+    std::vector<std::string> paths;
+    for (const LabelledImage& image : images_) paths.push_back(image.path);
+    sequence_ = ImageSequence(std::move(paths));
+  }
+
+  bool next(Frame& frame) override {
+    if (position_ == images_.size()) {
+      if (!sequence_.note().empty()) warnings_.push_back(name() + ": " + sequence_.note());
+      return false;
+    }
+    DecodedImage decoded = sequence_.read(position_);
+    const LabelledImage& image = images_[position_++];
+    frame = Frame{};
+    frame.image = std::move(decoded.image);
+    frame.place = image.place;
+    frame.stamp = image.stamp;
+    frame.name = image.path;
+    frame.problem = std::move(decoded.problem);
+    return true;
+  }
+
+  void setDepthExtent(const DepthExtent& extent) override { sequence_.setDepthExtent(extent); }
+  DepthExtent depthExtent() const override { return sequence_.depthExtent(); }
+
+  double fraction() const override {
+    return static_cast<double>(position_) / static_cast<double>(images_.size());
+  }
+
+ private:
+  std::vector<LabelledImage> images_;
+  ImageSequence sequence_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Recording> recordingOf(std::string name, std::vector<LabelledImage> images,
+                                       std::vector<std::string> warnings) {
+  return std::make_unique<ImageRecording>(std::move(name), std::move(images), std::move(warnings));
+}
+
+}  // namespace place_recognition
