@@ -46,7 +46,7 @@ void printRow(const std::string& what, int digits, double before, double after, 
 
 void printSummary(const Recalibration& result, const Fitted& before, std::ostream& out) {
   const Model& model = result.model;
-  out << "Calibrated on " << result.images << " images, each judged without its own fifth of the "
+  out << "Calibrated on " << result.images << " images, each judged without its own block of the "
       << "room:\n"
       << std::setw(38) << "before" << std::setw(10) << "after"
       << "\n";
@@ -98,7 +98,7 @@ void addCalibrate(CommandLine& tool) {
   verb.option("--out", "NAME2", options->out,
               "Name or file of the result, if the model is to be kept");
   options->input.addTo(verb);
-  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
+  addThreads(verb, options->threads);
   options->output.addTo(verb);
   verb.footer(
       "Fits the weights of the cues, the slope of the probabilities and the threshold of "

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "base/options.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "tool/network_trial.h"
 #include "tool/package_folder.h"
@@ -18,10 +20,8 @@ std::string configurationPath(const std::string& config) {
   if (!is_name || fs::exists(config)) return config;
   const fs::path preset = fs::path(packageFolder("config")) / (config + ".yaml");
   if (fs::exists(preset)) return preset.string();
-  std::string known;
-  for (const std::string& name : presetNames()) known += (known.empty() ? "" : ", ") + name;
-  throw Error("There is no configuration '" + config + "'; give a YAML file or a preset: " + known +
-              ".");
+  throw Error("There is no configuration '" + config +
+              "'; give a YAML file or a preset: " + listed(presetNames()) + ".");
 }
 
 /// Calls `work()`; puts `where` in front of the message of an Error.
@@ -73,7 +73,12 @@ TrainingOptions ConfigurationOptions::read(TrainingOptions options) const {
   if (!config.empty()) readOptionsFile(configurationPath(config), options);
   if (!set.empty()) {
     const YAML::Node tree = parseYaml(writeOptions(options), "the configuration");
-    for (const std::string& assignment : set) assignOption(tree, assignment);
+    std::set<std::string> keys;
+    for (const std::string& assignment : set) {
+      const std::string key = assignment.substr(0, assignment.find('='));
+      if (!keys.insert(key).second) throw UsageError("--set: " + key + " is given twice");
+      assignOption(tree, assignment);
+    }
     explain("--set", [&] {
       readOptions(tree, "", options);
       options.check();

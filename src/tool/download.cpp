@@ -1,5 +1,6 @@
 #include "tool/download.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,6 +16,7 @@ namespace place_recognition::tool {
 namespace {
 
 constexpr int kMaxSeconds = 1800;
+constexpr int kNotFound = 127;  // exit code of env without the program
 
 }  // namespace
 
@@ -51,9 +53,10 @@ std::string download(const std::string& url, std::size_t limit, const std::strin
   display.clear();
   if (status == 0) return bytes;
   throw Error("Cannot download " + url + ": " +
-              (complaint.empty()
-                   ? "curl ended with " + describeExit(status) + "; install it (apt install curl)"
-                   : complaint) +
+              (WIFEXITED(status) && WEXITSTATUS(status) == kNotFound
+                   ? "there is no curl; install it (apt install curl)"
+               : complaint.empty() ? "curl ended with " + describeExit(status)
+                                   : complaint) +
               ".");
 }
 

@@ -1,7 +1,6 @@
 #include <iostream>
 #include <memory>
 
-#include "base/atomic_file.h"
 #include "evaluation/evaluation.h"
 #include "evaluation/report.h"
 #include "evaluation/result_json.h"
@@ -48,8 +47,7 @@ void evaluateModel(const EvaluateOptions& options) {
   }
   options.output.text() << resultTable(evaluation, summary) << std::flush;
   if (!options.report.empty()) {
-    const NewFolder folder(options.report);
-    writeFileAtomically(report, htmlReport(evaluation, summary));
+    writeText(report, htmlReport(evaluation, summary));
     options.output.text() << "Report: " << report << std::endl;
   }
   options.output.writeJson(Json(resultJson(evaluation, summary)));

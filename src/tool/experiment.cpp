@@ -11,6 +11,7 @@
 #include "experiments/learning_curve_experiment.h"
 #include "experiments/materials_experiment.h"
 #include "experiments/reduction_experiment.h"
+#include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/part_option.h"
 #include "tool/verbs.h"
@@ -58,6 +59,19 @@ std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
                                                threads);
 }
 
+/// Throws UsageError for an option that this experiment does not have.
+void requireApplicable(const ExperimentOptions& options) {
+  const ExperimentOptions defaults;
+  const bool made_up = options.name == "figures";
+  if (options.layout != defaults.layout && (made_up || options.name == "materials")) {
+    throw UsageError("--layout applies to images of places");
+  }
+  if (options.every != defaults.every && made_up) throw UsageError("--every requires --data");
+  if (options.max_dimensions != defaults.max_dimensions && options.name != "descriptors") {
+    throw UsageError("--max-dimensions applies to descriptors");
+  }
+}
+
 std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
   const bool made_up = options.name == "figures";
   if (made_up && !options.data.empty()) {
@@ -71,6 +85,7 @@ std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
 }
 
 void runExperimentVerb(const ExperimentOptions& options) {
+  requireApplicable(options);
   const Part part = parsePart(options.part);
   std::vector<ImageSet> sets = setsOf(options);
   std::size_t images = 0;
@@ -129,7 +144,7 @@ void addExperiment(CommandLine& tool) {
   verb.option(
       "--part", "K/N", options->part,
       "Compute only the K-th of N parts of the cells; the tables are written when all cells exist");
-  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
+  addThreads(verb, options->threads);
   options->output.addTo(verb);
   verb.footer(
       "Example:\n"

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -22,12 +23,19 @@ struct ImportOptions {
 };
 
 void importImages(const ImportOptions& options) {
-  if (!options.layout.camera.empty() && options.layout.name != "cold") {
+  const Layout& layout = options.layout;
+  if (!layout.camera.empty() && layout.name != "cold") {
     throw UsageError("--camera requires --layout cold");
+  }
+  if (!layout.condition.empty() && layout.name != "indecs") {
+    throw UsageError("--condition requires --layout indecs");
+  }
+  if (layout.rate != Layout().rate && layout.name != "rooms" && layout.name != "indecs") {
+    throw UsageError("--rate requires --layout rooms or indecs, because the others have stamps");
   }
   requireWritable(options.out, Contents::kBag);
   std::vector<std::string> warnings;
-  const std::vector<LabelledImage> images = listImages(options.folder, options.layout, warnings);
+  const std::vector<LabelledImage> images = listImages(options.folder, layout, warnings);
 
   LabelledBagOptions bag_options;
   bag_options.jpeg = !options.raw;
@@ -36,6 +44,7 @@ void importImages(const ImportOptions& options) {
 
   ProgressDisplay display(options.output.progress);
   const Progress progress = display.callback();
+  const NewFolder folder(std::filesystem::absolute(options.out).parent_path().string());
   LabelledBagWriter bag(options.out, bag_options);
   std::set<std::string> places;
   std::map<std::string, std::string> problems;  // the first one, by place
@@ -82,7 +91,7 @@ void addImport(CommandLine& tool) {
   Verb& verb = tool.verb("import", "Makes a labelled bag from images on disk");
   const auto options = std::make_shared<ImportOptions>();
   verb.argument("FOLDER", options->folder, "Folder of images");
-  verb.option("--out", "RUN.bag", options->out, "Bag to write").required();
+  verb.option("--out", "RUN.bag", options->out, "Bag to write").required().written();
   verb.option("--layout", "NAME", options->layout.name,
               "Layout of the images: rooms (default), indecs, idol or cold")
       .oneOf({"rooms", "indecs", "idol", "cold"});

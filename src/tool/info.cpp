@@ -186,6 +186,7 @@ void info(const InfoOptions& options) {
     options.output.writeJson(bagFigures(bag, options.name));
     return;
   }
+  options.input.requireBag({});
   const std::string path = modelPathOf(options.name);
   const Model model = loadModel(path);
   const std::uint64_t bytes = std::filesystem::file_size(path);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <system_error>
 
 #include "base/text.h"
@@ -17,14 +18,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The first bag directly in a folder; empty if there is none.
+std::string firstBagIn(const std::string& folder) {
+  for (const std::string& name : entriesOf(folder).others) {
+    const std::string path = (fs::path(folder) / name).string();
+    if (isBag(path)) return path;
+  }
+  return "";
+}
+
+constexpr const char* kBagGroup = "Options for bags";
+
+/// Whether `path` is one run. A folder with bags is a folder of runs, whatever else it contains.
 bool isRecording(const std::string& path) {
-  return isBag(path) || (fs::is_directory(path) && holdsRoomImages(path));
+  return isBag(path) ||
+         (fs::is_directory(path) && holdsRoomImages(path) && firstBagIn(path).empty());
 }
 
 /// Why a folder without runs yields nothing.
 std::string whyNoRoomFolders(const std::string& folder) {
   const FolderEntries entries = entriesOf(folder);
   if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
+  const std::string bag = firstBagIn(folder);
+  if (!bag.empty()) return "it contains bags, such as " + bag + "; give this folder itself";
   const FoundImages found = findRoomImages(folder);
   if (!found.images.empty()) {
     return "its images are nested too deeply, such as " + found.images.front().path +
@@ -72,6 +88,7 @@ void findRecordingsIn(const std::string& folder, std::vector<std::string>& recor
   std::vector<std::string> names = entries.folders;
   names.insert(names.end(), entries.others.begin(), entries.others.end());
   std::sort(names.begin(), names.end(), naturalLess);
+  const std::string bag = firstBagIn(folder);
   const std::size_t before = recordings.size();
   std::vector<std::string> passed_over;  // sentences
   const auto pass_over = [&](const std::string& path, const std::string& why) {
@@ -83,6 +100,9 @@ void findRecordingsIn(const std::string& folder, std::vector<std::string>& recor
     const std::string why = whyPassedOver(path);
     if (!why.empty()) {
       pass_over(path, why);
+    } else if (!bag.empty() && fs::is_directory(path) && !entriesOf(path).images.empty()) {
+      pass_over(path, "its images lie beside bags, such as " + bag +
+                          "; put its room folder into a folder without bags");
     } else if (isRecording(path)) {
       recordings.push_back(path);
     }
@@ -121,30 +141,53 @@ void findRecordingsOf(const std::string& input, std::vector<std::string>& record
   }
 }
 
+/// A run that is given twice would be held out and learned at once.
+std::vector<std::string> withoutRepetitions(const std::vector<std::string>& recordings) {
+  std::vector<std::string> distinct;
+  std::set<fs::path> seen;
+  for (const std::string& recording : recordings) {
+    if (seen.insert(fs::canonical(recording)).second) {
+      distinct.push_back(recording);
+    } else {
+      std::cerr << "warning: " << recording << " is given twice and read once.\n";
+    }
+  }
+  return distinct;
+}
+
 }  // namespace
 
 const char* const kInputHelp =
     "Labelled runs: bags, folders of room/image files (png, jpg, webp, bmp, tiff), or folders of "
     "these";
 
-void InputOptions::addTo(Verb& verb) {
-  const char* const kGroup = "Options for bags";
+void InputOptions::addImageTopicTo(Verb& verb) {
   verb.option("--image-topic", "TOPIC", bag.image_topics,
               "Topic of the images, required if there are several; for the cameras of one robot, "
               "several topics separated by commas")
       .commaSeparated()
-      .group(kGroup);
-  verb.option("--label-topic", "TOPIC", bag.label_topic,
-              "Topic of the labels, std_msgs/String (default " + bag.label_topic + ")")
-      .group(kGroup);
-  verb.option("--labels", "FILE", bag.labels_file,
-              "File of labels; RUN.labels.yaml or labels.dat beside RUN.bag is found automatically")
-      .group(kGroup);
-  verb.option("--label", "PLACE", bag.label, "Every bag shows only this place").group(kGroup);
+      .group(kBagGroup);
 }
 
-std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string>& inputs) const {
+void InputOptions::addTo(Verb& verb) {
+  addImageTopicTo(verb);
+  verb.option("--label-topic", "TOPIC", bag.label_topic,
+              "Topic of the labels, std_msgs/String (default " + bag.label_topic + ")")
+      .group(kBagGroup);
+  verb.option("--labels", "FILE", bag.labels_file,
+              "File of labels; RUN.labels.yaml or labels.dat beside RUN.bag is found automatically")
+      .excludes("--label-topic")
+      .group(kBagGroup);
+  verb.option("--label", "PLACE", bag.label, "Every bag shows only this place")
+      .excludes("--labels")
+      .excludes("--label-topic")
+      .group(kBagGroup);
+}
+
+std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string>& inputs,
+                                                   bool are_all) const {
   const std::vector<std::string> recordings = findRecordings(inputs);
+  if (are_all && !recordings.empty()) requireBag(recordings);
   if (!bag.labels_file.empty() && std::count_if(recordings.begin(), recordings.end(), isBag) > 1) {
     throw Error(
         "--labels " + bag.labels_file +
@@ -160,14 +203,39 @@ std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string
   return openers;
 }
 
+InputOptions InputOptions::withoutLabels() const {
+  InputOptions others = *this;
+  others.bag.label.clear();
+  others.bag.labels_file.clear();
+  return others;
+}
+
 std::unique_ptr<Recording> InputOptions::open(const std::string& recording) const {
   return isBag(recording) ? openBagRecording(recording, bag) : openFolderRecording(recording);
+}
+
+void InputOptions::requireBag(const std::vector<std::string>& paths) const {
+  if (std::any_of(paths.begin(), paths.end(), isBag)) return;
+  const BagRecordingOptions defaults;
+  const std::pair<const char*, bool> options[] = {
+      {"--image-topic", !bag.image_topics.empty()},
+      {"--label-topic", bag.label_topic != defaults.label_topic},
+      {"--labels", !bag.labels_file.empty()},
+      {"--label", !bag.label.empty()}};
+  for (const auto& [option, is_given] : options) {
+    if (is_given) throw UsageError(std::string(option) + " applies to bags, and there is none");
+  }
+}
+
+void addThreads(Verb& verb, unsigned& threads) {
+  verb.option("--threads", "N", threads, "Threads, 0..1024; 0: one per core. Changes no result")
+      .range(0, 1024);
 }
 
 std::vector<std::string> findRecordings(const std::vector<std::string>& inputs) {
   std::vector<std::string> recordings;
   for (const std::string& input : inputs) findRecordingsOf(input, recordings);
-  return recordings;
+  return withoutRepetitions(recordings);
 }
 
 Frame imageFrame(const std::string& path, const DepthExtent& depth) {

@@ -20,13 +20,25 @@ struct InputOptions {
   BagRecordingOptions bag;
 
   void addTo(Verb& verb);
+  void addImageTopicTo(Verb& verb);
 
-  /// One opener per run of `inputs`. Throws Error for an input that is not a run, and if one labels
-  /// file is given for several runs.
-  std::vector<RecordingOpener> openers(const std::vector<std::string>& inputs) const;
+  /// The options for other runs than those to which --label and --labels apply.
+  InputOptions withoutLabels() const;
+
+  /// One opener per run of `inputs`. `are_all`: the options apply to no other inputs. Throws Error
+  /// for an input that is not a run, and if one labels file is given for several runs; UsageError
+  /// like requireBag().
+  std::vector<RecordingOpener> openers(const std::vector<std::string>& inputs,
+                                       bool are_all = true) const;
 
   std::unique_ptr<Recording> open(const std::string& recording) const;
+
+  /// Throws UsageError if one of these options is given but there is no bag among `paths`.
+  void requireBag(const std::vector<std::string>& paths) const;
 };
+
+/// The option --threads of a verb.
+void addThreads(Verb& verb, unsigned& threads);
 
 /// The runs that `inputs` refer to, in the given order: a bag, a folder of `room/image`, or a
 /// folder of such bags or folders, in natural order of their names; entries that yield nothing are

@@ -4,6 +4,8 @@
 #include <boost/algorithm/string.hpp>
 #include <sstream>
 
+#include "base/text.h"
+#include "base/user_path.h"
 #include "tool/usage_text.h"
 
 namespace place_recognition::tool {
@@ -50,6 +52,11 @@ Option& Option::positive() {
   return *this;
 }
 
+Option& Option::written() {
+  written_ = true;
+  return *this;
+}
+
 Option& Option::checked(std::function<void(const std::string&)> check) {
   checks_.push_back(std::move(check));
   return *this;
@@ -87,6 +94,10 @@ std::string Option::meaningAndRules() const {
 
 void Option::assign(const Values& words) const {
   Values values = words;
+  for (std::string& value : values) {
+    if (startsWith(value, "~/"))
+      value = userPath(value);  // a shell leaves --option=~/file as it is
+  }
   if (comma_separated_) {
     values.clear();
     for (const std::string& word : words) {

@@ -50,6 +50,8 @@ class Option {
   /// Includes both ends.
   Option& range(double min, double max);
   Option& positive();
+  /// The value is a file to write, which must not be one that another option or argument names.
+  Option& written();
   /// `check` throws if a value is invalid.
   Option& checked(std::function<void(const std::string&)> check);
   /// Options that must, or must not, be given with this one.
@@ -74,6 +76,7 @@ class Option {
   bool required_ = false;
   bool many_ = false;
   bool comma_separated_ = false;
+  bool written_ = false;
   std::vector<std::function<void(const std::string&)>> checks_;
   std::vector<std::string> needs_;
   std::vector<std::string> excludes_;

@@ -22,7 +22,7 @@ constexpr const char* kIntroduction =
 `config/`. A key that the file lacks keeps its default. `--set KEY=VALUE` overrides one key, for
 example `--set svm.c=10`; a cue is addressed by its name, for example
 `--set cues.edges.kernel.gamma=3`. Unknown keys are refused. A list of cues in a file replaces the
-default list: `colours`, `tints`, `edges` and `shapes`, as in `config/default.yaml`. The model stores
+default list: `colours`, `tints`, `edges`, `shapes` and `directions`, as in `config/default.yaml`. The model stores
 the options that it was trained with; `place_tool info` shows them.
 )";
 

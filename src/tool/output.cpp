@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "base/atomic_file.h"
+#include "base/file_kind.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
-#include "recognition/model/model_container.h"
+#include "place_recognition/model_file.h"
 
 namespace place_recognition::tool {
 
@@ -22,20 +22,16 @@ namespace {
 /// Throws Error if the file at `path` would be lost by mistake. One that is empty or cannot be read
 /// may be replaced.
 void requireAlike(const std::string& path, Contents contents) {
-  std::ifstream file(path, std::ios::binary);
-  std::string start(512, '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string start = startOfFile(path);
   if (start.empty()) return;
-  std::istringstream stream(start);
   const char* name = "a text file";
   bool alike = start.find('\0') == std::string::npos;
   if (contents == Contents::kBag) {
     name = "a bag";
-    alike = start.rfind("#ROSBAG", 0) == 0;
+    alike = startsWith(start, "#ROSBAG");
   } else if (contents == Contents::kModel) {
     name = "a model";
-    alike = startsAsContainer(stream);
+    alike = startsAsModel(path);
   }
   if (!alike) {
     throw Error("Cannot write " + path + ": a file that is not " + name +
@@ -47,6 +43,7 @@ void requireAlike(const std::string& path, Contents contents) {
 
 void OutputOptions::addTo(Verb& verb) {
   verb.option("--json", "FILE", json, "Write the results as JSON to FILE; - for stdout")
+      .written()
       .checked([](const std::string& file) {
         if (!file.empty() && file != "-") requireWritable(file, Contents::kText);
       });
@@ -64,7 +61,7 @@ void OutputOptions::writeJson(const Json& figures) const {
   if (json == "-") {
     std::cout << jsonLine(figures) << std::flush;
   } else {
-    writeFileAtomically(json, jsonLine(figures));
+    writeText(json, jsonLine(figures));
   }
 }
 
@@ -90,6 +87,12 @@ void requireWritable(const std::string& path, Contents contents) {
     throw Error("Cannot write " + path + " (" + reason + "); choose a writable folder.");
   }
   requireAlike(path, contents);
+}
+
+void writeText(const std::string& path, std::string_view text) {
+  requireAlike(path, Contents::kText);
+  const NewFolder folder(fs::absolute(behindLinks(path)).parent_path().string());
+  writeFileAtomically(path, text);
 }
 
 NewFolder::NewFolder(const std::string& path) {

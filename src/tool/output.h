@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tool/progress_display.h"
@@ -39,6 +40,10 @@ enum class Contents { kText, kBag, kModel };
 /// one of these contents, for example an image whose name was meant as an input. This is reported
 /// before the work instead of after it. Missing folders are allowed, and are not created.
 void requireWritable(const std::string& path, Contents contents);
+
+/// Writes a file like writeFileAtomically(), in a folder that is created if it is missing. Throws
+/// Error also for a file that requireWritable() refuses.
+void writeText(const std::string& path, std::string_view text);
 
 /// Creates a folder, with those above it, unless it exists. The destructor removes those created
 /// folders that are still empty.

@@ -7,7 +7,6 @@
 #include <iostream>
 #include <memory>
 
-#include "base/atomic_file.h"
 #include "base/place_name.h"
 #include "datasets/image_file.h"
 #include "datasets/image_folder.h"
@@ -96,8 +95,13 @@ class Recognitions {
   void finish() {
     unusable_.requireOthers(frames_);
     unusable_.warn(std::cerr);
-    if (!output_.json.empty() && output_.json != "-")
-      writeFileAtomically(output_.json, json_lines_);
+    writeJson();
+  }
+
+  /// Writes the answers so far.
+  void writeJson() const {
+    const bool to_file = !output_.json.empty() && output_.json != "-";
+    if (to_file && !json_lines_.empty()) writeText(output_.json, json_lines_);
   }
 
  private:
@@ -192,37 +196,66 @@ class Recognitions {
   std::size_t place_width_ = std::string(kUnknownPlace).size();
 };
 
+/// An image, or the runs that an input refers to.
+struct Input {
+  std::string image;
+  std::vector<std::string> runs;
+};
+
+std::vector<Input> inputsOf(const RecognizeOptions& options) {
+  std::vector<Input> inputs;
+  std::vector<std::string> runs;
+  for (const std::string& input : options.inputs) {
+    const bool is_image = isImageName(input) && !std::filesystem::is_directory(input);
+    if (is_image || startsAsImage(input)) {
+      inputs.push_back({input, {}});
+    } else {
+      inputs.push_back({"", findRecordings({input})});
+      runs.insert(runs.end(), inputs.back().runs.begin(), inputs.back().runs.end());
+    }
+  }
+  options.input.requireBag(runs);
+  return inputs;
+}
+
+void recognizeRun(const std::string& run, InputOptions input, Recognitions& recognitions,
+                  const Progress& progress) {
+  input.bag.label = "any";  // labels are not needed, right or wrong
+  const std::unique_ptr<Recording> recording = input.open(run);
+  const bool is_bag = isBag(run);
+  recognitions.startRecording(*recording, is_bag);
+  for (Frame frame; recording->next(frame);) {
+    report(progress, "Recognizing " + run, recording->fraction());
+    if (is_bag) frame.name = run + " " + frame.name;
+    recognitions.addFrame(frame);
+  }
+  for (const std::string& warning : recording->warnings()) {
+    std::cerr << "warning: " << warning << "\n";
+  }
+  recognitions.endRecording();
+}
+
 void recognize(const RecognizeOptions& options) {
+  const std::vector<Input> inputs = inputsOf(options);
   Recognitions recognitions(options);
   // On a terminal, the lines with answers show the progress.
   const bool answers_are_seen = options.output.progress == "auto" && isatty(STDOUT_FILENO);
   ProgressDisplay display(answers_are_seen ? "none" : options.output.progress);
   const Progress progress = display.callback();
-  Frame frame;
-  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
-    const std::string& input = options.inputs[i];
-    const bool is_image = isImageName(input) && !std::filesystem::is_directory(input);
-    if (is_image || startsAsImage(input)) {
-      report(progress, "Recognizing", static_cast<double>(i) / options.inputs.size());
-      frame = imageFrame(input, recognitions.depth());
+  try {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      for (const std::string& run : inputs[i].runs) {
+        recognizeRun(run, options.input, recognitions, progress);
+      }
+      if (inputs[i].image.empty()) continue;
+      report(progress, "Recognizing", static_cast<double>(i) / inputs.size());
+      Frame frame = imageFrame(inputs[i].image, recognitions.depth());
       frame.stamp = static_cast<double>(i);
       recognitions.addImage(frame);
-      continue;
     }
-    for (const std::string& run_path : findRecordings({input})) {
-      const std::unique_ptr<Recording> recording = options.input.open(run_path);
-      const bool is_bag = isBag(run_path);
-      recognitions.startRecording(*recording, is_bag);
-      while (recording->next(frame)) {
-        report(progress, "Recognizing " + run_path, recording->fraction());
-        if (is_bag) frame.name = run_path + " " + frame.name;
-        recognitions.addFrame(frame);
-      }
-      for (const std::string& warning : recording->warnings()) {
-        std::cerr << "warning: " << warning << "\n";
-      }
-      recognitions.endRecording();
-    }
+  } catch (...) {
+    recognitions.writeJson();
+    throw;
   }
   recognitions.finish();
 }
@@ -235,7 +268,7 @@ void addRecognize(CommandLine& tool) {
   verb.argument("IMAGE_OR_INPUT", options->inputs,
                 "Images (png, jpg, webp, bmp, tiff), bags or folders of room/image files");
   verb.option("--model", "NAME", options->model, "Name or file of the model").required();
-  options->input.addTo(verb);
+  options->input.addImageTopicTo(verb);
   options->output.addTo(verb);
   verb.footer(
       "Prints one line per image: path, place (or unknown), confidence 0..1. With --json, prints "

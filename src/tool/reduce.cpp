@@ -1,7 +1,6 @@
 #include <iostream>
 #include <memory>
 
-#include "base/atomic_file.h"
 #include "learning/classifier_parts.h"
 #include "place_recognition/model_file.h"
 #include "recognition/training/model_reduction.h"
@@ -35,8 +34,9 @@ class Reducer {
       : options_(options),
         progress_(progress),
         model_(loadModel(modelPath(options.model))),
-        training_(collect(options.train)),
-        validation_(collect(options.validate)),
+        training_(collect(options.train, options.input)),
+        validation_(collect(options.validate,
+                            options.train.empty() ? options.input : options.input.withoutLabels())),
         reduction_(model_, options.train.empty() ? nullptr : &training_, progress) {
     if (!options.validate.empty()) {
       rate_ = std::make_unique<RateOnSamples>(model_, validation_, progress);
@@ -89,9 +89,10 @@ class Reducer {
   }
 
  private:
-  Samples collect(const std::vector<std::string>& inputs) const {
+  Samples collect(const std::vector<std::string>& inputs, const InputOptions& input) const {
     if (inputs.empty()) return {};
-    return collectSamplesFor(model_, options_.input.openers(inputs), model_.options, 0, progress_,
+    const bool is_only = options_.train.empty() || options_.validate.empty();
+    return collectSamplesFor(model_, input.openers(inputs, is_only), model_.options, 0, progress_,
                              2);
   }
 
@@ -144,8 +145,7 @@ void reduceModel(const ReduceOptions& options) {
 
   options.output.text() << reductionTable(report) << "Model: " << path << std::endl;
   if (!options.report.empty()) {
-    const NewFolder folder(options.report);
-    writeFileAtomically(page, reductionPage(report));
+    writeText(page, reductionPage(report));
     options.output.text() << "Report: " << page << std::endl;
   }
   options.output.writeJson(reductionJson(report));

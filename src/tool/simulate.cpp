@@ -4,6 +4,7 @@
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
 #include <ostream>
+#include <set>
 #include <vector>
 
 #include "base/atomic_file.h"
@@ -81,10 +82,14 @@ void simulateRuns(SimulateOptions options) {
   options.simulation.size = parseSize(options.size);
   options.simulation.omnidirectional = options.camera == "omni";
   options.simulation.check();
+  const std::set<std::string> conditions(options.conditions.begin(), options.conditions.end());
+  if (conditions.size() < options.conditions.size()) {
+    throw UsageError("--conditions: a light is given twice");
+  }
   ProgressDisplay display(options.output.progress);
   Json recordings = Json::array();
   const NewFolder folder(options.out);
-  for (const std::string& condition : options.conditions) {
+  for (const std::string& condition : conditions) {
     options.simulation.condition = conditionFromName(condition);
     const std::string path = options.out + "/" + condition + (as_bag ? ".bag" : "");
     const auto render = as_bag ? renderBag : renderFolder;

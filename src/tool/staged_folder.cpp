@@ -1,25 +1,50 @@
 #include "tool/staged_folder.h"
 
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition::tool {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Hidden, so that nobody takes it for a complete folder.
+std::string temporaryStart(const fs::path& target) {
+  return (target.parent_path() / ("." + target.filename().string() + ".tmp-")).string();
+}
+
+/// Removes the temporary folders of killed processes.
+void removeLeftovers(const fs::path& target) {
+  const fs::path start = temporaryStart(target);
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(start).parent_path(), failure)) {
+    const std::string name = entry.path().filename().string();
+    if (!startsWith(name, start.filename().string())) continue;
+    const int owner = std::atoi(name.c_str() + start.filename().string().size());
+    if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), failure);
+  }
+}
+
+}  // namespace
+
 StagedFolder::StagedFolder(const std::string& target) : target_(target) {
   if (fs::exists(target_) && !(fs::is_directory(target_) && fs::is_empty(target_))) {
     throw Error(target + " already exists; remove it or choose another folder.");
   }
-  std::string pattern = target + ".tmp-XXXXXX";
-  if (!mkdtemp(pattern.data())) {
+  removeLeftovers(target_);
+  path_ = temporaryStart(target_) + std::to_string(getpid());
+  std::error_code failure;
+  if (!fs::create_directory(path_, failure)) {
     throw Error("Cannot write " + target + "; choose a writable folder.");
   }
-  path_ = pattern;
-  fs::permissions(path_, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                             fs::perms::others_read | fs::perms::others_exec);
 }
 
 StagedFolder::~StagedFolder() {

@@ -5,8 +5,9 @@
 
 namespace place_recognition::tool {
 
-/// A folder that gets its name only once it is complete. Until then it is a temporary folder beside
-/// it, which is removed unless commit() is called.
+/// A folder that gets its name only once it is complete. Until then it is a hidden temporary folder
+/// beside it, which is removed unless commit() is called. If the program is killed, the next
+/// StagedFolder of this name removes it.
 class StagedFolder {
  public:
   /// Throws Error if `target` exists and is not empty, or its parent cannot be written to.

@@ -64,13 +64,6 @@ Json figures(const Training& training, const std::string& path, std::uint64_t by
           {"warnings", training.warnings}};
 }
 
-/// "kitchen, office"
-std::string textOf(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 /// Describes the held-out images on which the model was validated, and the result.
 std::string heldOutText(const Model& model) {
   const std::vector<std::string> judged = model.validatedPlaces();
@@ -86,7 +79,7 @@ std::string heldOutText(const Model& model) {
   }
   text << std::fixed << std::setprecision(1) << 100 * model.validation.average_rate
        << " % right (mean of " << (judged.size() == model.places.size() ? "the places" : "");
-  if (judged.size() < model.places.size()) text << textOf(judged) << " only";
+  if (judged.size() < model.places.size()) text << listed(judged) << " only";
   text << "), calibration error " << std::setprecision(3) << model.validation.calibration_error;
   return text.str();
 }
@@ -97,9 +90,13 @@ void printSummary(const Training& training, const std::string& path, std::uint64
   out << "Learned " << model.places.size() << " places from " << training.images << " images";
   if (!from_model.empty()) out << " and the model " << from_model;
   if (training.passed_over > 0) out << " of " << training.images + training.passed_over;
-  out << " in " << std::fixed << std::setprecision(1) << training.seconds << " s:\n";
+  const std::vector<std::uint64_t>& counts = model.provenance.place_images;
+  const bool continues =
+      std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) > training.images;
+  out << " in " << std::fixed << std::setprecision(1) << training.seconds << " s"
+      << (continues ? "; with those learned before" : "") << ":\n";
   for (std::size_t i = 0; i < model.places.size(); ++i) {
-    out << std::setw(8) << model.provenance.place_images[i] << "  " << model.places[i] << "\n";
+    out << std::setw(8) << counts[i] << "  " << model.places[i] << "\n";
   }
   out << heldOutText(model) << "\n" << std::defaultfloat << std::setprecision(4);
   for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
@@ -136,11 +133,8 @@ std::optional<Replacement> replacementOf(const TrainOptions& options, const std:
                                          const Progress& progress) {
   if (options.validate.empty()) return std::nullopt;
   const bool goes_on = !std::filesystem::exists(path) && !options.add_to.empty();
-  InputOptions input = options.input;  // --label and --labels apply to the training runs
-  input.bag.label.clear();
-  input.bag.labels_file.clear();
-  return Replacement(input.openers(options.validate), goes_on ? modelPath(options.add_to) : path,
-                     progress);
+  return Replacement(options.input.withoutLabels().openers(options.validate, false),
+                     goes_on ? modelPath(options.add_to) : path, progress);
 }
 
 void train(const TrainOptions& options) {
@@ -151,10 +145,21 @@ void train(const TrainOptions& options) {
   if (options.inputs.empty() && !(bag.label.empty() && bag.labels_file.empty())) {
     throw UsageError("--label and --labels apply to an INPUT; give one");
   }
+  if (!options.from_model.empty() && options.from_model == options.add_to) {
+    throw UsageError("--from-model and --add-to name the same model; give another one");
+  }
+  for (const std::string& run : options.validate) {
+    if (std::count(options.inputs.begin(), options.inputs.end(), run) == 0) continue;
+    throw UsageError("--validate: " + run + " is also learned; give another run");
+  }
+  if (options.forgetting > 0 && options.limit == 0) {
+    throw UsageError("--forgetting requires a --limit above 0");
+  }
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);
   requireWritable(path, Contents::kModel);
-  const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
+  const std::vector<RecordingOpener> recordings =
+      options.input.openers(options.inputs, options.validate.empty());
 
   ProgressDisplay display(options.output.progress);
   const std::optional<Replacement> replacement = replacementOf(options, path, display.callback());
@@ -206,7 +211,7 @@ void addTrain(CommandLine& tool) {
               "on this labelled run; neither model may have been trained on it");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
-  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
+  addThreads(verb, options->threads);
   options->output.addTo(verb);
   verb.footer(
       "Example:\n"

@@ -4,7 +4,6 @@
 #include <optional>
 #include <sstream>
 
-#include "base/atomic_file.h"
 #include "base/options.h"
 #include "base/text.h"
 #include "place_recognition/network.h"
@@ -126,10 +125,13 @@ Json figures(const Tuning& tuning, const std::string& path) {
           {"seconds", tuning.seconds}, {"best", jsonOf(tuning.best)}, {"trials", trials}};
 }
 
-void printSummary(const Tuning& tuning, const std::string& path, std::ostream& out) {
-  out << table(tuning.trials,
-               [](const TuningTrial& trial) { return trial.stage.find("round") != 0; })
-      << "\nBest" << (tuning.complete ? "" : " so far") << ": " << namesOf(tuning.best.cues)
+std::string finalTable(const Tuning& tuning) {
+  return table(tuning.trials,
+               [](const TuningTrial& trial) { return trial.stage.find("round") != 0; });
+}
+
+void printBest(const Tuning& tuning, const std::string& path, std::ostream& out) {
+  out << "\nBest" << (tuning.complete ? "" : " so far") << ": " << namesOf(tuning.best.cues)
       << ", C " << tuning.best.c << "\n"
       << tuning.trials.size() << " configurations tried on " << tuning.images << " images in "
       << fixed(tuning.seconds, 0) << " s. Configuration: " << path << " (place_tool train --config "
@@ -149,10 +151,11 @@ void tuneWhole(const TuneOptions& options, const Task& task) {
   const Tuning tuning =
       place_recognition::tune(task.recordings, task.hold_out, task.base, task.space,
                               options.threads, display.callback(), options.cells);
-  writeFileAtomically(options.out, yamlOf(tuning, options.inputs));
   display.clear();
 
-  printSummary(tuning, options.out, options.output.text());
+  options.output.text() << finalTable(tuning) << std::flush;  // also if the file cannot be written
+  writeText(options.out, yamlOf(tuning, options.inputs));
+  printBest(tuning, options.out, options.output.text());
   options.output.writeJson(figures(tuning, options.out));
   if (!tuning.complete) throw Cancelled();
 }
@@ -174,8 +177,9 @@ void tune(const TuneOptions& options) {
   if (options.same_light) task.space.other_light = false;
   addInstalledNetwork(task.base, task.space);
   requireWritable(options.out, Contents::kText);
-  task.recordings = options.input.openers(options.inputs);
-  if (!options.validate.empty()) task.hold_out = options.input.openers(options.validate);
+  task.recordings = options.input.openers(options.inputs, options.validate.empty());
+  if (!options.validate.empty())
+    task.hold_out = options.input.withoutLabels().openers(options.validate, false);
   std::optional<NewFolder> cells;
   if (!options.cells.empty()) cells.emplace(options.cells);
   if (part) {
@@ -191,7 +195,9 @@ void addTune(CommandLine& tool) {
   Verb& verb = tool.verb("tune", "Finds features and C by cross-validation over runs");
   const auto options = std::make_shared<TuneOptions>();
   verb.argument("INPUT", options->inputs, kInputHelp);
-  verb.option("--out", "FILE.yaml", options->out, "YAML file for `train --config`").required();
+  verb.option("--out", "FILE.yaml", options->out, "YAML file for `train --config`")
+      .required()
+      .written();
   verb.option("--validate", "INPUT", options->validate,
               "Runs to test on instead of cross-validation within INPUT")
       .many();
@@ -210,7 +216,7 @@ void addTune(CommandLine& tool) {
       .needs("--cells");
   options->configuration.addTo(verb);
   options->input.addTo(verb);
-  verb.option("--threads", "N", options->threads, "Threads; 0: one per core. Changes no result");
+  addThreads(verb, options->threads);
   options->output.addTo(verb);
   verb.footer(
       "Starts from the default configuration, or that of --config, and leaves it only if held-out\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <filesystem>
 #include <sstream>
 
 #include "tool/usage_text.h"
@@ -10,6 +11,15 @@ namespace place_recognition::tool {
 namespace {
 
 namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+/// Whether two paths name one regular file, which need not exist yet.
+bool areOneFile(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code ignored;
+  if (fs::exists(a, ignored)) return fs::is_regular_file(a) && fs::equivalent(a, b, ignored);
+  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
 
 }  // namespace
 
@@ -71,6 +81,7 @@ void Verb::parse(const Words& words) const {
   Given given = readOptions(words, arguments);
   readArguments(arguments, given);
   check(given);
+  checkFiles(given);
   for (const std::deque<Option>* list : {&options_, &arguments_}) {
     for (const Option& option : *list) {
       const auto found = given.find(option.name_);
@@ -144,6 +155,23 @@ void Verb::check(const Given& given) const {
       for (const std::string& other : option.excludes_) {
         if (given.count(other) != 0)
           throw UsageError(option.name_ + " cannot be combined with " + other);
+      }
+    }
+  }
+}
+
+void Verb::checkFiles(const Given& given) const {
+  for (const Option& option : options_) {
+    const auto own = given.find(option.name_);
+    if (!option.written_ || own == given.end()) continue;
+    const std::string& file = own->second.front();
+    for (const auto& [other, values] : given) {
+      const bool is_named_too =
+          other != option.name_ &&
+          std::any_of(values.begin(), values.end(),
+                      [&](const std::string& value) { return areOneFile(file, value); });
+      if (is_named_too) {
+        throw UsageError(option.name_ + " and " + other + " name the same file, " + file);
       }
     }
   }

@@ -57,6 +57,7 @@ class Verb {
   Given readOptions(const Option::Values& words, Option::Values& arguments) const;
   void readArguments(const Option::Values& words, Given& given) const;
   void check(const Given& given) const;
+  void checkFiles(const Given& given) const;
 
   std::string name_;
   std::string summary_;

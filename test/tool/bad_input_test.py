@@ -65,9 +65,10 @@ class BadInputTest(ToolCase):
         files = [*images, bag, self.folder / "empty", self.folder / "text"]
         files[-2].touch()
         files[-1].write_text("kitchen\n")
+        other = self.write_image("3.png", paint("kitchen", 2))
         before = [path.read_bytes() for path in files]
         for path in images + [bag]:
-            for arguments in (["recognize", *MODEL, "--json", path, *images],
+            for arguments in (["recognize", *MODEL, "--json", path, other],
                               ["tune", "monday", "--out", path],
                               ["train", "monday", "--model", path]):
                 self.assert_fails([str(path), "another name"], *arguments)
