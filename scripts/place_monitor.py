@@ -45,6 +45,7 @@ class Monitor:
         self.lock = threading.Lock()
         self.truth = ""
         self.shown = None  # (answer, truth) of the last line printed
+        self.lost = None  # wall time at which ~place became unknown; None: it names a room
         self.start = time.time()
         self.first = self.last = None  # wall time of the first and last answer
         self.first_stamp = None  # s
@@ -54,6 +55,7 @@ class Monitor:
         rospy.Subscriber(recognizer + "/recognition", PlaceRecognition, self.on_answer,
                          queue_size=1000)
         rospy.Subscriber(recognizer + "/belief", PlaceRecognition, self.on_belief, queue_size=1000)
+        rospy.Subscriber(recognizer + "/place", String, self.on_place, queue_size=10)
 
     def on_label(self, message):
         with self.lock:
@@ -73,6 +75,19 @@ class Monitor:
             if (answer, self.truth) != self.shown:
                 self.shown = (answer, self.truth)
                 self.print_line(message, answer)
+
+    def on_place(self, message):
+        with self.lock:
+            self.lost = time.time() if message.data == "unknown" else None
+
+    def look_for_silence(self):
+        """Prints that the place is unknown when this comes from no image: the camera is silent or
+        the recognizer has been disabled."""
+        with self.lock:
+            silent = self.lost and time.time() - max(self.lost, self.last or 0) > 0.5
+            if silent and self.shown and self.shown[0] != "unknown":
+                self.shown = ("unknown", self.truth)
+                print("       - s   unknown", flush=True)
 
     def print_line(self, message, answer):
         verdict = ""
@@ -121,6 +136,7 @@ def main():
     monitor = Monitor(options.recognizer, options.label_topic)
     while not rospy.is_shutdown():
         time.sleep(0.1)
+        monitor.look_for_silence()
         if options.idle_exit and monitor.is_idle(options.idle_exit):
             break
     print(monitor.summary(), flush=True)

@@ -117,6 +117,9 @@ TEST_F(DoubtfulFramesTest, RemovesTheOldestButNotWhatAPersonHasLabelled) {
   const std::string labelled = "kept/doubtful_2001-01-01_00-00-00";
   scratch_.write(labelled + ".bag", std::string(2000000, 'x'));
   scratch_.write(labelled + ".labels.yaml", "");
+  const std::string labelled_too = "kept/doubtful_2001-01-01_00-00-01";
+  scratch_.write(labelled_too + ".bag", std::string(2000000, 'x'));
+  scratch_.write(labelled_too + ".labels.yml", "");
   scratch_.write("kept/doubtful_2001-01-02_00-00-00.bag.active", std::string(900000, 'x'));
   scratch_.write("kept/mine.bag", std::string(2000000, 'x'));
   {
@@ -129,6 +132,7 @@ TEST_F(DoubtfulFramesTest, RemovesTheOldestButNotWhatAPersonHasLabelled) {
   std::uintmax_t bytes = 0;
   const std::vector<fs::path> bags = kept(".bag");
   EXPECT_TRUE(fs::exists(scratch_ / (labelled + ".bag")));
+  EXPECT_TRUE(fs::exists(scratch_ / (labelled_too + ".bag")));
   EXPECT_TRUE(fs::exists(scratch_ / "kept/mine.bag"));
   EXPECT_TRUE(kept(".active").empty());
   for (const fs::path& bag : bags) bytes += fs::file_size(bag);

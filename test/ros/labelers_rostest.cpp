@@ -12,6 +12,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -192,6 +193,12 @@ TEST_F(AutoLabelers, RecordWhereTheRobotWasWhenTheImageWasTaken) {
   }));
   camera_.send(drawRoom(0, 27), ros::Time::now().toSec() + 100);  // no pose for that time
   EXPECT_TRUE(eventually([this] { return lastLabel().empty(); }));
+  geometry_msgs::TransformStamped impossible;  // a time that ROS cannot calculate with
+  impossible.header.frame_id = "map";
+  impossible.header.stamp = ros::Time(std::numeric_limits<std::uint32_t>::max(), 0);
+  impossible.child_frame_id = "base_link";
+  impossible.transform.rotation.w = 1;
+  transforms_.sendTransform(impossible);
   ros::WallDuration(0.5).sleep();
   endNode("/auto_labeler", bag);
 

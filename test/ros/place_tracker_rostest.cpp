@@ -46,7 +46,7 @@ class PlacesOverTime : public testing::Test {
   std::string afterTheHall(std::shared_ptr<Model> model) {
     Parameters parameters(node_);
     PlaceTracker places(node_, parameters);
-    places.setModel(std::move(model), 0.2);
+    places.setModels({std::move(model)}, 0.2);
     double stamp = 0;
     for (; stamp < 1; stamp += 0.1) places.update(stamp, frameOf(0.98, 0.01, 0.01));
     EXPECT_EQ(places.update(stamp, frameOf(0.98, 0.01, 0.01)), "hall");
@@ -104,7 +104,7 @@ TEST_F(PlacesOverTime, TheBeliefIsThatOfTheFilter) {
   Parameters parameters(node_);
   PlaceTracker places(node_, parameters);
   const auto model = threeRooms();
-  places.setModel(model, 0.2);
+  places.setModels({model}, 0.2);
   TemporalFilterOptions options;
   options.decorrelation_time = 0.2;
   TemporalFilter filter(*model, model->adjacency, options);
@@ -133,7 +133,7 @@ TEST_F(PlacesOverTime, TheBeliefIsThatOfTheFilter) {
 TEST_F(PlacesOverTime, WithoutSmoothingTheBeliefIsTheFrame) {
   Parameters parameters(node_);
   PlaceTracker places(node_, parameters);
-  places.setModel(threeRooms(), 0);
+  places.setModels({threeRooms()}, 0);
   places.update(1, frameOf(0.8, 0.1, 0.1));
   PlaceRecognition message = messageOf(1);
   message.place = "lab";
@@ -146,7 +146,7 @@ TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
   node_.setParam("smoothing_lag", 0.5);
   Parameters parameters(node_);
   PlaceTracker places(node_, parameters);
-  places.setModel(threeRooms(), 0.2);
+  places.setModels({threeRooms()}, 0.2);
   std::vector<PlaceRecognition> all;
   for (int i = 0; i < 40; ++i) {
     const double stamp = 0.1 * i;
@@ -176,10 +176,10 @@ TEST_F(PlacesOverTime, SmoothedComeALagLaterEachFrameOnce) {
 TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
   Parameters parameters(node_);
   PlaceTracker places(node_, parameters);
-  places.setModel(threeRooms(), 0.2);
+  places.setModels({threeRooms()}, 0.2);
   std::vector<PlaceRecognition> all;
   for (int i = 0; i < 60; ++i) {
-    if (i == 15) places.setModel(threeRooms(), 0.2);
+    if (i == 15) places.setModels({threeRooms()}, 0.2);
     if (i == 30) places.setSmoothing(0.3);
     const double stamp = 0.1 * i;
     places.update(stamp, frameOf(0.9, 0.05, 0.05));
@@ -197,7 +197,7 @@ TEST_F(PlacesOverTime, SmoothedKeepTheModelThatAnsweredThemAndNoneIsLost) {
 TEST_F(PlacesOverTime, WhatWaitsComesWhenSmoothingEnds) {
   Parameters parameters(node_);
   PlaceTracker places(node_, parameters);
-  places.setModel(threeRooms(), 0.2);
+  places.setModels({threeRooms()}, 0.2);
   for (int i = 0; i < 5; ++i) {
     places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
     EXPECT_TRUE(places.smooth(messageOf(0.1 * i)).empty());
@@ -210,7 +210,7 @@ TEST_F(PlacesOverTime, WhatWaitsComesWhenSmoothingEnds) {
 TEST_F(PlacesOverTime, NothingIsSmoothedWithoutSmoothing) {
   Parameters parameters(node_);
   PlaceTracker places(node_, parameters);
-  places.setModel(threeRooms(), 0);
+  places.setModels({threeRooms()}, 0);
   for (int i = 0; i < 30; ++i) {
     places.update(0.1 * i, frameOf(0.9, 0.05, 0.05));
     EXPECT_TRUE(places.smooth(messageOf(0.1 * i)).empty());
@@ -223,7 +223,7 @@ class PlacesWithOdometry : public PlacesOverTime {
     node_.setParam("use_odometry", true);
     Parameters parameters(node_);
     places_ = std::make_unique<PlaceTracker>(node_, parameters);
-    places_->setModel(threeRooms(), 0.2);
+    places_->setModels({threeRooms()}, 0.2);
     publisher_ = node_.advertise<nav_msgs::Odometry>("odom", 10);
     EXPECT_TRUE(eventually([this] { return publisher_.getNumSubscribers() > 0; }));
   }

@@ -64,11 +64,12 @@ TEST_F(TrainCommand, OfEveryField) {
   goal_.reduction = "shared-qr";
   goal_.image_topic = "/camera/image_raw";
   goal_.label_topic = "/label";
-  goal_.label = "--help";
   EXPECT_TRUE(has("--config=crfh_colour"));
   EXPECT_TRUE(has("--set=reduction.method=shared-qr"));
   EXPECT_TRUE(has("--image-topic=/camera/image_raw"));
   EXPECT_TRUE(has("--label-topic=/label"));
+  goal_.label_topic.clear();
+  goal_.label = "--help";
   EXPECT_TRUE(has("--label=--help"));
   goal_.label = "0";  // a room's name, not an unset number
   EXPECT_TRUE(has("--label=0"));
@@ -135,6 +136,8 @@ TEST_F(TrainCommand, BadFieldsAreNamed) {
   expectNamed("image_topic", [](TrainGoal& g) { g.image_topic = "/front,a topic"; });
   expectNamed("label_topic", [](TrainGoal& g) { g.label_topic = std::string(1000, 'a'); });
   expectNamed("label", [](TrainGoal& g) { g.label = "a\nb"; });
+  expectNamed("label_topic", [](TrainGoal& g) { g.label = "a", g.label_topic = "/b"; });
+  expectNamed("recognizers", [](TrainGoal& g) { g.recognizers = {""}; });
   expectNamed("recognizers", [](TrainGoal& g) { g.recognizers = {"not a name"}; });
   expectNamed("recognizers", [](TrainGoal& g) { g.recognizers.resize(101, "/a"); });
 }

@@ -110,7 +110,7 @@ std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
     const geometry_msgs::Vector3 position =
         transforms_.lookupTransform(map_frame_, robot_frame_, stamp).transform.translation;
     return Eigen::Vector2d(position.x, position.y);
-  } catch (const tf2::TransformException& e) {
+  } catch (const std::runtime_error& e) {  // of tf2, or of ros::Time for an impossible stamp
     const std::string missing = missingFrame();
     problem_ = "No label because there is no pose: " + (missing.empty() ? e.what() : missing);
     return std::nullopt;
@@ -122,11 +122,9 @@ std::string AutoLabeler::missingFrame() const {
   transforms_._getFrameStrings(frames);
   std::sort(frames.begin(), frames.end());
   if (frames.empty()) return "nobody publishes tf.";
-  std::string list;
-  for (const std::string& frame : frames) list += (list.empty() ? "" : ", ") + frame;
   for (const std::string& frame : {map_frame_, robot_frame_}) {
     if (transforms_._frameExists(frame)) continue;
-    return "tf has no frame '" + frame + "', only " + list +
+    return "tf has no frame '" + frame + "', only " + listed(frames) +
            "; start its publisher, or set ~map_frame and ~robot_frame.";
   }
   return "";

@@ -65,7 +65,7 @@ class AutoLabeler {
   std::uint64_t labelled_ = 0;
   std::uint64_t unlabelled_ = 0;
   tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_{transforms_};
+  tf2_ros::TransformListener listener_{transforms_, false};  // in the threads of the node
   LabelledRecording recording_;
   ImageInput input_;
   ros::Subscriber pose_subscriber_;

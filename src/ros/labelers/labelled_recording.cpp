@@ -144,11 +144,24 @@ ros::Time LabelledRecording::add(const ImageMessage& image) {
     return time;
   }
   recordLabel(time);
+  warnIfUnusable(image);
   image.visit([&](const auto& message) {
     record(image_topic_ + image.topicSuffix(), time, message);
     ++images_;
   });
   return time;
+}
+
+/// Tries one image in a while, because decoding all would take a core.
+void LabelledRecording::warnIfUnusable(const ImageMessage& image) {
+  const ros::WallTime now = ros::WallTime::now();
+  if (now < next_trial_) return;
+  next_trial_ = now + ros::WallDuration(kReportPeriod);
+  try {
+    image.image();
+  } catch (const std::exception& e) {
+    ROS_WARN("Images on %s are recorded but cannot be learned: %s", image_topic_.c_str(), e.what());
+  }
 }
 
 void LabelledRecording::recordLabel(const ros::Time& time) {

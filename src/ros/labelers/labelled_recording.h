@@ -51,6 +51,7 @@ class LabelledRecording {
   ros::Time nextTime();
   std::string change(const std::string& name, const ros::Time& time);
   void recordLabel(const ros::Time& time);
+  void warnIfUnusable(const ImageMessage& image);
   template <typename Message>
   void record(const std::string& topic, const ros::Time& time, const Message& message);
   void reportProgress();
@@ -67,8 +68,9 @@ class LabelledRecording {
   std::uint64_t timeless_ = 0;  // images that arrived before simulated time started
   std::uint64_t reported_images_ = 0;
   bool failed_ = false;
-  ros::Time last_time_;     // in the bag
-  ros::Duration ahead_{0};  // lead of the bag over a clock that has jumped back
+  ros::WallTime next_trial_;  // of an image
+  ros::Time last_time_;       // in the bag
+  ros::Duration ahead_{0};    // lead of the bag over a clock that has jumped back
 
   ros::Time reported_time_;
   ros::NodeHandle node_;

@@ -1,5 +1,6 @@
 #include "ros/nodes/node_main.h"
 
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
 
@@ -11,6 +12,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "place_recognition/error.h"
@@ -23,6 +25,8 @@ constexpr double kPoll = 0.05;
 /// Time for simulated time to start, s of wall time; afterwards, the interval between warnings.
 constexpr double kClockPatience = 5;
 constexpr double kClockWarningPeriod = 60;
+/// Interval between two errors of callbacks, s.
+constexpr double kErrorPeriod = 10;
 
 std::atomic<bool> end_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set by signal handlers");
@@ -73,15 +77,44 @@ class ClockWatch {
       next_warning_ = now + ros::WallDuration(kClockPatience);
     } else if (now >= next_warning_) {
       ROS_WARN(
-          "/use_sim_time is true, but no /clock has arrived: ROS time stands still, and this node "
-          "waits. Start a publisher of /clock (rosbag play --clock, a simulator). If the parameter "
-          "is left over, run: rosparam set /use_sim_time false, and start this node again.");
+          "%s is true, but no /clock has arrived: ROS time stands still, and this node waits. "
+          "Start a publisher of /clock (rosbag play --clock, a simulator). If the parameter is "
+          "left over, run: rosparam set %s false, and start this node again.",
+          parameter_.c_str(), parameter_.c_str());
       next_warning_ = now + ros::WallDuration(kClockWarningPeriod);
     }
   }
 
  private:
+  const std::string parameter_ = ros::names::resolve("/use_sim_time");  // it may be remapped
   ros::WallTime next_warning_ = ros::WallTime::now() + ros::WallDuration(kClockPatience);
+};
+
+/// Serves callbacks in some threads. An exception of a callback, for example because a message has
+/// a time beyond the range of ros::Duration, is logged, and the node continues.
+class Spinner {
+ public:
+  explicit Spinner(unsigned threads) {
+    for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  }
+  ~Spinner() {
+    ends_ = true;
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+ private:
+  void serve() {
+    while (!ends_ && ros::ok()) {
+      try {
+        ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(kPoll));
+      } catch (const std::exception& e) {
+        ROS_ERROR_THROTTLE(kErrorPeriod, "A message cannot be handled: %s", e.what());
+      }
+    }
+  }
+
+  std::atomic<bool> ends_{false};
+  std::vector<std::thread> threads_;
 };
 
 /// Starts ROS; returns the arguments that have no meaning to it. Throws Error for an argument that
@@ -139,8 +172,7 @@ int runNode(int argc, char** argv, const char* name, const std::function<void()>
 
 void spinUntilEnd(unsigned threads, const std::function<void()>& before_end) {
   warnOfBadClockParameter();
-  ros::AsyncSpinner spinner(threads);
-  spinner.start();
+  const Spinner spinner(threads);
   for (ClockWatch clock; ros::ok() && !end_requested; clock.look())
     ros::WallDuration(kPoll).sleep();
   if (before_end) before_end();

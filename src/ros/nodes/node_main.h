@@ -10,9 +10,9 @@ namespace place_recognition {
 int runNode(int argc, char** argv, const char* name, const std::function<void()>& work);
 
 /// For `work`: serves callbacks in `threads` threads until the node is asked to end by Ctrl-C,
-/// kill, the closing of its terminal, rosnode or requestEnd(). `before_end` is called then, before
-/// the running callbacks finish. Warns while simulated time does not start because there is no
-/// clock.
+/// kill, the closing of its terminal, rosnode or requestEnd(). A callback that throws is logged.
+/// `before_end` is called then, before the running callbacks finish. Warns while simulated time
+/// does not start because there is no clock.
 void spinUntilEnd(unsigned threads, const std::function<void()>& before_end = {});
 
 /// Ends spinUntilEnd(). Safe from any thread.

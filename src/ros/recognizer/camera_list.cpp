@@ -12,7 +12,7 @@ namespace {
 
 CameraName cameraOf(const std::string& text) {
   std::string problem;
-  if (text.empty() || !ros::names::validate(text, problem)) {
+  if (text.empty() || text[0] == '~' || !ros::names::validate(text, problem)) {
     throw Error(
         "The parameter ~cameras has '" + text +
         "', which is not the name of a topic; give image topics, or names before /image_raw.");
@@ -59,6 +59,9 @@ Eigen::MatrixXd readCameraCorrelation(Parameters& parameters, std::size_t camera
   const std::vector<double> given = parameters.reals("camera_correlation", 0, 1);
   if (given.empty()) return {};
   const std::size_t pairs = cameras * (cameras - 1) / 2;
+  if (pairs == 0) {
+    throw Error("The parameter ~camera_correlation is for several cameras; set ~cameras, too.");
+  }
   if (given.size() != 1 && given.size() != pairs) {
     throw Error("The parameter ~camera_correlation has " + counted(given.size(), "number") +
                 "; give one for all, or " + std::to_string(pairs) +

@@ -2,6 +2,8 @@
 
 #include <place_recognition/ModelInfo.h>
 
+#include <utility>
+
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
@@ -46,12 +48,17 @@ void CameraModels::loadFirst() {
 }
 
 void CameraModels::load(const std::string& name) {
-  for (ModelSlot& slot : slots_) slot.load(name);
+  const std::lock_guard<std::mutex> one_at_a_time(changing_);
+  const ModelSlot::Loaded loaded = slots_.front().read(name);
+  for (ModelSlot& slot : slots_) slot.use(loaded);
   publishInfo();
 }
 
 void CameraModels::reload() {
-  for (ModelSlot& slot : slots_) slot.reload();
+  const std::lock_guard<std::mutex> one_at_a_time(changing_);
+  std::vector<ModelSlot::Loaded> loaded;
+  for (ModelSlot& slot : slots_) loaded.push_back(slot.readAgain());
+  for (std::size_t i = 0; i < slots_.size(); ++i) slots_[i].use(std::move(loaded[i]));
   publishInfo();
 }
 

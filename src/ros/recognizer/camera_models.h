@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 
 #include <deque>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,11 @@ class CameraModels {
   /// Loads the models that the parameters name; only logs those that cannot be loaded.
   void loadFirst();
 
-  /// Loads the model `name` for all cameras. Throws Error like ModelSlot::load().
+  /// Uses the model `name` for all cameras. Throws Error like ModelSlot::read(); then every camera
+  /// keeps its model.
   void load(const std::string& name);
 
-  /// Loads the models in use again. Throws Error like ModelSlot::reload().
+  /// Reads the models in use again. Throws Error like load().
   void reload();
 
   /// The slot of a camera; cameras without a model of their own share the first one.
@@ -43,6 +45,7 @@ class CameraModels {
   ros::NodeHandle private_node_;
   std::vector<std::string> first_names_;  // one per slot
   std::deque<ModelSlot> slots_;
+  std::mutex changing_;  // the models, one change at a time
   ros::Publisher info_publisher_;
 };
 

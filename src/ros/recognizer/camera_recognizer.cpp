@@ -4,15 +4,13 @@
 #include <chrono>
 #include <limits>
 
+#include "recognition/frames/fading_views.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
 #include "ros/recognizer/debug_image.h"
 
 namespace place_recognition {
 namespace {
-
-/// A larger step back of the stamps, s, means that time has jumped, for example in a looped bag.
-constexpr double kTimeJump = 0.5;
 
 /// Seconds of a clock that also advances when a camera repeats its stamp.
 double secondsOf(std::chrono::steady_clock::time_point time) {

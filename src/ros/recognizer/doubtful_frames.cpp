@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
+#include "ros/bags/bag_file.h"
 #include "ros/nodes/node_names.h"
 
 namespace place_recognition {
@@ -52,9 +53,8 @@ std::vector<KeptBag> keptBags(const std::string& folder) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename();
-    const std::size_t end = name.find(".bag");
-    if (!startsWith(name, kStart) || end == std::string::npos) continue;
-    if (fs::exists(entry.path().parent_path() / (name.substr(0, end) + ".labels.yaml"))) continue;
+    if (!startsWith(name, kStart) || name.find(".bag") == std::string::npos) continue;
+    if (!ownLabelsFile(entry.path()).empty()) continue;
     bags.push_back({entry.path(), entry.file_size(ignored)});
   }
   std::sort(bags.begin(), bags.end(),

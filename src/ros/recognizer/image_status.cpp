@@ -82,7 +82,8 @@ void ImageStatus::notCounted(const std::string& why) {
 
 void ImageStatus::answered(const ros::Time& stamp, Clock::time_point arrival) {
   const double latency = secondsBetween(arrival, Clock::now());
-  const double age = (ros::Time::now() - stamp).toSec();
+  // Not a ros::Duration, which cannot represent every difference.
+  const double age = stamp.isZero() ? 0 : ros::Time::now().toSec() - stamp.toSec();
   const std::lock_guard<std::mutex> lock(mutex_);
   ++answers_;
   ++recent_.answers;

@@ -3,6 +3,7 @@
 #include <place_recognition/PlaceRecognition.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 #include "base/place_name.h"
@@ -26,20 +27,28 @@ std::vector<std::string> topicsOf(const ros::NodeHandle& node,
   return topics;
 }
 
+/// The parameters of dynamic_reconfigure.
+struct LiveParameter {
+  const char* name;
+  double PlaceRecognizerConfig::*value;
+};
+
+constexpr LiveParameter kLiveParameters[] = {
+    {"unknown_threshold", &PlaceRecognizerConfig::unknown_threshold},
+    {"smoothing", &PlaceRecognizerConfig::smoothing},
+    {"maximum_rate", &PlaceRecognizerConfig::maximum_rate},
+    {"embedding_rate", &PlaceRecognizerConfig::embedding_rate},
+    {"deadline", &PlaceRecognizerConfig::deadline}};
+
 /// dynamic_reconfigure reads these parameters itself, but silently replaces values that it does not
 /// understand by the default and clamps others to their limits.
 void checkLiveParameters(Parameters& parameters, const ros::NodeHandle& private_node) {
-  const auto check = [&](const char* name, double PlaceRecognizerConfig::*field) {
-    const double least = PlaceRecognizerConfig::__getMin__().*field;
-    const double most = PlaceRecognizerConfig::__getMax__().*field;
-    const double initial = PlaceRecognizerConfig::__getDefault__().*field;
+  for (const auto& [name, value] : kLiveParameters) {
+    const double least = PlaceRecognizerConfig::__getMin__().*value;
+    const double most = PlaceRecognizerConfig::__getMax__().*value;
+    const double initial = PlaceRecognizerConfig::__getDefault__().*value;
     private_node.setParam(name, parameters.real(name, initial, least, most));
-  };
-  check("unknown_threshold", &PlaceRecognizerConfig::unknown_threshold);
-  check("smoothing", &PlaceRecognizerConfig::smoothing);
-  check("maximum_rate", &PlaceRecognizerConfig::maximum_rate);
-  check("embedding_rate", &PlaceRecognizerConfig::embedding_rate);
-  check("deadline", &PlaceRecognizerConfig::deadline);
+  }
 }
 
 }  // namespace
@@ -56,6 +65,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       models_(private_node, names_, parameters.text("model")),
       image_timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
       newest_(names_.size()),
+      clocks_(names_.size()),
       diagnostics_(node, private_node, name),
       lazy_(parameters.flag("lazy", true)),
       place_tracker_(node, parameters, topicsOf(node, names_)),
@@ -80,6 +90,10 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
   answers_.forget(place_tracker_);
   models_.loadFirst();
+  {
+    const std::lock_guard<std::mutex> lock(state_mutex_);
+    followModels();  // reports now whether the map fits
+  }
   worker_ = std::thread([this] { work(); });
   updateSubscription();
   diagnostics_.start();
@@ -152,6 +166,11 @@ void PlaceRecognizer::onImage(std::size_t camera, const ImageMessage& message) {
 
 void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
+  for (const auto& [name, value] : kLiveParameters) {
+    if (!std::isnan(config.*value)) continue;  // which no limit excludes
+    ROS_WARN("~%s is not a number; it stays at %g.", name, config_.*value);
+    config.*value = config_.*value;
+  }
   config_ = config;
 }
 
@@ -200,6 +219,7 @@ void PlaceRecognizer::recognize(const ArrivedImage& arrived) {
   }
   followModels();
   if (!camera.model()) {
+    camera.status().judged("not answered, because there is no model");
     ROS_WARN_THROTTLE(kWarningPeriod, "There is no model to recognize with.");
     return;
   }
@@ -246,6 +266,13 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   answers_.publishFrame(message);
   // A camera that shows nothing must not outvote the others.
   const bool fails = cameras_.size() > 1 && camera.blind();
+  if (const auto difference = clocks_.add(arrived.camera, camera.lastStamp(), arrived.arrival)) {
+    ROS_WARN_THROTTLE(60,
+                      "The stamps of the cameras %s and %s differ by %.1f s at the same time, so "
+                      "their answers cannot be joined; synchronize the clocks.",
+                      camera.name().c_str(), cameras_[difference->other]->name().c_str(),
+                      std::abs(difference->seconds));
+  }
   if (!fails && place_tracker_.counts(arrived.camera)) {
     last_image_ = arrived.arrival;
     answers_.publishOverTime(place_tracker_.update(camera.lastStamp(), recognition, arrived.camera),

@@ -18,6 +18,7 @@
 #include "ros/nodes/newest_image.h"
 #include "ros/nodes/parameters.h"
 #include "ros/recognizer/answer_publishers.h"
+#include "ros/recognizer/camera_clocks.h"
 #include "ros/recognizer/camera_list.h"
 #include "ros/recognizer/camera_models.h"
 #include "ros/recognizer/camera_recognizer.h"
@@ -79,6 +80,7 @@ class PlaceRecognizer {
   CameraModels models_;
   const double image_timeout_;  // s; 0: none
   NewestImage newest_;
+  CameraClocks clocks_;  // used by the worker
   std::vector<std::unique_ptr<CameraRecognizer>> cameras_;
   Diagnostics diagnostics_;
 

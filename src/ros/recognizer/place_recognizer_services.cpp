@@ -56,12 +56,15 @@ bool PlaceRecognizer::onReloadModel(std_srvs::Trigger::Request&,
 
 bool PlaceRecognizer::onSetEnabled(std_srvs::SetBool::Request& request,
                                    std_srvs::SetBool::Response& response) {
+  bool was_enabled;
   {
     const std::lock_guard<std::mutex> lock(control_mutex_);
-    enabled_ = request.data;
+    was_enabled = std::exchange(enabled_, request.data != 0);
   }
-  updateSubscription();
-  reset();  // waits for the answer in progress
+  if (enabled_ != was_enabled) {
+    updateSubscription();
+    reset();  // waits for the answer in progress
+  }
   response.success = true;
   response.message = request.data ? "Recognizing." : "Not recognizing until enabled again.";
   return true;

@@ -42,11 +42,6 @@ void PlaceTracker::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
   way_.add(toPose(*odometry));
 }
 
-void PlaceTracker::setModel(std::shared_ptr<const Model> model, double smoothing) {
-  setModels(std::vector<std::shared_ptr<const Model>>(cameras_.size(), std::move(model)),
-            smoothing);
-}
-
 void PlaceTracker::setModels(std::vector<std::shared_ptr<const Model>> models, double smoothing) {
   models_ = std::move(models);
   model_ =

@@ -31,7 +31,6 @@ class PlaceTracker {
   /// reported and ignored. `smoothing`, s: see the parameter; 0: the answer over time is that to
   /// the single frame.
   void setModels(std::vector<std::shared_ptr<const Model>> models, double smoothing);
-  void setModel(std::shared_ptr<const Model> model, double smoothing);
   void setSmoothing(double smoothing);
   void setUnknownThreshold(double threshold, std::size_t camera = 0);
 

@@ -77,7 +77,11 @@ void check(const TrainGoal& goal) {
   requireOfGoal(goal.threads <= kMaxThreads, "threads is more than " + std::to_string(kMaxThreads));
   requireOfGoal(areGraphNames(goal.image_topic), "image_topic is not the name of a topic");
   requireOfGoal(isGraphName(goal.label_topic), "label_topic is not the name of a topic");
+  requireOfGoal(goal.label.empty() || goal.label_topic.empty(),
+                "label and label_topic exclude each other");
   if (!goal.label.empty()) checkLabel(goal.label, "The goal");
+  requireOfGoal(std::count(goal.recognizers.begin(), goal.recognizers.end(), "") == 0,
+                "recognizers has an empty name");
   requireOfGoal(goal.recognizers.size() <= kMaxRecognizers,
                 "recognizers has more than " + std::to_string(kMaxRecognizers));
   requireOfGoal(std::all_of(goal.recognizers.begin(), goal.recognizers.end(), isGraphName),

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -172,7 +173,10 @@ TrainResult TrainJob::train(const FeedbackCallback& on_feedback,
   ChildProcess tool(trainCommand(goal_, bag_roots_, yaml.path()), ChildProcess::Stderr::kPipe);
   ToolOutput output(goal_.model, on_feedback, on_warning);
   const auto on_output = [&output](const std::string& line) { output.onOutput(line); };
-  const auto on_error = [&output](const std::string& line) { output.onError(line); };
+  const auto on_error = [&](std::string line) {
+    if (!goal_.yaml.empty()) boost::replace_all(line, yaml.path(), "yaml of the goal");
+    output.onError(line);
+  };
   std::optional<Clock::time_point> deadline;
   while (tool.readLines(kPoll, on_output, on_error)) {
     if (cancelled_ && !deadline) {
