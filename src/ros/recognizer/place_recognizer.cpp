@@ -11,6 +11,7 @@
 #include "place_recognition/network.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
+#include "ros/recognizer/live_parameters.h"
 
 namespace place_recognition {
 namespace {
@@ -25,30 +26,6 @@ std::vector<std::string> topicsOf(const ros::NodeHandle& node,
   std::vector<std::string> topics;
   for (const CameraName& camera : cameras) topics.push_back(node.resolveName(camera.topic));
   return topics;
-}
-
-/// The parameters of dynamic_reconfigure.
-struct LiveParameter {
-  const char* name;
-  double PlaceRecognizerConfig::*value;
-};
-
-constexpr LiveParameter kLiveParameters[] = {
-    {"unknown_threshold", &PlaceRecognizerConfig::unknown_threshold},
-    {"smoothing", &PlaceRecognizerConfig::smoothing},
-    {"maximum_rate", &PlaceRecognizerConfig::maximum_rate},
-    {"embedding_rate", &PlaceRecognizerConfig::embedding_rate},
-    {"deadline", &PlaceRecognizerConfig::deadline}};
-
-/// dynamic_reconfigure reads these parameters itself, but silently replaces values that it does not
-/// understand by the default and clamps others to their limits.
-void checkLiveParameters(Parameters& parameters, const ros::NodeHandle& private_node) {
-  for (const auto& [name, value] : kLiveParameters) {
-    const double least = PlaceRecognizerConfig::__getMin__().*value;
-    const double most = PlaceRecognizerConfig::__getMax__().*value;
-    const double initial = PlaceRecognizerConfig::__getDefault__().*value;
-    private_node.setParam(name, parameters.real(name, initial, least, most));
-  }
 }
 
 }  // namespace
@@ -166,11 +143,7 @@ void PlaceRecognizer::onImage(std::size_t camera, const ImageMessage& message) {
 
 void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  for (const auto& [name, value] : kLiveParameters) {
-    if (!std::isnan(config.*value)) continue;  // which no limit excludes
-    ROS_WARN("~%s is not a number; it stays at %g.", name, config_.*value);
-    config.*value = config_.*value;
-  }
+  keepNumbers(config, config_);
   config_ = config;
 }
 
