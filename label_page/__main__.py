@@ -20,6 +20,8 @@ def parse(arguments):
     parser.add_argument("--image-topic", default="")
     for option in ("--label-topic", "--labels", "--label"):
         parser.add_argument(option, default="")
+    parser.add_argument("--initial-label", action="append", default=[],
+                        help="for each bag in turn")
     return parser.parse_args(arguments)
 
 
@@ -37,7 +39,8 @@ def make_server(options):
     from server import LabelServer, Presence
     recording = Recording(options.bags)
     topic = recording.topic(options.image_topic)
-    labels = RecordingLabels(options.tool, recording, reading_options(options))
+    initial = dict(zip(options.bags, options.initial_label))
+    labels = RecordingLabels(options.tool, recording, reading_options(options), initial)
     presence = Presence()
     opinion = Opinion(options.tool, recording, topic, presence.change)
     server = LabelServer(options.port, recording, topic, labels, opinion, presence)

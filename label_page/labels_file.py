@@ -79,14 +79,15 @@ def border(time, frames):
 class BagLabels:
     """The labels of one bag, and the file that holds them."""
 
-    def __init__(self, tool, bag, reading):
-        """`tool`: path of place_tool; `reading`: its options that say where labels come from."""
+    def __init__(self, tool, bag, reading, initial):
+        """`tool`: path of place_tool; `reading`: its options that say where labels come from;
+        `initial`: the label that an earlier part of the recording carries over, or ""."""
         self.tool = tool
         self.bag = bag
         self.path = os.path.splitext(bag.path)[0] + ".labels.yaml"
         self.kept = False  # whether this session has backed up the file that it found
         self.seen = self.bytes_on_disk()
-        info = self.ask(*reading)
+        info = self.ask(*reading, *(["--initial-label=" + initial] if initial else []))
         self.start = info["start"]
         self.present = info["labels"]
         self.frames = [time - self.start for time in bag.all_times()]
@@ -105,6 +106,8 @@ class BagLabels:
                 return file.read()
         except FileNotFoundError:
             return None
+        except OSError as error:
+            raise Problem(f"Cannot read {self.path}: {error.strerror}; remove it.") from error
 
     def shift(self):
         """Returns the page time of the bag's start, to which labels are relative."""
@@ -113,9 +116,11 @@ class BagLabels:
     def spans(self):
         """Returns the labels read from the bag in page time, clipped to the bag's frames."""
         spans = []
-        for label in self.present:
+        # Labels may follow the last frame.
+        present = [label for label in self.present if label["from"] < self.frames[-1] + 1e-6]
+        for label in present:
             # A label that holds to the bag's end is reported to end at the bag's last message.
-            ends = label is self.present[-1] and label["to"] > self.frames[-1] - 1e-6
+            ends = label is present[-1] and label["to"] > self.frames[-1] - 1e-6
             span = {"from": max(self.bag.offset, label["from"] + self.shift()),
                     "to": self.bag.end() if ends else label["to"] + self.shift(),
                     "place": label["place"]}
@@ -150,8 +155,9 @@ class BagLabels:
             self.kept = True
             replace_file(self.path, text, lambda temporary: self.verify(temporary, labels))
         except OSError as error:
-            raise Problem(f"Cannot write {self.path}: {error.strerror}; free some disk space, or "
-                          "make the folder writable.") from error
+            path = error.filename2 or self.path
+            raise Problem(f"Cannot write {path}: {error.strerror}; free some disk space, or make "
+                          "the file and its folder writable.") from error
         self.seen = text
 
     def verify(self, path, labels):
@@ -211,8 +217,10 @@ def replace_file(path, data, check=lambda temporary: None):
 class RecordingLabels:
     """The labels of all bags of a recording."""
 
-    def __init__(self, tool, recording, reading):
-        self.bags = [BagLabels(tool, bag, reading) for bag in recording.bags]
+    def __init__(self, tool, recording, reading, initial):
+        """`initial`: by path of a bag, the label that it continues with; see BagLabels."""
+        self.bags = [BagLabels(tool, bag, reading, initial.get(bag.path, ""))
+                     for bag in recording.bags]
 
     def spans(self):
         """Returns the labels of all bags; a label that continues in the next bag is one span."""

@@ -36,6 +36,15 @@ class Problem(Exception):
     """An error whose message is a sentence for the user of the page."""
 
 
+def largest_group(times):
+    """Returns the first and last of the largest group of the ascending `times`. A gap of more than
+    a day, caused by a clock that was not set, separates groups, as in place_tool."""
+    day = 24 * 60 * 60
+    starts = [0, *(i for i in range(1, len(times)) if times[i] - times[i - 1] > day), len(times)]
+    _, first, end = max((end - start, start, end) for start, end in zip(starts, starts[1:]))
+    return times[first], times[end - 1]
+
+
 class Bag:
     """The frames of one bag, by topic. Reading is thread-safe."""
 
@@ -47,8 +56,10 @@ class Bag:
         for topic in self.image_topics():
             entries = self.bag._get_entries(list(self.bag._get_connections([topic])))
             self.entries[topic] = list(entries)
-        self.first = min(entries[0].time.to_sec() for entries in self.entries.values())
-        self.last = max(entries[-1].time.to_sec() for entries in self.entries.values())
+        self.first, self.last = largest_group(self.all_times())
+        for topic, entries in self.entries.items():
+            self.entries[topic] = [entry for entry in entries
+                                   if self.first <= entry.time.to_sec() <= self.last]
         self.offset = 0.0
 
     def image_topics(self):

@@ -96,6 +96,8 @@ class LabelServer(ThreadingHTTPServer):
         self.lock = threading.Lock()
         self.spans = labels.spans()
         self.unsaved = False
+        self.writes = 0  # number of drafts and saves
+        self.seen = {}  # by page: the number of writes that it knows of
         self.files = {}
         for name in os.listdir(PAGE):
             with open(os.path.join(PAGE, name), "rb") as file:
@@ -111,7 +113,10 @@ class LabelServer(ThreadingHTTPServer):
         """Returns the recording's description, which the page requests first."""
         with self.lock:
             spans, unsaved = self.spans, self.unsaved
-        return {"bags": [{"name": os.path.basename(bag.path), "offset": bag.offset}
+            page = len(self.seen)
+            self.seen[page] = self.writes
+        return {"page": page,
+                "bags": [{"name": os.path.basename(bag.path), "offset": bag.offset}
                          for bag in self.recording.bags],
                 "files": [bag.path for bag in self.labels.bags],
                 "duration": self.recording.duration,
@@ -119,6 +124,17 @@ class LabelServer(ThreadingHTTPServer):
                            for name, times in self.recording.times.items()],
                 "topic": self.topic, "spans": spans, "unsaved": unsaved,
                 "opinion": self.opinion.status()}
+
+
+    def require_newest(self, page, overwrite=False):
+        """Raises Changed if another page has changed the labels since this one knew them."""
+        if self.seen.get(page, self.writes) != self.writes and not overwrite:
+            raise Changed("The labels were changed on another page; reload this page to see them.")
+
+    def keep(self, page, spans, unsaved):
+        self.spans, self.unsaved = spans, unsaved
+        self.writes += 1
+        self.seen[page] = self.writes
 
 
 class Handler(BaseHTTPRequestHandler):
@@ -230,15 +246,18 @@ class Handler(BaseHTTPRequestHandler):
     # POST
 
     def draft(self, body):
-        spans = body["spans"]
+        spans, page = body["spans"], body.get("page")
         with self.server.lock:
-            self.server.spans, self.server.unsaved = spans, True
+            self.server.require_newest(page)
+            self.server.keep(page, spans, not body.get("saved", False))
         self.send_json({})
 
     def save(self, body):
+        spans, page, overwrite = body["spans"], body.get("page"), body.get("overwrite") is True
         with self.server.lock:
-            files = self.server.labels.save(body["spans"], body.get("overwrite") is True)
-            self.server.spans, self.server.unsaved = body["spans"], False
+            self.server.require_newest(page, overwrite)
+            files = self.server.labels.save(spans, overwrite)
+            self.server.keep(page, spans, False)
         self.send_json({"files": files})
 
     def learn(self, body):

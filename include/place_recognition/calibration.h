@@ -51,8 +51,8 @@ Calibration fitCalibration(const Eigen::MatrixXd& decision_values, const std::ve
 
 /// Finds weights that give decision values and familiarity equal influence, each in units of its
 /// own spread over frames of known places held out from training. Evidence is 1/2 at the value that
-/// all but a `fraction` of these frames exceed, and 0.95 at their median. No frames of unknown
-/// places are needed.
+/// all but a `fraction` (below 1/2) of these frames exceed, and 0.95 at their median. No frames of
+/// unknown places are needed.
 EvidenceWeights fitEvidence(const Eigen::VectorXd& log_sums, const Eigen::VectorXd& familiarity,
                             double fraction);
 

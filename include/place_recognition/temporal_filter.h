@@ -71,9 +71,9 @@ class TemporalFilter {
 
   /// Adds a frame with the time `stamp` (s). The filter restarts if the stamp precedes the last one
   /// of the same camera, or differs from the last one of any camera by more than the maximum gap.
-  /// An equal stamp adds nothing. A frame earlier than another camera's last frame counts as of
-  /// that frame's time. `motion`: since the last call, for whichever camera. The result stays valid
-  /// until the next call.
+  /// An equal stamp without motion adds nothing. A frame earlier than another camera's last frame
+  /// counts as of that frame's time. `motion`: since the last call, for whichever camera. The
+  /// result stays valid until the next call.
   const FilteredAnswer& update(double stamp, const Recognition& recognition,
                                const std::optional<Motion>& motion = std::nullopt,
                                std::size_t camera = 0);
@@ -84,7 +84,8 @@ class TemporalFilter {
   /// Forgets all frames.
   void reset() { started_ = false; }
 
-  /// Replaces the model's threshold, as Recognizer::setUnknownThreshold(); clamped to 0.01..0.99.
+  /// Replaces the model's threshold, as Recognizer::setUnknownThreshold(); clamped to 0.01..0.99,
+  /// not NaN.
   void setUnknownThreshold(double threshold, std::size_t camera = 0);
 
  private:

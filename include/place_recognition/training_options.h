@@ -62,7 +62,8 @@ struct SamplingOptions {
     visitor(
         "most", self.most,
         "most images to learn, including those in other light, 10 or more; if there are more, the "
-        "same fraction of each room is drawn at random; memory is 16 bytes times the square");
+        "same fraction of each room, rounded up, is drawn at random; memory is 16 bytes times the "
+        "square");
   }
   void check() const;
 };
@@ -76,12 +77,14 @@ struct InformationOptions {
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("left_out_below", self.left_out_below,
-            "edge density, 0..1, below which an image is not learned; 0: all are learned. It is "
-            "the fraction of pixels that differ from their neighbours by more than 4 grey levels: "
-            "less than 0.02 for a bare wall, less than 0.05 for one with part of a poster on it");
+    visitor(
+        "left_out_below", self.left_out_below,
+        "edge density, 0 to less than 1, below which an image is not learned; 0: all are. It is "
+        "the fraction of pixels that differ from their neighbours by more than 4 grey levels: "
+        "less than 0.02 for a bare wall, less than 0.05 for one with part of a poster on it");
     visitor("unknown_below", self.unknown_below,
-            "edge density, 0..1, below which an image is answered 'unknown', whatever its room; 0: "
+            "edge density, 0 to less than 1, below which an image is answered 'unknown', whatever "
+            "its room; 0: "
             "never");
   }
   void check() const;

@@ -40,7 +40,8 @@ struct SearchSpace {
     visitor("max_dimensions", self.max_dimensions,
             "most dimensions of a histogram, descriptors times scales");
     visitor("c", self.c, "SVM penalty parameter C");
-    visitor("max_cues", self.max_cues, "most cues that are combined, 1..8");
+    visitor("max_cues", self.max_cues,
+            "most cues that are combined, 1..8, if the search does not start from more");
     visitor("other_light", self.other_light,
             "also change the light of the held-out images that are scored a second time; set to "
             "false if the rooms are only ever seen in the light of the runs");

@@ -16,8 +16,8 @@ const post = (name, value) => ask(name, {method: "POST", body: JSON.stringify(va
 export const getRecording = () => ask("recording");
 export const getTimes = topic => ask(`times?topic=${encodeURIComponent(topic)}`);
 export const getAnswers = (question, after) => ask(`answers?question=${question}&after=${after}`);
-export const saveSpans = (spans, overwrite) => post("save", {spans, overwrite});
-export const keepDraft = spans => post("draft", {spans});
+export const saveSpans = (page, spans, overwrite) => post("save", {page, spans, overwrite});
+export const keepDraft = (page, spans, saved) => post("draft", {page, spans, saved});
 export const learn = spans => post("learn", {spans});
 
 /// Tells the server that the page is open, and calls onStatus whenever the model's status changes.

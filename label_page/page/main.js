@@ -35,7 +35,8 @@ let saved = recording.unsaved ? null : history.spans;
 
 const thumbnails = new Thumbnails(() => redraw());
 const timeline = new Timeline(element("timeline"), state, view, thumbnails,
-                              {seek, select, move, moved: endMove, viewChanged: redraw});
+                              {seek, select, move, moved: endMove, notMoved: cancelMove,
+                               viewChanged: redraw});
 const overview = new Overview(element("overview"), state, view, redraw);
 const review = new Review(state, {change, show: showAll, showStretch});
 const player = new Player(element("image"), () => state, seek, element("play"));
@@ -173,7 +174,7 @@ function change(spans) {
 
 function tellDraft() {
   say(isSaved() ? "" : "Not saved yet");
-  api.keepDraft(history.spans).catch(problem => say(problem.message, true));
+  api.keepDraft(recording.page, history.spans, isSaved()).catch(problem => say(problem.message, true));
 }
 
 function undo(again) {
@@ -216,6 +217,11 @@ function endMove() {
   change(spans);
 }
 
+function cancelMove() {
+  moving = null;
+  show(history.spans);
+}
+
 function rename(old) {
   const name = tidyName(prompt("New name of the room", old) ?? old);
   if (name === old || complain(name)) return;
@@ -237,7 +243,7 @@ function complain(name) {
 
 async function save() {
   const spans = history.spans;
-  const write = overwrite => api.saveSpans(spans, overwrite);
+  const write = overwrite => api.saveSpans(recording.page, spans, overwrite);
   try {
     const {files} = await write(false).catch(problem => {
       if (problem.status === 409 && confirm(`${problem.message} Overwrite?`)) return write(true);

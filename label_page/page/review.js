@@ -3,7 +3,7 @@
 
 import {getAnswers} from "./api.js";
 import {findDoubts} from "./doubts.js";
-import {paint} from "./spans.js";
+import {fill, paint} from "./spans.js";
 
 export class Review {
   /// `page`: change(spans), show(), showStretch(from, to).
@@ -16,8 +16,11 @@ export class Review {
   /// Finds the doubts about the current labels.
   update() {
     const {state} = this;
+    const chosen = state.doubts[state.chosen];
     state.doubts = findDoubts(state.answers, state.spans, this.kept, state.frames);
-    state.chosen = Math.min(state.chosen, state.doubts.length - 1);
+    // The list is sorted anew; a stretch that has gone is no longer chosen.
+    state.chosen = state.doubts.findIndex(doubt => chosen && doubt.from === chosen.from &&
+                                                   doubt.label === chosen.label);
   }
 
   /// Chooses a doubt and shows its stretch.
@@ -30,10 +33,16 @@ export class Review {
 
   step(count) { this.choose(Math.max(0, this.state.chosen + count)); }
 
+  /// The labels with the model's answer instead of the doubtful label. A stretch without a label
+  /// may reach into labels between its frames, which stay.
+  answered(spans, {kind, from, to, place}) {
+    return kind === "unlabelled" ? fill(spans, from, to, place) : paint(spans, from, to, place);
+  }
+
   /// Replaces the label by the model's answer.
   accept(doubt) {
     this.state.selection = null;
-    this.page.change(paint(this.state.spans, doubt.from, doubt.to, doubt.place));
+    this.page.change(this.answered(this.state.spans, doubt));
   }
 
   /// Confirms the label.
@@ -55,8 +64,7 @@ export class Review {
   /// Labels all unlabelled stretches with the model's answers.
   acceptRest() {
     const open = this.state.doubts.filter(doubt => doubt.kind === "unlabelled");
-    this.page.change(open.reduce(
-        (spans, {from, to, place}) => paint(spans, from, to, place), this.state.spans));
+    this.page.change(open.reduce(this.answered, this.state.spans));
   }
 
   /// Stores the model's status and fetches the answers that it announces.

@@ -31,6 +31,14 @@ export function paint(spans, from, to, place) {
   return [...before, painted, ...after];
 }
 
+/// Labels what is not labelled between `from` and `to` with `place`.
+export function fill(spans, from, to, place) {
+  const inside = borders(spans).filter(border => from < border && border < to);
+  const ends = [from, ...inside, to];
+  return ends.slice(1).reduce((filled, end, i) =>
+      spanAt(spans, ends[i]) < 0 ? paint(filled, ends[i], end, place) : filled, spans);
+}
+
 /// Splits the span that contains `time` in two.
 export function split(spans, time) {
   const at = spanAt(spans, time);

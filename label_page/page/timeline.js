@@ -15,7 +15,7 @@ const kGrip = 7;  // distance from a border within which the mouse grabs it, pix
 
 export class Timeline {
   /// `state`: {frames, spans, answers, answerTimes, cursor, selection, rooms}; `on`: seek(time),
-  /// select(from, to), move(border, target), moved(), viewChanged().
+  /// select(from, to), move(border, target), moved(), notMoved(), viewChanged().
   constructor(canvas, state, view, thumbnails, on) {
     Object.assign(this, {canvas, state, view, thumbnails, on});
     this.aspect = 4 / 3;
@@ -23,7 +23,7 @@ export class Timeline {
     canvas.addEventListener("pointerdown", event => this.press(event));
     canvas.addEventListener("pointermove", event => this.hover(event));
     canvas.addEventListener("pointerup", event => this.release(event));
-    canvas.addEventListener("pointercancel", () => { this.drag = null; });
+    canvas.addEventListener("pointercancel", () => this.cancel());
     canvas.addEventListener("wheel", event => this.wheel(event), {passive: false});
   }
 
@@ -242,6 +242,11 @@ export class Timeline {
       this.drag.moved = true;
       this.on.select(from, to);
     }
+  }
+
+  cancel() {
+    if (this.drag?.kind === "border") this.on.notMoved();
+    this.drag = null;
   }
 
   release(event) {

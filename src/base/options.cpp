@@ -31,7 +31,9 @@ bool decode(const YAML::Node& node, T& value) {
 template <typename T>
 void readAs(const YAML::Node& node, const std::string& where, const char* kind, T& value) {
   if (!decode(node, value)) {
-    const std::string text = node.IsScalar() ? "'" + node.Scalar() + "'" : "a list or mapping";
+    const std::string text = node.IsScalar() ? "'" + node.Scalar() + "'"
+                             : node.IsNull() ? "empty"
+                                             : "a list or mapping";
     throw Error("Option '" + where + "' is " + text + "; give " + kind + ".");
   }
 }

@@ -201,6 +201,9 @@ void addInfo(CommandLine& tool) {
   const auto options = std::make_shared<InfoOptions>();
   verb.argument("NAME_OR_BAG", options->name, "Name or file of a model, or a bag");
   options->input.addTo(verb);
+  verb.option("--initial-label", "PLACE", options->input.bag.initial_label,
+              "The label before the first one of the bag, as said in an earlier part of its "
+              "recording");
   options->output.addTo(verb);
   verb.footer("Example:\n  place_tool info office\n  place_tool info monday.bag");
   verb.run([options] { info(*options); });

@@ -8,6 +8,7 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "ros/bags/bag_file.h"
+#include "tool/carried_labels.h"
 #include "tool/inputs.h"
 #include "tool/package_folder.h"
 #include "tool/verbs.h"
@@ -67,9 +68,13 @@ void label(const LabelOptions& options) {
   pass("--label-topic", bag.label_topic);
   pass("--labels", bag.labels_file);
   pass("--label", bag.label);
+  const std::vector<std::string> bags = checkedBags(options);
+  for (const std::string& label : carriedLabels(bags, bag)) {
+    arguments.push_back("--initial-label=" + label);
+  }
   if (options.no_browser) arguments.emplace_back("--no-browser");
   arguments.emplace_back("--");
-  for (const std::string& path : checkedBags(options)) arguments.push_back(path);
+  arguments.insert(arguments.end(), bags.begin(), bags.end());
   execute(std::move(arguments));
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "place_recognition/error.h"
@@ -189,6 +190,8 @@ TEST(FixedLagSmoother, OptionsOutOfRangeAreRefused) {
   TemporalFilterOptions options;
   options.dwell_time = 0;
   EXPECT_THROW(FixedLagSmoother(row(), options, 1), Error);
+  EXPECT_THROW(FixedLagSmoother(row(), {}, -1), Error);
+  EXPECT_THROW(FixedLagSmoother(row(), {}, std::numeric_limits<double>::quiet_NaN()), Error);
 }
 
 }  // namespace

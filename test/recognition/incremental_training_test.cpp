@@ -44,6 +44,14 @@ TEST(TrainIncrementally, ANewRoomJoinsTheOnesThatAreRemembered) {
   EXPECT_EQ(after.model.provenance.inputs, (std::vector<std::string>{"monday", "tuesday"}));
 }
 
+TEST(TrainIncrementally, RefusesOptionsOutOfRange) {
+  const Training before = train({opener(drawFrames(3, 15))}, quickOptions());
+  for (const IncrementalOptions& options :
+       {IncrementalOptions{-1, 0}, IncrementalOptions{5, -0.1}, IncrementalOptions{5, 1.1}}) {
+    EXPECT_THROW(trainIncrementally(before.model, {opener(drawFrames(3, 2))}, options), Error);
+  }
+}
+
 TEST(TrainIncrementally, ImagesThatAreKnownAlreadyChangeNoDecisionValue) {
   TrainingOptions options = quickOptions();
   options.reduction.method = "none";

@@ -9,6 +9,7 @@ import rosbag
 import rospy
 from label_case import START, TOPIC, LabelCase, jpeg, raw, span
 from sensor_msgs.msg import CompressedImage
+from std_msgs.msg import String
 
 
 class RecordingTest(LabelCase):
@@ -27,6 +28,36 @@ class RecordingTest(LabelCase):
         self.assertEqual(self.stretches("run_1.bag"), [("b", 0, .95)])
         spans = self.page("run_0.bag", "run_1.bag").get("recording")["spans"]
         self.assertEqual([label["place"] for label in spans], ["a", "b"])
+
+    def test_a_label_is_carried_into_the_next_part(self):
+        self.record("run_0.bag", frames=20, labels=[(0, "hall"), (10, "lab")])
+        self.record("run_1.bag", frames=20, start=START + 2, labels=[(10, "attic")])
+        page = self.page("run_1.bag", "run_0.bag")
+        spans = page.get("recording")["spans"]
+        self.assertEqual([label["place"] for label in spans], ["hall", "lab", "attic"])
+        page.post("save", {"spans": spans})
+        self.assertEqual(self.stretches("run_1.bag"), [("lab", 0, .95), ("attic", .95, 1.9)])
+
+    def test_labels_behind_the_last_frame_are_none(self):
+        self.record("a.bag", frames=20, labels=[(0, "hall")])
+        with rosbag.Bag(str(self.folder / "a.bag"), "a") as bag:
+            for seconds, place in ((10, "lab"), (20, "attic")):
+                bag.write("/place_label", String(place), rospy.Time.from_sec(START + seconds))
+        self.record("b.bag", frames=20, start=START + 60, labels=[(0, "lab")])
+        page = self.page("a.bag", "b.bag")
+        spans = page.get("recording")["spans"]
+        self.assertEqual([label["place"] for label in spans], ["hall", "lab"])
+        self.assertEqual(page.post("save", {"spans": spans})[0], 200)
+
+    def test_images_of_before_the_clock_was_set(self):
+        self.record("run.bag", frames=20, labels=[(0, "hall")])
+        with rosbag.Bag(str(self.folder / "run.bag"), "a") as bag:
+            for i in range(5):
+                bag.write(TOPIC, jpeg(i), rospy.Time(10 + i))
+        page = self.page("run.bag")
+        self.assertAlmostEqual(page.get("recording")["duration"], 1.91, places=5)
+        self.assertEqual(page.post("save", {"spans": [span(0, 1, "lab")]})[0], 200)
+        self.assertEqual(self.stretches("run.bag"), [("lab", 0, .95)])
 
     def test_labels_count_for_all_topics(self):
         self.record("run.bag", topics=("/front/compressed", "/rear/compressed"))

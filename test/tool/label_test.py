@@ -143,6 +143,34 @@ class SavingTest(LabelCase):
         self.save(page, *spans, overwrite=True)
         self.assertEqual(self.text("run.labels.yaml.old"), other)
 
+    def test_what_another_page_has_changed_is_not_overwritten(self):
+        self.record("run.bag")
+        page = self.page("run.bag")
+        first, second = (page.get("recording")["page"] for _ in range(2))
+        mine, other = [span(0, 1, "kitchen")], [span(2, 3, "attic")]
+        self.assertEqual(page.post("draft", {"page": second, "spans": other})[0], 200)
+        self.assertEqual(page.post("save", {"page": second, "spans": other})[0], 200)
+        for name in ("draft", "save"):
+            status, answer = page.post(name, {"page": first, "spans": mine})
+            self.assertEqual(status, 409)
+            self.assertIn("another page", answer["problem"])
+        self.assertEqual(self.stretches("run.bag")[0][0], "attic")
+        self.assertEqual(page.get("recording")["spans"], other)
+        self.assertEqual(page.post("save", {"page": first, "spans": mine, "overwrite": True})[0], 200)
+        self.assertEqual(page.post("draft", {"page": first, "spans": mine})[0], 200)
+        self.assertEqual(page.post("draft", {"page": second, "spans": other})[0], 409)
+
+    def test_going_back_to_what_is_saved_leaves_nothing_unsaved(self):
+        self.record("run.bag")
+        page = self.page("run.bag")
+        number = page.get("recording")["page"]
+        spans = [span(0, 1, "kitchen")]
+        page.post("save", {"page": number, "spans": spans})
+        page.post("draft", {"page": number, "spans": [], "saved": False})
+        self.assertTrue(page.get("recording")["unsaved"])
+        page.post("draft", {"page": number, "spans": spans, "saved": True})
+        self.assertFalse(page.get("recording")["unsaved"])
+
     def test_all_labels_can_be_removed(self):
         self.record("run.bag", labels=[(0, "kitchen")])
         page = self.page("run.bag")
@@ -167,7 +195,7 @@ class SavingTest(LabelCase):
         (self.folder / "run.labels.yaml").write_text("labels: []")
         status, answer = page.post("save", {"spans": [span(0, 1, "a")], "overwrite": True})
         self.assertEqual(status, 422)
-        self.assertIn("run.labels.yaml", answer["problem"])
+        self.assertIn("run.labels.yaml.old: Is a directory", answer["problem"])
         self.assertEqual(self.text("run.labels.yaml"), "labels: []")
         self.assertEqual(self.files(), ["run.bag", "run.labels.yaml", "run.labels.yaml.old"])
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string>
 
+#include "place_recognition/error.h"
 #include "recognition/over_time/transition_model.h"
 
 namespace place_recognition {
@@ -10,7 +12,7 @@ namespace place_recognition {
 FixedLagSmoother::FixedLagSmoother(const Adjacency& adjacency, const TemporalFilterOptions& options,
                                    double lag)
     : minimum_confidence_(options.minimum_confidence), lag_(lag) {
-  assert(lag >= 0);
+  if (!(lag >= 0)) throw Error("The lag is " + std::to_string(lag) + " s; give 0 s or more.");
   options.check();
   chain_ = std::make_unique<TransitionModel>(adjacency, options.unknown_share, options.jump_share);
 }

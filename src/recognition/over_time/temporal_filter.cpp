@@ -53,6 +53,7 @@ TemporalFilter::TemporalFilter(TemporalFilter&&) noexcept = default;
 TemporalFilter& TemporalFilter::operator=(TemporalFilter&&) noexcept = default;
 
 void TemporalFilter::setUnknownThreshold(double threshold, std::size_t camera) {
+  assert(!std::isnan(threshold));
   cameras_[camera].unknown_threshold = std::clamp(threshold, 0.01, 0.99);
 }
 

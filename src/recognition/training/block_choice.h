@@ -25,7 +25,7 @@ struct LikenessOverTime {
 /// at least that frame.
 double gapFor(const LikenessOverTime& likeness);
 
-/// The similarity of a few hundred frames of `recording` to all others of their rooms. Lags count
+/// The similarity of about a hundred frames of `recording` to all others of their rooms. Lags count
 /// frames that were thinned out, too: how fast the view changes does not depend on how many of its
 /// frames are used. `features`: [cue][sample]; some may be missing.
 LikenessOverTime likenessOverTime(const std::vector<SampleOrigin>& samples, int recording,

@@ -11,6 +11,7 @@
 #include "base/place_name.h"
 #include "base/text.h"
 #include "learning/classifier_parts.h"
+#include "place_recognition/error.h"
 #include "recognition/frames/colour_normalization.h"
 #include "recognition/frames/mirror_search.h"
 #include "recognition/model/embeddings.h"
@@ -266,6 +267,10 @@ Training train(const std::vector<RecordingOpener>& recordings, const TrainingOpt
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             const IncrementalOptions& incremental, unsigned threads,
                             const Progress& progress) {
+  if (incremental.vector_limit < 0 ||
+      !(incremental.forgetting >= 0 && incremental.forgetting <= 1)) {
+    throw Error("The vector limit is below 0, or forgetting is not within 0..1; correct it.");
+  }
   if (incremental.other) requireJoinable(model, *incremental.other);
   TrainingOptions options = model.asked;
   options.image = model.options.image;
