@@ -14,13 +14,13 @@
 #   parts    number of jobs that share the search for a building; jobs beyond 8 may be idle
 #   search   further options for `tune`, such as "--same-light"
 #   options  further options for `train`, such as "--set sampling.rate=5"
-#   tool     path of place_tool, if it is not on PATH
+#   tool     path of place_tool; default: through rosrun
 
 import shlex
 from pathlib import Path
 
 BUILDINGS, OUT = Path(config["buildings"]), config["out"]
-TOOL, OPTIONS = config.get("tool", "place_tool"), config.get("options", "")
+TOOL, OPTIONS = config.get("tool", "rosrun place_recognition place_tool"), config.get("options", "")
 TUNE = str(config.get("tune", "0")) not in ("0", "no", "false", "False")
 PARTS, SEARCH = int(config.get("parts", 4)), config.get("search", "")
 REPORT = Path(workflow.basedir) / "fleet_report.py"
