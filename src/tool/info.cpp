@@ -203,7 +203,10 @@ void addInfo(CommandLine& tool) {
   options->input.addTo(verb);
   verb.option("--initial-label", "PLACE", options->input.bag.initial_label,
               "The label before the first one of the bag, as said in an earlier part of its "
-              "recording");
+              "recording")
+      .excludes("--label")
+      .excludes("--labels")
+      .group("Options for bags");
   options->output.addTo(verb);
   verb.footer("Example:\n  place_tool info office\n  place_tool info monday.bag");
   verb.run([options] { info(*options); });

@@ -220,6 +220,7 @@ void InputOptions::requireBag(const std::vector<std::string>& paths) const {
   const std::pair<const char*, bool> options[] = {
       {"--image-topic", !bag.image_topics.empty()},
       {"--label-topic", bag.label_topic != defaults.label_topic},
+      {"--initial-label", !bag.initial_label.empty()},
       {"--labels", !bag.labels_file.empty()},
       {"--label", !bag.label.empty()}};
   for (const auto& [option, is_given] : options) {

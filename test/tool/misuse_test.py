@@ -36,6 +36,7 @@ class OptionsTest(MisuseCase):
             for verb in (["train", "monday", "--model", "new"], ["evaluate", "monday", *MODEL],
                          ["info", "./home.places"], ["calibrate", "monday", *MODEL]):
                 self.assert_usage([option[0], "bag"], *verb, *option)
+        self.assert_usage(["--initial-label"], "info", "./home.places", "--initial-label", "office")
         self.assert_usage(["--image-topic"], "recognize", picture, *MODEL, "--image-topic", "/a")
         self.assert_usage(["--label"], "recognize", picture, *MODEL, "--label", "kitchen")
 
