@@ -224,7 +224,9 @@ void InputOptions::requireBag(const std::vector<std::string>& paths) const {
       {"--labels", !bag.labels_file.empty()},
       {"--label", !bag.label.empty()}};
   for (const auto& [option, is_given] : options) {
-    if (is_given) throw UsageError(std::string(option) + " applies to bags, and there is none");
+    if (!is_given) continue;
+    throw UsageError(std::string(option) +
+                     " applies to bags, and there is none; the folder of an image names its room");
   }
 }
 
