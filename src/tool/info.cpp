@@ -24,61 +24,61 @@ struct InfoOptions {
   OutputOptions output;
 };
 
-void printModel(const Model& model, const std::string& path, std::uint64_t bytes) {
+void printModel(const Model& model, const std::string& path, std::uint64_t bytes,
+                std::ostream& out) {
   const Provenance& origin = model.provenance;
-  std::cout << std::left << "model            " << model.name << "\n"
-            << "file             " << path << ", " << bytes << " bytes\n"
-            << "version          " << model.version << ", written by place_recognition "
-            << origin.package_version << "\n"
-            << "trained on       ";
+  out << std::left << "model            " << model.name << "\n"
+      << "file             " << path << ", " << bytes << " bytes\n"
+      << "version          " << model.version << ", written by place_recognition "
+      << origin.package_version << "\n"
+      << "trained on       ";
   for (std::size_t i = 0; i < origin.inputs.size(); ++i) {
-    std::cout << (i ? ", " : "") << origin.inputs[i];
+    out << (i ? ", " : "") << origin.inputs[i];
   }
   if (model.images.known()) {
-    std::cout << "\nimages           " << model.images.width << " x " << model.images.height << ", "
-              << (model.images.colour ? "colour" : "grey") << ", mean brightness "
-              << std::lround(model.images.darkest) << " to " << std::lround(model.images.brightest);
+    out << "\nimages           " << model.images.width << " x " << model.images.height << ", "
+        << (model.images.colour ? "colour" : "grey") << ", mean brightness "
+        << std::lround(model.images.darkest) << " to " << std::lround(model.images.brightest);
     if (model.images.depth.known()) {
-      std::cout << ", of 16 bits (" << model.images.depth.low << " to " << model.images.depth.high
-                << ")";
+      out << ", of 16 bits (" << model.images.depth.low << " to " << model.images.depth.high << ")";
     }
   }
-  std::cout << "\nskipped images   " << origin.skipped_images << "\n"
-            << "support vectors  " << model.supportVectorCount() << "\n"
-            << std::fixed << std::setprecision(3) << "validation       ";
+  out << "\nskipped images   " << origin.skipped_images << "\n"
+      << "support vectors  " << model.supportVectorCount() << "\n"
+      << std::fixed << std::setprecision(3) << "validation       ";
   if (model.validation.average_rate == 0 && model.held_out.places.empty()) {
-    std::cout << "none\n";
+    out << "none\n";
   } else {
-    std::cout << "average rate " << model.validation.average_rate << ", calibration error "
-              << model.validation.calibration_error << "\n";
+    out << "average rate " << model.validation.average_rate << ", calibration error "
+        << model.validation.calibration_error << "\n";
   }
-  std::cout << std::fixed << std::setprecision(3) << "unknown below    " << model.unknown_threshold
-            << "\n"
-            << "places\n";
+  out << std::fixed << std::setprecision(3) << "unknown below    " << model.unknown_threshold
+      << "\n"
+      << "places\n";
   for (std::size_t i = 0; i < model.places.size(); ++i) {
-    std::cout << std::right << std::setw(8) << origin.place_images[i] << " images  "
-              << model.places[i] << "\n";
+    out << std::right << std::setw(8) << origin.place_images[i] << " images  " << model.places[i]
+        << "\n";
   }
   if (!model.adjacency.empty()) {
-    std::cout << "adjoining " << writeAdjacency(model.adjacency, model.places);
+    out << "adjoining " << writeAdjacency(model.adjacency, model.places);
   }
   if (model.cameras.known()) {
-    std::cout << "cameras, correlation of their errors\n" << std::fixed << std::setprecision(2);
+    out << "cameras, correlation of their errors\n" << std::fixed << std::setprecision(2);
     for (std::size_t a = 0; a < model.cameras.cameras.size(); ++a) {
       const auto row = static_cast<Eigen::Index>(a);
       for (Eigen::Index b = 0; b < model.cameras.coefficients.cols(); ++b) {
-        std::cout << std::setw(8) << model.cameras.coefficients(row, b);
+        out << std::setw(8) << model.cameras.coefficients(row, b);
       }
-      std::cout << "  " << model.cameras.cameras[a] << "\n";
+      out << "  " << model.cameras.cameras[a] << "\n";
     }
-    std::cout << std::defaultfloat;
+    out << std::defaultfloat;
   }
-  std::cout << "cues\n";
+  out << "cues\n";
   for (std::size_t i = 0; i < model.options.cues.size(); ++i) {
-    std::cout << std::setw(8) << model.classifiers[i].supportVectorCount() << " vectors, weight "
-              << model.cue_weights[i] << "  " << model.options.cues[i].name << "\n";
+    out << std::setw(8) << model.classifiers[i].supportVectorCount() << " vectors, weight "
+        << model.cue_weights[i] << "  " << model.options.cues[i].name << "\n";
   }
-  std::cout << "options\n" << writeOptions(model.options) << std::flush;
+  out << "options\n" << writeOptions(model.options) << std::flush;
 }
 
 Json modelFigures(const Model& model, const std::string& path, std::uint64_t bytes) {
@@ -120,22 +120,22 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
           {"asked", writeOptions(model.asked)}};
 }
 
-void printBag(const BagInfo& bag, const std::string& path) {
-  std::cout << "bag       " << path << "\n"
-            << std::fixed << std::setprecision(1) << "duration  " << bag.duration << " s from "
-            << bag.start << "\n"
-            << "topics\n";
+void printBag(const BagInfo& bag, const std::string& path, std::ostream& out) {
+  out << "bag       " << path << "\n"
+      << std::fixed << std::setprecision(1) << "duration  " << bag.duration << " s from "
+      << bag.start << "\n"
+      << "topics\n";
   for (const BagTopic& topic : bag.topics) {
-    std::cout << std::setw(8) << topic.messages << "  " << topic.name << "  " << topic.type;
-    if (topic.width > 0) std::cout << "  " << topic.width << "x" << topic.height;
-    std::cout << "\n";
+    out << std::setw(8) << topic.messages << "  " << topic.name << "  " << topic.type;
+    if (topic.width > 0) out << "  " << topic.width << "x" << topic.height;
+    out << "\n";
   }
-  std::cout << (bag.labels.empty() ? "no labels\n" : "labels, s since the start\n");
+  out << (bag.labels.empty() ? "no labels\n" : "labels, s since the start\n");
   for (const BagLabel& label : bag.labels) {
-    std::cout << std::setw(8) << label.from << " .. " << std::setw(8) << label.to << "  "
-              << label.place << "\n";
+    out << std::setw(8) << label.from << " .. " << std::setw(8) << label.to << "  " << label.place
+        << "\n";
   }
-  std::cout << std::flush;
+  out << std::flush;
 }
 
 Json bagFigures(const BagInfo& bag, const std::string& path) {
@@ -182,7 +182,7 @@ void info(const InfoOptions& options) {
       std::cerr << "warning: " << options.name
                 << " is complete but has the name of an active recording; rename it.\n";
     }
-    if (options.output.json != "-") printBag(bag, options.name);
+    if (options.output.json != "-") printBag(bag, options.name, options.output.text());
     options.output.writeJson(bagFigures(bag, options.name));
     return;
   }
@@ -190,7 +190,7 @@ void info(const InfoOptions& options) {
   const std::string path = modelPathOf(options.name);
   const Model model = loadModel(path);
   const std::uint64_t bytes = std::filesystem::file_size(path);
-  if (options.output.json != "-") printModel(model, path, bytes);
+  if (options.output.json != "-") printModel(model, path, bytes, options.output.text());
   options.output.writeJson(modelFigures(model, path, bytes));
 }
 

@@ -25,6 +25,13 @@ class ProgressTest(ToolCase):
             self.assertEqual(set(line), {"stage", "fraction"})
             self.assertTrue(0 <= line["fraction"] <= 1)
 
+    def test_text_for_people_leaves_stdout_to_the_json_lines(self):
+        self.write_run("monday")
+        self.succeed("train", "monday", "--model", "./m.places")
+        result = self.run_tool("info", "./m.places", "--progress", "json")
+        self.assertEqual(result.stdout, "")
+        self.assertIn("kitchen", result.stderr)
+
     def test_lines_on_stderr_where_there_is_no_terminal(self):
         tool = subprocess.Popen([PLACE_TOOL, "simulate", "--out", "runs"], cwd=self.folder,
                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
