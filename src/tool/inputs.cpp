@@ -230,6 +230,18 @@ void InputOptions::requireBag(const std::vector<std::string>& paths) const {
   }
 }
 
+void requireOtherRuns(const std::vector<std::string>& validate,
+                      const std::vector<std::string>& learned) {
+  for (const std::string& run : validate) {
+    const bool is_learned =
+        std::any_of(learned.begin(), learned.end(), [&run](const std::string& other) {
+          std::error_code ignored;  // what does not exist is reported when it is opened
+          return fs::equivalent(other, run, ignored);
+        });
+    if (is_learned) throw UsageError("--validate: " + run + " is also learned; give another run");
+  }
+}
+
 void addThreads(Verb& verb, unsigned& threads) {
   verb.option("--threads", "N", threads, "Threads, 0..1024; 0: one per core. Changes no result")
       .range(0, 1024);

@@ -127,6 +127,7 @@ class Reducer {
 
 void reduceModel(const ReduceOptions& options) {
   options.reduction.check();
+  requireOtherRuns(options.validate, options.train);
   const std::string path = modelPath(options.out);
   const std::string page = options.report + "/reduction.html";
   requireWritable(path, Contents::kModel);

@@ -137,7 +137,8 @@ std::optional<Replacement> replacementOf(const TrainOptions& options, const std:
                      goes_on ? modelPath(options.add_to) : path, progress);
 }
 
-void train(const TrainOptions& options) {
+/// Throws UsageError for options that are missing or contradict each other.
+void check(const TrainOptions& options) {
   if (options.inputs.empty() && options.from_model.empty()) {
     throw UsageError("INPUT is required: give a run to learn from");
   }
@@ -145,16 +146,17 @@ void train(const TrainOptions& options) {
   if (options.inputs.empty() && !(bag.label.empty() && bag.labels_file.empty())) {
     throw UsageError("--label and --labels apply to an INPUT; give one");
   }
-  if (!options.from_model.empty() && options.from_model == options.add_to) {
+  if (!options.from_model.empty() && modelPath(options.from_model) == modelPath(options.add_to)) {
     throw UsageError("--from-model and --add-to name the same model; give another one");
   }
-  for (const std::string& run : options.validate) {
-    if (std::count(options.inputs.begin(), options.inputs.end(), run) == 0) continue;
-    throw UsageError("--validate: " + run + " is also learned; give another run");
-  }
+  requireOtherRuns(options.validate, options.inputs);
   if (options.forgetting > 0 && options.limit == 0) {
     throw UsageError("--forgetting requires a --limit above 0");
   }
+}
+
+void train(const TrainOptions& options) {
+  check(options);
   const TrainingOptions training_options = options.configuration.read();
   const std::string path = modelPath(options.model);
   requireWritable(path, Contents::kModel);

@@ -177,6 +177,7 @@ void tune(const TuneOptions& options) {
   if (options.same_light) task.space.other_light = false;
   addInstalledNetwork(task.base, task.space);
   requireWritable(options.out, Contents::kText);
+  requireOtherRuns(options.validate, options.inputs);
   task.recordings = options.input.openers(options.inputs, options.validate.empty());
   if (!options.validate.empty())
     task.hold_out = options.input.withoutLabels().openers(options.validate, false);

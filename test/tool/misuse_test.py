@@ -63,10 +63,14 @@ class OptionsTest(MisuseCase):
         self.train()
         for words, options in (
                 (["--forgetting"], ["--limit", 0, "--forgetting", 0.5]),
-                (["--validate", "monday"], ["--validate", "monday"]),
+                (["--validate", "monday"], ["--validate", self.folder / "monday"]),
                 (["--from-model"], ["--from-model", "./home.places"])):
             self.assert_usage(words, "train", "monday", "--add-to", "./home.places", *MODEL,
                               *options)
+
+        for verb in (["tune", "monday", "--out", "tuned.yaml"],
+                     ["reduce", *MODEL, "--out", "./small.places", "--train", "monday"]):
+            self.assert_usage(["--validate", "monday"], *verb, "--validate", "./monday")
 
     def test_labels_do_not_apply_to_the_runs_to_validate_on(self):
         self.train()
@@ -141,6 +145,13 @@ class InputsTest(MisuseCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("Learned 3 places", result.stdout)
         self.assertRegex(result.stderr, "site/screenshots: .*beside bags, such as site/tuesday.bag")
+
+    def test_labels_of_a_bag_with_dots_in_its_name(self):
+        self.write_bag("run.v1.bag", [(room, None) for room in ROOMS])
+        (self.folder / "run.labels.yml").write_text("labels: [{from: 0, place: attic}]\n")
+        self.assertEqual(self.figures("info", "run.v1.bag")["labels"], [])
+        (self.folder / "run.v1.labels.yml").write_text("labels: [{from: 0, place: hall}]\n")
+        self.assertEqual(self.figures("info", "run.v1.bag")["labels"][0]["place"], "hall")
 
     def test_bags_that_lie_too_deep_are_named(self):
         self.write_labelled_bag("site/monday/a.bag")

@@ -41,9 +41,10 @@ std::string ownLabelsFile(const std::string& path) {
   fs::path bag = path;
   if (isActiveBag(path)) bag.replace_extension();
   for (const char* ending : {".labels.yaml", ".labels.yml"}) {
+    fs::path labels = bag;
+    labels.replace_extension(ending);
     std::error_code ignored;
-    if (fs::exists(bag.replace_extension(ending), ignored)) return bag.string();
-    bag.replace_extension().replace_extension();
+    if (fs::exists(labels, ignored)) return labels.string();
   }
   return "";
 }

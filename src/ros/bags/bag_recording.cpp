@@ -14,6 +14,7 @@
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
+#include "ros/bags/bag_topics.h"
 #include "ros/messages/bag_records.h"
 #include "ros/messages/conversions.h"
 
@@ -229,7 +230,7 @@ class BagRecording : public Recording {
 }  // namespace
 
 bool hasImages(const BagTopic& topic) {
-  return topic.type == "sensor_msgs/Image" || topic.type == "sensor_msgs/CompressedImage";
+  return topic.type == kImageType || topic.type == kCompressedImageType;
 }
 
 std::unique_ptr<Recording> openBagRecording(const std::string& path,

@@ -56,12 +56,13 @@ bool PlaceRecognizer::onReloadModel(std_srvs::Trigger::Request&,
 
 bool PlaceRecognizer::onSetEnabled(std_srvs::SetBool::Request& request,
                                    std_srvs::SetBool::Response& response) {
+  const bool enable = request.data;
   bool was_enabled;
   {
     const std::lock_guard<std::mutex> lock(control_mutex_);
-    was_enabled = std::exchange(enabled_, request.data != 0);
+    was_enabled = std::exchange(enabled_, enable);
   }
-  if (enabled_ != was_enabled) {
+  if (enable != was_enabled) {
     updateSubscription();
     reset();  // waits for the answer in progress
   }
