@@ -51,14 +51,16 @@ Assignment assignRecordings(const Samples& samples, const std::vector<int>& reco
   return assignment;
 }
 
-/// Assigns `fold` to all samples of `sequence` from the time `first` to `last`.
-void leaveOut(const Sequence& sequence, double first, double last, int fold,
+/// Leaves samples of `sequence` within `gap` of the ascending times `tested` out of `fold`.
+void leaveOut(const Sequence& sequence, const std::vector<double>& tested, double gap, int fold,
               Assignment& assignment) {
   const std::vector<double>& times = sequence.times;
-  const auto from = std::lower_bound(times.begin(), times.end(), first);
-  const auto to = std::upper_bound(times.begin(), times.end(), last);
-  for (auto time = from; time < to; ++time) {
-    assignment.left_out_of[sequence.samples[time - times.begin()]].insert(fold);
+  auto from = times.begin();
+  for (const double time : tested) {
+    from = std::lower_bound(from, times.end(), time - gap);
+    for (; from < times.end() && *from <= time + gap; ++from) {
+      assignment.left_out_of[sequence.samples[from - times.begin()]].insert(fold);
+    }
   }
 }
 
@@ -127,11 +129,12 @@ Assignment assignBlocks(const Samples& samples, int count, const std::vector<Tim
       for (std::size_t i = begin; i < end; ++i) {
         assignment.tested_in[sequences[s].samples[i]] = next_fold;
       }
+      const std::vector<double> tested(sequences[s].times.begin() + begin,
+                                       sequences[s].times.begin() + end);
       for (std::size_t other = 0; other < sequences.size(); ++other) {
         if (!sameClock(sequences[s], sequences[other])) continue;
-        const double gap = std::min(cuts[s].gap, cuts[other].gap);
-        leaveOut(sequences[other], sequences[s].times[begin] - gap,
-                 sequences[s].times[end - 1] + gap, next_fold, assignment);
+        leaveOut(sequences[other], tested, std::min(cuts[s].gap, cuts[other].gap), next_fold,
+                 assignment);
       }
       next_fold = (next_fold + 1) % count;
     }

@@ -97,6 +97,25 @@ TEST(Folds, LeaveOutWhatIsBehindTheDoorToo) {
   }
 }
 
+TEST(Folds, TrainOnWhatLiesBetweenTwoVisitsToARoom) {
+  // Ten laps through five rooms, 7 s in each: some blocks of 4 s end one visit and begin the next.
+  std::vector<SampleOrigin> samples;
+  for (int visit = 0; visit < 50; ++visit) {
+    for (const SampleOrigin& sample : roomAt(7 * visit, 1, 7, visit % 5)) samples.push_back(sample);
+  }
+  constexpr double kGap = 2;
+  const std::vector<Fold> folds = timeBlockFolds(samples, 5, blocks(4, kGap));
+  expectEachTestedOnce(folds, samples.size());
+  for (const Fold& fold : folds) {
+    for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
+      const bool near = std::any_of(fold.test.begin(), fold.test.end(), [&](int test) {
+        return std::abs(samples[test].stamp - samples[i].stamp) <= kGap;
+      });
+      EXPECT_EQ(std::count(fold.train.begin(), fold.train.end(), i), near ? 0 : 1) << i;
+    }
+  }
+}
+
 TEST(Folds, OfSeveralCamerasAreThoseOfOneForEachMoment) {
   const std::vector<SampleOrigin> alone = roomAt(5, 0.2, 303);
   std::vector<SampleOrigin> together;
