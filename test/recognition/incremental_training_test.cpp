@@ -26,9 +26,9 @@ double rateOn(Model model, int rooms) {
   return right / static_cast<double>(frames.size());
 }
 
-std::vector<Frame> framesOf(const std::string& room, unsigned first_frame) {
+std::vector<Frame> framesOf(const std::string& room, unsigned first_frame, int count = 15) {
   std::vector<Frame> frames;
-  for (const Frame& frame : drawFrames(4, 15, first_frame)) {
+  for (const Frame& frame : drawFrames(4, count, first_frame)) {
     if (frame.place == room) frames.push_back(frame);
   }
   return frames;
@@ -135,6 +135,22 @@ void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOpti
     const std::vector<std::string> judged = after->validatedPlaces();
     EXPECT_EQ(std::count(judged.begin(), judged.end(), place), 1) << place;
   }
+}
+
+TEST(TrainIncrementally, ANewRoomIsRecognizedAsIfLearnedWithTheOthers) {
+  std::vector<Frame> others;
+  for (const Frame& frame : drawFrames(4, 30)) {
+    if (frame.place != "room1") others.push_back(frame);
+  }
+  const std::vector<Frame> room = framesOf("room1", 100, 4);
+  const std::vector<Frame> later = framesOf("room1", 5000, 100);
+  const Model before = train({opener(others)}, twoCueOptions()).model;
+  const auto extended =
+      std::make_shared<const Model>(trainIncrementally(before, {opener(room)}, {}).model);
+  const auto at_once =
+      std::make_shared<const Model>(train({opener(others), opener(room)}, twoCueOptions()).model);
+  EXPECT_GT(fractionsOf(at_once, later).right, 0.9);
+  EXPECT_GE(fractionsOf(extended, later).right, fractionsOf(at_once, later).right - 0.05);
 }
 
 TEST(TrainIncrementally, OneImageLeavesTheOtherRoomsAsTheyWere) {

@@ -86,7 +86,7 @@ TEST(ChangesToLead, AreTheSmallestOnes) {
   // The true place falls 1 short of the required lead of 0.4 over the second place, and 0.2 short
   // of that over the third.
   const Eigen::RowVector4d values(-0.2, 0.4, -0.4, -0.9);
-  const Eigen::MatrixXd changes = changesToLead(values, {0}, 0.4);
+  const Eigen::MatrixXd changes = changesToLead(values, {0}, {0.4});
   EXPECT_LT((changes - Eigen::RowVector4d(0.5, -0.5, 0, 0)).norm(), 1e-12);
 }
 
@@ -100,7 +100,8 @@ TEST(ChangesToLead, ObeyTheConditionsOfKarushKuhnAndTucker) {
   for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = value(random);
   std::vector<int> labels;
   for (int i = 0; i < 200; ++i) labels.push_back(i % 6);
-  const Eigen::MatrixXd changes = changesToLead(values, labels, kLead);
+  const Eigen::MatrixXd changes =
+      changesToLead(values, labels, std::vector<double>(labels.size(), kLead));
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
     const int own = labels[static_cast<std::size_t>(i)];
     const Eigen::RowVectorXd after = values.row(i) + changes.row(i);
@@ -119,8 +120,8 @@ TEST(ChangesToLead, ObeyTheConditionsOfKarushKuhnAndTucker) {
 
 TEST(ChangesToLead, AreZeroForWhatLeadsAlready) {
   const Eigen::RowVector3d values(0.2, 0.9, 0.4);
-  EXPECT_TRUE(changesToLead(values, {1}, 0.5).isZero(0));
-  EXPECT_FALSE(changesToLead(values, {1}, 0.51).isZero(0));
+  EXPECT_TRUE(changesToLead(values, {1}, {0.5}).isZero(0));
+  EXPECT_FALSE(changesToLead(values, {1}, {0.51}).isZero(0));
 }
 
 }  // namespace

@@ -80,17 +80,37 @@ Eigen::VectorXd importanceOf(const std::vector<int>& samples, const TrainingTask
   return importance;
 }
 
+/// Extends the machines learned before by the rows `train_rows` of a Gram matrix, which belong to
+/// `samples`. The machines of new places are trained on all of these, and then changed like others.
+BinarySvms extendMachines(const LearnedCue& learned, const std::vector<int>& train_rows,
+                          const std::vector<int>& samples, const PackedGram& gram,
+                          const TrainingTask& task) {
+  const auto before = static_cast<std::ptrdiff_t>(learned.machines.weights.rows());
+  const std::vector<int> added(samples.begin() + before, samples.end());
+  BinarySvms machines =
+      learnOn(learned.machines, gram, train_rows, rows(learned.changes, added), 1 / task.svm.c);
+  if (learned.new_places.empty()) return machines;
+
+  const std::vector<int>& places = learned.new_places;
+  std::vector<int> labels;  // numbers of new places; their count stands for all others
+  for (const int sample : samples) {
+    const auto place = std::find(places.begin(), places.end(), task.samples[sample].place);
+    labels.push_back(static_cast<int>(place - places.begin()));
+  }
+  const BinarySvms trained =
+      trainMachines(gram, train_rows, labels, places.size() + 1, task.svm, task.threads);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    machines.weights.col(places[k]) += trained.weights.col(static_cast<Eigen::Index>(k));
+    machines.biases[places[k]] = trained.biases[static_cast<Eigen::Index>(k)];
+  }
+  return machines;
+}
+
 /// Machines trained on (or extended by) the rows `train_rows` of a Gram matrix, which belong to
 /// `samples`.
 BinarySvms trainMachinesOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
                            const PackedGram& gram, const TrainingTask& task) {
-  if (task.learned) {
-    const auto before = static_cast<std::size_t>(task.learned->machines.weights.rows());
-    const std::vector<int> added(samples.begin() + static_cast<std::ptrdiff_t>(before),
-                                 samples.end());
-    return learnOn(task.learned->machines, gram, train_rows, rows(task.learned->changes, added),
-                   1 / task.svm.c);
-  }
+  if (task.learned) return extendMachines(*task.learned, train_rows, samples, gram, task);
   std::vector<int> labels;
   for (const int sample : samples) labels.push_back(task.samples[sample].place);
   return trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);

@@ -18,6 +18,7 @@ namespace place_recognition {
 struct LearnedCue {
   const BinarySvms& machines;      ///< over the first samples that have the cue
   const Eigen::MatrixXd& changes;  ///< samples x places
+  const std::vector<int>& new_places;
 };
 
 /// The arguments that the trainings of all cues share.

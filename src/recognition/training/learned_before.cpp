@@ -13,7 +13,9 @@
 namespace place_recognition {
 namespace {
 
-constexpr double kUnseen = -1;  // decision value of a place without vectors
+constexpr double kOther = -1;  // what a new machine answers to images of other places
+constexpr double kOwn = 1;     // and to images of its own place
+constexpr double kDistanceOfTargets = kOwn - kOther;
 
 /// Columns of `values`, one per place of a model, where `place_of` puts them among `places`.
 Eigen::MatrixXd extended(const Eigen::MatrixXd& values, const std::vector<int>& place_of,
@@ -30,7 +32,6 @@ Eigen::MatrixXd extended(const Eigen::MatrixXd& values, const std::vector<int>& 
 /// far as +1 is from -1, the targets of an SVM. Otherwise only so far that they are nine times as
 /// probable, because more would take views from the places that the samples do not show.
 double leadFor(const std::vector<int>& labels, std::size_t places, const Calibration& calibration) {
-  constexpr double kDistanceOfTargets = 2;
   constexpr double kMargin = 1;
   constexpr double kOdds = 9;
   if (std::set<int>(labels.begin(), labels.end()).size() == places) return kDistanceOfTargets;
@@ -46,17 +47,32 @@ std::vector<std::vector<Feature>> newFeatures(const Samples& samples) {
   return features;
 }
 
+/// The places of `samples` that the model lacks.
+std::vector<int> newPlaces(std::size_t places, const std::vector<int>& place_of) {
+  std::vector<int> missing;
+  for (int place = 0; place < static_cast<int>(places); ++place) {
+    if (std::count(place_of.begin(), place_of.end(), place) == 0) missing.push_back(place);
+  }
+  return missing;
+}
+
 Eigen::MatrixXd changesFor(const Model& model, const Samples& samples,
-                           const std::vector<int>& place_of) {
+                           const std::vector<int>& place_of, const std::vector<int>& new_places) {
   const CombinedValues answers =
       combine(modelAnswers(model, newFeatures(samples)), model.cue_weights, model.decision_limit);
   std::vector<int> labels;
   for (std::size_t i = samples.remembered; i < samples.origins.size(); ++i) {
     labels.push_back(samples.origins[i].place);
   }
-  Eigen::MatrixXd changes =
-      changesToLead(extended(answers.unlimited, place_of, samples.places.size(), kUnseen), labels,
-                    leadFor(labels, samples.places.size(), model.calibration));
+  Eigen::MatrixXd values = extended(answers.unlimited, place_of, samples.places.size(), kOther);
+  std::vector<double> leads(labels.size(),
+                            leadFor(labels, samples.places.size(), model.calibration));
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (std::count(new_places.begin(), new_places.end(), labels[i]) == 0) continue;
+    values(static_cast<Eigen::Index>(i), labels[i]) = kOwn;
+    leads[i] = kDistanceOfTargets;
+  }
+  Eigen::MatrixXd changes = changesToLead(values, labels, leads);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!answers.valid[i]) changes.row(static_cast<Eigen::Index>(i)).setZero();
   }
@@ -69,14 +85,15 @@ LearnedBefore learnedBefore(const Model& model, const Samples& samples) {
   const std::vector<int>& place_of = samples.judged_before.front().place_of;
   const std::size_t places = samples.places.size();
   LearnedBefore learned;
+  learned.new_places = newPlaces(places, place_of);
   learned.cue_weights = model.cue_weights;
   for (const Classifier& classifier : model.classifiers) {
     const BinarySvms& before = ClassifierParts::of(classifier).machines;
     assert(!before.one_against_one);
     learned.machines.push_back({places, false, extended(before.weights, place_of, places, 0),
-                                extended(before.biases, place_of, places, kUnseen)});
+                                extended(before.biases, place_of, places, kOther)});
   }
-  const Eigen::MatrixXd changes = changesFor(model, samples, place_of);
+  const Eigen::MatrixXd changes = changesFor(model, samples, place_of, learned.new_places);
   learned.changes.setZero(static_cast<Eigen::Index>(samples.origins.size()), changes.cols());
   learned.changes.bottomRows(changes.rows()) = changes;
   return learned;

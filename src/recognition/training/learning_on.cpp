@@ -32,11 +32,12 @@ Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 }  // namespace
 
 Eigen::MatrixXd changesToLead(const Eigen::MatrixXd& decision_values,
-                              const std::vector<int>& labels, double lead) {
+                              const std::vector<int>& labels, const std::vector<double>& leads) {
   assert(decision_values.rows() == static_cast<Eigen::Index>(labels.size()));
   Eigen::MatrixXd changes(decision_values.rows(), decision_values.cols());
   for (Eigen::Index i = 0; i < changes.rows(); ++i) {
     const Eigen::Index own = labels[static_cast<std::size_t>(i)];
+    const double lead = leads[static_cast<std::size_t>(i)];
     std::vector<double> others;
     for (Eigen::Index k = 0; k < changes.cols(); ++k) {
       if (k != own) others.push_back(decision_values(i, k));

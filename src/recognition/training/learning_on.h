@@ -9,10 +9,10 @@
 namespace place_recognition {
 
 /// The smallest changes, by the sum of their squares, after which each row of decision values leads
-/// for its own place by `lead`: the own place rises by as much as the others fall together. Zero
+/// for its own place by its lead: the own place rises by as much as the others fall together. Zero
 /// for rows that lead already. `labels`: the place of each row.
 Eigen::MatrixXd changesToLead(const Eigen::MatrixXd& decision_values,
-                              const std::vector<int>& labels, double lead);
+                              const std::vector<int>& labels, const std::vector<double>& leads);
 
 /// Adds samples to one-against-all machines, which stay as they are elsewhere. A machine f becomes
 /// f + sum_i beta_i K(x_i, .), which interpolates a change: 0 at the vectors of f, and a given one

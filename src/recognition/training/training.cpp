@@ -153,7 +153,10 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
   std::vector<TrainedCue> cues;
   for (std::size_t c = 0; c < options.cues.size(); ++c) {
     TrainingTask task_of_cue = task;
-    if (learned) task_of_cue.learned.emplace(LearnedCue{learned->machines[c], learned->changes});
+    if (learned) {
+      task_of_cue.learned.emplace(
+          LearnedCue{learned->machines[c], learned->changes, learned->new_places});
+    }
     cues.push_back(
         trainCue(std::move(samples.features[c]), options.cues[c], reductions, task_of_cue));
   }
