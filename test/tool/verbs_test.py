@@ -171,11 +171,11 @@ class EvaluateTest(TrainedCase):
 
     def test_evaluate_takes_a_map_of_adjoining_rooms(self):
         self.succeed("simulate", "--out", "drive", "--protocol", "drive", "--size", "64x48",
-                     "--rate", 2, "--conditions", "cloudy")
+                     "--rate", 2, "--conditions", "cloudy,night")
         self.succeed("train", "drive/cloudy.bag", "--model", "./home.places", *COLOUR)
         wrong_map = self.folder / "wrong.yaml"
         wrong_map.write_text("rooms: {kitchen: [office_b], office_a: [printer_area]}")
-        evaluate = ("evaluate", "drive/cloudy.bag", "--model", "./home.places")
+        evaluate = ("evaluate", "drive/night.bag", "--model", "./home.places")
         learned, wrong = (self.figures(*evaluate, *adjacency) for adjacency in (
             (), ("--adjacency", "wrong.yaml")))
         self.assertEqual(learned["average_rate"], wrong["average_rate"])
