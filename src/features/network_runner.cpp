@@ -102,11 +102,15 @@ std::string reasonOf(const std::exception& e) {
   return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
 }
 
+/// Whether OpenCV reads the first layers, and runs them unless they cost too much.
 bool works(const OnnxGraph& graph, std::size_t layers) {
   try {
     cv::dnn::Net net = read(graph.firstLayers(layers));
+    checkCosts(net, graph.input());
     net.setInput(greyImage(graph.input()));
     net.forward();
+    return true;
+  } catch (const Error&) {
     return true;
   } catch (const std::exception&) {
     return false;

@@ -1,6 +1,7 @@
 #include "features/onnx_check.h"
 
 #include <cstdint>
+#include <map>
 #include <set>
 
 #include "base/data_folder.h"
@@ -13,6 +14,9 @@ namespace {
 constexpr int kMaxLayers = 10000;
 constexpr std::int64_t kMaxElements = std::int64_t{1} << 28;
 constexpr std::int64_t kMaxStep = 8192;  // of strides and similar attributes, pixels
+
+/// The number of dimensions of each constant.
+using Ranks = std::map<std::string, int>;
 
 /// The types of elements, with the numbers of ONNX.
 enum ElementType { kFloat = 1, kUint8, kInt8, kInt32 = 6, kInt64, kBool = 9, kHalf, kDouble };
@@ -54,9 +58,11 @@ void checkTensor(const onnx::Tensor& tensor, const std::string& of) {
   require(tensor.external_data_size() == 0, of + " is stored in another file");
   const std::size_t element_bytes = bytesOf(tensor.data_type());
   require(element_bytes > 0, of + " has an unknown type");
+  // OpenCV divides by the sides of weights. An empty list of numbers is common, as of axes.
+  const std::int64_t least = tensor.dims_size() > 1 ? 1 : 0;
   std::int64_t elements = 1;
   for (const std::int64_t dim : tensor.dims()) {
-    require(dim >= 0 && dim <= kMaxElements, of + " has an impossible shape");
+    require(dim >= least && dim <= kMaxElements, of + " has an impossible shape");
     elements *= dim;
     require(elements <= kMaxElements, of + " is too large");
   }
@@ -73,6 +79,21 @@ void checkSteps(const onnx::Attribute& attribute, const std::string& of) {
   if (!is_step && name != "pads") return;
   for (const std::int64_t step : attribute.ints()) {
     require(step >= (is_step ? 1 : 0) && step <= kMaxStep, of + ": '" + name + "' is out of range");
+  }
+}
+
+/// OpenCV joins constants when it reads a network, and writes beyond them if the axis is negative
+/// or missing.
+void checkConcat(const onnx::Node& node, const Ranks& constants) {
+  if (node.op_type() != "Concat") return;
+  for (const onnx::Attribute& attribute : node.attribute()) {
+    if (attribute.name() != "axis") continue;
+    for (const std::string& input : node.input()) {
+      const auto constant = constants.find(input);
+      if (constant == constants.end()) continue;
+      require(attribute.i() >= 0 && attribute.i() < constant->second,
+              "layer " + describe(node) + ": 'axis' is out of range");
+    }
   }
 }
 
@@ -103,9 +124,11 @@ void checkGraph(const onnx::Graph& graph) {
   require(graph.node_size() > 0, "it has no layers");
   require(graph.node_size() <= kMaxLayers, "it has too many layers");
   std::set<std::string> known;
+  Ranks constants;
   for (const onnx::Tensor& tensor : graph.initializer()) {
     checkTensor(tensor, "the tensor " + inQuotes(tensor.name()));
     known.insert(tensor.name());
+    constants[tensor.name()] = tensor.dims_size();
   }
   for (const onnx::ValueInfo& input : graph.input()) known.insert(input.name());
   for (const onnx::Node& node : graph.node()) {
@@ -117,6 +140,10 @@ void checkGraph(const onnx::Graph& graph) {
     require(node.output_size() > 0, "layer " + describe(node) + " has no output");
     known.insert(node.output().begin(), node.output().end());
     checkAttributes(node);
+    checkConcat(node, constants);
+    for (const onnx::Attribute& attribute : node.attribute()) {
+      if (attribute.has_t()) constants[node.output(0)] = attribute.t().dims_size();
+    }
   }
 }
 

@@ -106,6 +106,11 @@ void setOnlyOutput(const std::string& name, onnx::Graph& graph) {
   type.mutable_shape();  // OpenCV requires one, and determines it by itself
 }
 
+void requireOneInput(const onnx::Graph& graph) {
+  require(graph.input_size() == 1,
+          "it takes " + std::to_string(graph.input_size()) + " inputs instead of one image");
+}
+
 /// Makes the first output of a node the only output, and removes what it does not need.
 void cutBehindNode(int last, onnx::Graph& graph) {
   graph.mutable_node()->DeleteSubrange(last + 1, graph.node_size() - last - 1);
@@ -120,8 +125,7 @@ void cutBehindNode(int last, onnx::Graph& graph) {
     return is_needed(input) && constants.count(input.name()) == 0;
   });
   graph.clear_value_info();
-  require(graph.input_size() == 1,
-          "it takes " + std::to_string(graph.input_size()) + " inputs instead of one image");
+  requireOneInput(graph);
 }
 
 }  // namespace
@@ -159,6 +163,7 @@ void OnnxGraph::cutBeforePooling() {
 }
 
 NetworkInput OnnxGraph::input() const {
+  requireOneInput(model_->graph());
   const onnx::ValueInfo& input = model_->graph().input(0);
   const onnx::Shape& shape = input.type().tensor_type().shape();
   require(shape.dim_size() == 4,

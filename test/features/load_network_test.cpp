@@ -94,9 +94,32 @@ TEST(LoadNetwork, RefusesWhatWouldHarmOpenCv) {
   const std::string six = SmallNetwork::number(1, 6);
   longer.replace(longer.find(six), six.size(), SmallNetwork::number(1, 7));
   expectRefused(conv(kernel, longer), "has a length that does not match its shape");
+  expectRefused(conv(kernel, SmallNetwork::tensor("w", {6, 0, 3, 3})), "an impossible shape");
   // 8192 x 8192 pixels between layers.
   expectRefused(conv(kernel + SmallNetwork::ints("pads", {8192, 8192, 8192, 8192}), weights),
                 "more than 1 GiB");
+}
+
+TEST(LoadNetwork, RefusesToJoinConstantsAlongAnAxisThatTheyLack) {
+  const auto joined = [](int axis) {
+    return networkOf(SmallNetwork::node("join", "Concat", {"w", "w"}, "both",
+                                        SmallNetwork::integer("axis", axis)) +
+                     SmallNetwork::node("add", "Add", {"image", "both"}, "out", "") +
+                     SmallNetwork::tensor("w", {1, 3, 8, 16}));
+  };
+  EXPECT_EQ(problemOf(joined(2)).find("'axis'"), std::string::npos);
+  expectRefused(joined(9), "layer 'join' (Concat): 'axis' is out of range");
+  expectRefused(joined(-2), "layer 'join' (Concat): 'axis' is out of range");
+}
+
+TEST(LoadNetwork, NamesTheLayerThatOpenCvDoesNotReadBehindOneThatCostsTooMuch) {
+  // Running the first layer to find the second would take more than 1 GiB.
+  const std::string wide = SmallNetwork::ints("kernel_shape", {3, 3}) +
+                           SmallNetwork::ints("pads", {8192, 8192, 8192, 8192});
+  expectRefused(networkOf(SmallNetwork::node("wide", "Conv", {"image", "w"}, "huge", wide) +
+                          SmallNetwork::node("strange", "NoSuchOperator", {"huge"}, "out", "") +
+                          SmallNetwork::tensor("w", {6, 3, 3, 3})),
+                "layer 'strange' (NoSuchOperator)");
 }
 
 TEST(LoadNetwork, FollowsReshapingLayersToTheirEnd) {

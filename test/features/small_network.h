@@ -77,6 +77,9 @@ class SmallNetwork {
     for (const int value : values) text += number(8, static_cast<std::uint64_t>(value));
     return bytes(5, text);
   }
+  static std::string integer(const std::string& name, int value) {
+    return bytes(5, bytes(1, name) + number(20, 2) + number(3, static_cast<std::uint64_t>(value)));
+  }
   static std::string tensor(const std::string& name, const std::vector<int>& dims) {
     std::string text;
     int count = 1;
