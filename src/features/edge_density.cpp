@@ -9,7 +9,8 @@ namespace place_recognition {
 double EdgeDensity::of(const cv::Mat& image) {
   constexpr int kSobelGain = 8;  // response to a ramp of one grey level per pixel
   constexpr int kLeast = 4 * kSobelGain;
-  cv::GaussianBlur(greyLevels(image, converted_), smoothed_, cv::Size(), 1);
+  cv::GaussianBlur(greyLevels(image, converted_), smoothed_, cv::Size(), 1, 1,
+                   cv::BORDER_DEFAULT | cv::BORDER_ISOLATED);
   cv::spatialGradient(smoothed_, x_, y_);
   std::size_t edges = 0;
   for (int row = 0; row < x_.rows; ++row) {

@@ -26,6 +26,13 @@ TEST(EdgeDensity, OfRampsIsNothingUpToFourLevelsPerPixel) {
   EXPECT_DOUBLE_EQ(densityOf(ramp(6)), 26.0 / 30);
 }
 
+TEST(EdgeDensity, OfAPartOfAnImageIsThatOfItsCopy) {
+  cv::Mat1b image(60, 60, static_cast<std::uint8_t>(255));
+  cv::Mat1b part = image(cv::Rect(20, 20, 20, 20));
+  part.setTo(50);
+  EXPECT_EQ(densityOf(part), 0);
+}
+
 TEST(EdgeDensity, OfAStepIsFourColumns) {
   // Smoothed, the step is 100 Phi(x). Central differences at half pixels: 34 at 0.5, 16 at 1.5, and
   // 3.3, less than 4, at 2.5.

@@ -89,6 +89,13 @@ TEST(Enlarged, AUniformImageStaysUniform) {
   EXPECT_EQ(cv::norm(large, cv::Mat(21, 33, CV_8UC3, cv::Scalar(10, 200, 255)), cv::NORM_INF), 0);
 }
 
+TEST(Enlarged, AreasOfAnImageAreEnlargedAsTheirCopies) {
+  const cv::Mat image = texture(60, 50, CV_8UC3);
+  const cv::Mat area = image(cv::Rect(20, 10, 24, 32));
+  const cv::Mat large = enlarged(area, {36, 48});
+  EXPECT_EQ(cv::norm(large, enlarged(area.clone(), {36, 48}), cv::NORM_INF), 0);
+}
+
 ImageProfile trainedOn(int width, int height) {
   ImageProfile profile;
   profile.width = width;

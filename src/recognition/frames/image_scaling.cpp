@@ -54,7 +54,7 @@ cv::Mat enlarged(const cv::Mat& image, cv::Size size) {
                                                          0.04351784f, -0.02101427f, 0.00783646f);
   cv::Mat centres, large, result;
   cv::sepFilter2D(image, centres, CV_32F, kFromMeansToCentres, kFromMeansToCentres, {-1, -1}, 0,
-                  cv::BORDER_REFLECT);
+                  cv::BORDER_REFLECT | cv::BORDER_ISOLATED);
   cv::resize(centres, large, size, 0, 0, cv::INTER_LANCZOS4);
   large.convertTo(result, image.type());
   return result;
