@@ -170,6 +170,10 @@ TEST(BinarySvms, OfASingleSignAnswerIt) {
   EXPECT_EQ(only.biases, Eigen::RowVector2d(-1, 1));
 }
 
+TEST(BinarySvms, AddInTheSameOrderOnEveryProcessor) {
+  EXPECT_EQ(Eigen::l1CacheSize(), 32 * 1024);  // Eigen cuts sums accordingly
+}
+
 TEST(BinarySvms, VotesAndTies) {
   BinarySvms machines;
   machines.places = 3;
