@@ -61,7 +61,8 @@ Eigen::VectorXd orthogonalMatchingPursuit(PivotedQr& qr, const ChoiceLimits& lim
   std::vector<double> left;
   const double least_norm = std::pow(roundingError(qr.rows()), 2) * columnNorms().maxCoeff();
   Eigen::MatrixXd products = qr.targetProducts();
-  for (Eigen::Index count = 0; count < limits.max_count && gap() > least_gap; ++count) {
+  for (Eigen::Index count = 0; count < limits.max_count && (count == 0 || gap() > least_gap);
+       ++count) {
     reportChoice(progress, count, limits.max_count);
     // The remainder of the targets decreases by the square of its component along each column.
     const Eigen::ArrayXd gains =

@@ -34,8 +34,11 @@ void ReductionOptions::check() const {
   requireOption(support_vectors >= 0, "reduction.support_vectors", "a whole number from 0");
   requireOption(share == 0 || support_vectors == 0, "reduction.support_vectors",
                 "either it or reduction.share");
-  requireOption(method != "auto" || (share == 0 && support_vectors == 0), "reduction.method",
-                "one that is not auto along with reduction.share or reduction.support_vectors");
+  requireOption(
+      method != "auto" || (share == 0 && support_vectors == 0 && tau == ReductionOptions().tau),
+      "reduction.method",
+      "one that is not auto along with reduction.tau, reduction.share or "
+      "reduction.support_vectors");
 }
 
 }  // namespace place_recognition

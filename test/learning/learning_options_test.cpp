@@ -37,6 +37,7 @@ TEST(LearningOptions, NamesTheFieldOutOfRange) {
   EXPECT_TRUE(names(complaint<KernelOptions>([](auto& o) { o.gamma = -1; }), "gamma"));
   EXPECT_TRUE(names(complaint<KernelOptions>([=](auto& o) { o.p = nan; }), "kernel.p"));
   EXPECT_TRUE(names(complaint<KernelOptions>([](auto& o) { o.d = 0; }), "kernel.d"));
+  EXPECT_TRUE(names(complaint<ReductionOptions>([](auto& o) { o.tau = 0.5; }), "reduction.tau"));
   EXPECT_TRUE(names(complaint<KernelOptions>([=](auto& o) { o.kappa = nan; }), "kappa"));
   EXPECT_TRUE(names(complaint<KernelOptions>([=](auto& o) { o.theta = nan; }), "theta"));
   EXPECT_TRUE(names(complaint<SvmOptions>([](auto& o) { o.c = 0; }), "svm.c"));

@@ -250,6 +250,7 @@ TEST(Reduction, GreedyStopsAtTheResidualOfTau) {
   const BinarySvms reduced = reduce(plane.machines, plane.gram, reduction("shared-greedy", tau));
   const int kept = static_cast<int>(count(reduced));
   EXPECT_LE(gap(reduced), tau);
+  EXPECT_EQ(count(reduce(plane.machines, plane.gram, reduction("shared-greedy", 1))), 1u);
   EXPECT_GT(
       gap(reduce(plane.machines, plane.gram, reduction("shared-greedy", tau, true, kept - 1))),
       tau);

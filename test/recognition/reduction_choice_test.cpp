@@ -66,6 +66,20 @@ TEST(ReductionChoice, TakesTheFewestVectorsAtNoLossThatCanBeTold) {
   EXPECT_EQ(choice(reductions, {2, 2, 2, 3}), 2u);
 }
 
+TEST(ReductionChoice, KeepsAllVectorsIfAPlaceHasTooFewSamplesToJudge) {
+  const std::vector<ReductionOptions> reductions{reduction("none", 0), reduction("qr", 0.5)};
+  for (const int judged : {0, 4, 5}) {
+    Answered answered(0);
+    for (int i = 1; i < 40; i += 2) {
+      answered.held_out.valid[static_cast<std::size_t>(i)] = i / 2 < judged;
+    }
+    EXPECT_EQ(
+        chooseReduction(reductions, {answered.held_out, answered.held_out}, answered.samples, 2),
+        judged < 5 ? 0u : 1u)
+        << judged;
+  }
+}
+
 TEST(ReductionChoice, OfEqualSharesTakesTheBetterRate) {
   const std::vector<ReductionOptions> reductions{reduction("none", 0), reduction("qr", 0.3),
                                                  reduction("shared-qr", 0.3)};

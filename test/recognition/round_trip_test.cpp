@@ -60,7 +60,7 @@ std::vector<Kind> kindsOfEitherMulticlass() {
   for (const char* method : {"none", "qr", "shared-qr", "shared-greedy", "auto"}) {
     kinds.push_back({method, twoCueOptions()});
     kinds.back().options.reduction.method = method;
-    kinds.back().options.reduction.tau = 0.1;
+    if (std::string(method) != "auto") kinds.back().options.reduction.tau = 0.1;
   }
   return kinds;
 }

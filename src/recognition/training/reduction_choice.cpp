@@ -1,5 +1,7 @@
 #include "recognition/training/reduction_choice.h"
 
+#include <algorithm>
+
 #include "recognition/model/scores.h"
 #include "recognition/training/cross_validation.h"
 
@@ -24,7 +26,14 @@ class LossComparison {
     reference_ = logLosses(reference, samples, valid_);
   }
 
-  bool empty() const { return valid_.empty(); }
+  /// Whether every place has enough samples to show that its vectors are needed.
+  bool judgesEveryPlace() const {
+    constexpr std::ptrdiff_t kEnough = 5;
+    for (int place = 0; place < static_cast<int>(places_); ++place) {
+      if (std::count(truth_.begin(), truth_.end(), place) < kEnough) return false;
+    }
+    return true;
+  }
 
   /// Mean of the rooms' mean differences: the loss of `reduced`.
   RoomMean loss(const HeldOutValues& reduced) const {
@@ -63,7 +72,7 @@ std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
                             const std::vector<CombinedValues>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places) {
   const LossComparison comparison(held_out[0], samples, places);
-  if (comparison.empty()) return 0;
+  if (!comparison.judgesEveryPlace()) return 0;
   const double full_rate = averageRate(held_out[0], samples, places);
   std::size_t chosen = 0;
   double chosen_loss = 0;

@@ -20,7 +20,8 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
 /// criteria (the loss alone, or a tolerance of one standard error) choose smaller sets that cost
 /// several points of rate on another recording. Of equal fractions, the smaller loss decides.
 /// `held_out`: one for each of `reductions`, of which the first keeps most vectors; it is the
-/// result if no sample is valid.
+/// result unless at least five samples of every place are valid: a place that no sample speaks for
+/// would lose its vectors.
 std::size_t chooseReduction(const std::vector<ReductionOptions>& reductions,
                             const std::vector<CombinedValues>& held_out,
                             const std::vector<SampleOrigin>& samples, std::size_t places);

@@ -291,6 +291,9 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
       samples = joinSamples(std::move(samples),
                             collectSamplesFor(model, recordings, options, threads, progress, 1));
     }
+    if (samples.origins.empty()) {
+      throw Error("The models have no support vectors, and no images are added; add images.");
+    }
     std::optional<LearnedBefore> learned;
     if (canLearnOn(model, samples, incremental)) learned = learnedBefore(model, samples);
     Training training =
