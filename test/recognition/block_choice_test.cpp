@@ -122,6 +122,10 @@ TEST(BlockChoice, IsOverruledByOptions) {
   options.gap = 0;
   EXPECT_EQ(circle(5).blocks(options).length, 9);
   EXPECT_NEAR(circle(5).blocks(options).gap, 3.2, 0.2);
+  // A gap that is found leaves as much to train on as one that is given must.
+  options.block = 2;
+  EXPECT_EQ(circle(5).blocks(options).length, 2);
+  EXPECT_NEAR(circle(5).blocks(options).gap, 2, 1e-9);
   options = {};
   options.folds = 2;
   options.gap = 0.5;

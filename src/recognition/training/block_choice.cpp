@@ -217,6 +217,9 @@ std::vector<TimeBlocks> chooseBlocks(const std::vector<SampleOrigin>& samples,
       gap = gapFor(likeness);
       shortest = likeness.step;
     }
+    if (options.gap == 0 && options.block > 0) {
+      gap = std::min(gap, largestGap(options.block, options.folds));
+    }
     shortest = std::max(shortest, gap * std::max(1.0, 1 / largestGap(1, options.folds)));
     blocks.push_back({options.block > 0 ? options.block : shortest, gap});
   }
