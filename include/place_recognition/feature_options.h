@@ -35,7 +35,7 @@ struct CrfhOptions {
             "one dimension each, all at the first scale, then all at the second and so on: a "
             "channel L, R, G, B, C1 or C2, alone or followed by x, y, xx, xy or yy; or grad(.), "
             "lap(.), det(.) of a channel");
-    visitor("scales", self.scales, "t = sigma^2, pixels^2, each > 0 and <= 400");
+    visitor("scales", self.scales, "t = sigma^2, pixels^2, each 0.01 to 400");
     visitor("sigmas", self.sigmas, "the scales as sigma, pixels; replaces scales if not empty");
     visitor("bins", self.bins, "quantization levels: one number, or one for each descriptor");
     visitor("levels", self.levels,

@@ -10,6 +10,7 @@
 namespace place_recognition {
 namespace {
 
+constexpr double kSmallestScale = 0.01;  // a sampled Gaussian of less is a single sample
 constexpr double kLargestScale = 400;
 constexpr int kMaxBins = 65536;
 
@@ -41,11 +42,12 @@ void CrfhOptions::check() const {
 
   require(!variances().empty(), "CRFH options 'scales' and 'sigmas' are empty; give a scale.");
   for (double sigma : sigmas) {
-    require(sigma > 0 && sigma * sigma <= kLargestScale,
-            "CRFH option 'sigmas' must be > 0 and <= 20.");
+    require(sigma > 0 && sigma * sigma >= kSmallestScale && sigma * sigma <= kLargestScale,
+            "CRFH option 'sigmas' must be from 0.1 to 20.");
   }
   for (double t : scales) {
-    require(t > 0 && t <= kLargestScale, "CRFH option 'scales' must be > 0 and <= 400.");
+    require(t >= kSmallestScale && t <= kLargestScale,
+            "CRFH option 'scales' must be from 0.01 to 400.");
   }
   require(bins.size() == 1 || bins.size() == descriptors.size(),
           "CRFH option 'bins' has " + std::to_string(bins.size()) + " numbers for " +

@@ -120,6 +120,11 @@ TuningPart tunePart(const std::vector<RecordingOpener>& recordings,
                     const std::vector<RecordingOpener>& hold_out, const TrainingOptions& base,
                     const SearchSpace& space, const std::string& cells, const Part& part,
                     unsigned threads, const Progress& progress) {
+  if (part.number < 1 || part.number > part.count) {
+    throw Error("Part " + std::to_string(part.number) + " of " + std::to_string(part.count) +
+                " does not exist; count from 1.");
+  }
+  if (cells.empty()) throw Error("A part of a search needs a folder for its cells; name one.");
   Search search = prepare(recordings, hold_out, base, space, threads, progress, cells);
   bestOfEach(familiesOf(part, space), planThinning(search.images.labelled, space), search);
   return {search.used_cells, search.computed_cells};

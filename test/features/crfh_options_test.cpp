@@ -32,11 +32,11 @@ TEST(CrfhOptions, BadFieldsAreNamed) {
     expectRefused([&](CrfhOptions& o) { o.descriptors = {name}; }, "'" + std::string(name) + "'");
   }
   expectRefused([](CrfhOptions& o) { o.descriptors.clear(); }, "descriptors");
-  for (double t : {0.0, -1.0, 401.0}) {
+  for (double t : {0.0, -1.0, 401.0, 0.009}) {
     expectRefused([&](CrfhOptions& o) { o.scales = {1, t}; }, "scales");
   }
   expectRefused([](CrfhOptions& o) { o.scales.clear(); }, "scales");
-  for (double sigma : {0.0, -1.0, 20.5}) {
+  for (double sigma : {0.0, -1.0, 20.5, 0.09}) {
     expectRefused([&](CrfhOptions& o) { o.sigmas = {sigma}; }, "sigmas");
   }
   for (int bins : {0, -1, 65537}) {

@@ -8,6 +8,8 @@
 
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
+#include "place_recognition/recognizer.h"
+#include "recognition/drawn_recording.h"
 #include "recognition/fitting_header.h"
 #include "recognition/model_contents.h"
 #include "recognition/small_model.h"
@@ -53,6 +55,24 @@ TEST(TamperedModelFile, RefusesSplicedFiles) {
     if (spliced == bytes) continue;
     EXPECT_THROW(parseModel(spliced, "spliced"), Error);
   }
+}
+
+TEST(TamperedModelFile, OfHugeWeightsGivesNoAnswerThatIsNotFinite) {
+  const auto model = std::make_shared<const Model>(
+      parseModel(tampered(smallModelBytes(),
+                          [](ModelContents& contents) {
+                            for (ClassifierNumbers& numbers : contents.classifiers) {
+                              for (double& weight : numbers.weights) {
+                                weight = weight < 0 ? -1.7e308 : 1.7e308;
+                              }
+                            }
+                          }),
+                 "huge"));
+  Recognizer recognizer(model);
+  const Recognition& answer = recognizer.recognize(drawRoom(0, 1));
+  EXPECT_EQ(answer.place, -1);
+  EXPECT_FALSE(answer.known);
+  EXPECT_TRUE(answer.probabilities.allFinite());
 }
 
 struct Tampering {
@@ -105,6 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{"LimitNegative", [](auto& c) { message(c).set_decision_limit(-1); }},
         Tampering{"SlopeNan", [](auto& c) { message(c).set_calibration_slope(kNan); }},
         Tampering{"SlopeNegative", [](auto& c) { message(c).set_calibration_slope(-1); }},
+        Tampering{"WeightOfEvidenceHuge",
+                  [](auto& c) { message(c).set_evidence_weights(0, 1e308); }},
         Tampering{"ThresholdNan", [](auto& c) { message(c).set_unknown_threshold(kNan); }},
         Tampering{"ValidationOutOfRange",
                   [](auto& c) { message(c).set_validation_average_rate(1.5); }},

@@ -122,6 +122,14 @@ TEST(Tune, PartsComputeAllCellsOfTheWhole) {
   EXPECT_EQ(filesIn(cells), 5u);
 }
 
+TEST(Tune, RefusesPartsThatDoNotExist) {
+  const std::vector<RecordingOpener> recordings{opener(drawFrames(2, 4))};
+  for (const Part& part : {Part{1, 0}, Part{0, 3}, Part{4, 3}}) {
+    EXPECT_THROW(tunePart(recordings, kNone, greyCue(), smallSpace(), "cells", part), Error);
+  }
+  EXPECT_THROW(tunePart(recordings, kNone, greyCue(), smallSpace(), "", {}), Error);
+}
+
 TEST(Tune, ContinuesWhereItStopped) {
   const ScratchFolder scratch;
   const std::string cells = scratch / "cells";

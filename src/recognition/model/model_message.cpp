@@ -93,7 +93,10 @@ void readCalibration(const proto::Model& message, Model& model) {
   require(std::isfinite(model.calibration.slope) && model.calibration.slope > 0,
           "the slope of the calibration is not a positive number");
   require(message.evidence_weights_size() == 3, "it does not have three weights of evidence");
-  requireFinite(message.evidence_weights(), "a weight of evidence is not finite");
+  constexpr double kLargestWeight = 1e30;  // sums of products with decision values stay finite
+  for (const double weight : message.evidence_weights()) {
+    require(std::abs(weight) <= kLargestWeight, "a weight of evidence is too large");
+  }
   model.calibration.weights = {message.evidence_weights(0), message.evidence_weights(1),
                                message.evidence_weights(2)};
   model.unknown_threshold = message.unknown_threshold();

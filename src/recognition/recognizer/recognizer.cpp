@@ -19,6 +19,12 @@ namespace {
 
 const std::string kUniformReason = std::string("the image ") + kUniformProblem;
 
+/// Whether sums of the answer of a cue are finite: a model file may contain huge numbers.
+bool isUsable(double familiarity, const Eigen::RowVectorXd& decision_values) {
+  constexpr double kLargest = 1e30;
+  return std::abs(familiarity) <= kLargest && (decision_values.array().abs() <= kLargest).all();
+}
+
 }  // namespace
 
 Recognizer::Recognizer(std::shared_ptr<const Model> model)
@@ -102,6 +108,7 @@ void Recognizer::askCue(std::size_t cue, double stamp, CueAnswer& answer) {
   if (answer.missing) return;
   model_->classifiers[cue].decisionValues(feature, kernel_values_, answer.decision_values);
   answer.familiarity = kernel_values_.size() > 0 ? kernel_values_.maxCoeff() : 0;
+  answer.missing = !isUsable(answer.familiarity, answer.decision_values);
 }
 
 /// Computes the cues that are due and fit into the time; the others are held.
