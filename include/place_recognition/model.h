@@ -40,6 +40,7 @@ struct ImageProfile {
   DepthExtent depth;     ///< of images with 16 bits per channel
 
   bool known() const { return width > 0; }
+  bool includesImages() const { return darkest <= brightest; }  ///< else only the size is known
 };
 
 /// Maximum number of held-out frames that a model keeps.

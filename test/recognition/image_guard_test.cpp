@@ -77,6 +77,17 @@ TEST(ImageGuard, SaysOnceWhatIsWrong) {
   expectSaidOnce({grey_in_colour, grey(two)}, "grey");
 }
 
+TEST(ImageGuard, WarnsOfColourWhereGreyWasLearned) {
+  ImageProfile profile = drawn();
+  profile.colour = false;
+  ImageGuard guard(profile, {});
+  EXPECT_EQ(guard.judge(grey(drawRoom(0, 1)), 0), Sentences());
+  const Sentences news = guard.judge(drawRoom(0, 2), 1);
+  ASSERT_EQ(news.size(), 1u);
+  EXPECT_NE(news[0].find("in colour"), std::string::npos) << news[0];
+  EXPECT_EQ(guard.judge(drawRoom(0, 3), 2), Sentences());
+}
+
 TEST(ImageGuard, KnowsACameraThatShowsOneColour) {
   ImageGuard guard(drawn(), {});
   ASSERT_EQ(guard.judge(uniform(0, 0), 0).size(), 1u);

@@ -42,6 +42,9 @@ std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
     if (trained_.colour && !statistics.colour && !isUniform(statistics)) {
       fault(kGrey, "Images are grey, but the model was trained on colour images",
             "check the camera's encoding");
+    } else if (trained_.includesImages() && !trained_.colour && statistics.colour) {
+      fault(kColour, "Images are in colour, but the model was trained on grey images",
+            "set the camera to grey, or train with its present images");
     }
   }
   if (isUniform(statistics)) judgeUniform(statistics.brightness);

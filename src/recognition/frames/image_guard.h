@@ -29,7 +29,7 @@ class ImageGuard {
   bool blind() const { return blind_; }
 
  private:
-  enum Kind { kSize, kAspectRatio, kGrey, kBlack, kWhite, kOneColour, kFrozen, kKinds };
+  enum Kind { kSize, kAspectRatio, kGrey, kColour, kBlack, kWhite, kOneColour, kFrozen, kKinds };
 
   void judgeSize(cv::Size size);
   void judgeUniform(double brightness);
