@@ -153,6 +153,7 @@ void tuneWhole(const TuneOptions& options, const Task& task) {
                               options.threads, display.callback(), options.cells);
   display.clear();
 
+  if (!tuning.complete && tuning.trials.empty()) throw Cancelled();
   options.output.text() << finalTable(tuning) << std::flush;  // also if the file cannot be written
   writeText(options.out, yamlOf(tuning, options.inputs));
   printBest(tuning, options.out, options.output.text());

@@ -69,6 +69,21 @@ class TuneTest(ToolCase):
         self.assertIn("stopped before its end", (self.folder / "office.yaml").read_text())
         self.succeed("train", "long", "--model", "./office.places", "--config", "office.yaml")
 
+    def test_a_stop_before_the_first_result_keeps_what_is_there(self):
+        self.write_run("long", views=60)
+        (self.folder / "office.yaml").write_text("svm: {c: 7}")
+        process = subprocess.Popen(
+            [PLACE_TOOL, "tune", "long", "--out", "office.yaml", "--progress", "json"],
+            cwd=self.folder, env=self.environment(), text=True, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE)
+        for line in process.stdout:
+            if json.loads(line)["stage"].startswith("Looking for cues"):
+                process.send_signal(signal.SIGINT)
+                break
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual((self.folder / "office.yaml").read_text(), "svm: {c: 7}")
+
     def test_parts_and_a_killed_search_give_the_same_configuration(self):
         self.write_run("long", views=40)
         search = ("tune", "long", "--space", "space.yaml", "--out")
