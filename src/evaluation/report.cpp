@@ -62,7 +62,7 @@ std::string runTable(const Summary& summary) {
   }
   html += "<tr><th>mean of the rooms</th>";
   for (const RecordingSummary& recording : summary.recordings)
-    html += "<td>" + percent(recording.average_rate) + "</td>";
+    html += "<td>" + rateText(recording.average_rate) + "</td>";
   return html +
          "</tr>\n</table>\n<p>Mean over the rooms of all runs: " + percent(summary.test_set_rate) +
          "</p>\n";

@@ -16,12 +16,14 @@ Json roomsJson(const std::vector<RoomSummary>& rooms, const std::vector<std::str
   return json;
 }
 
+Json jsonOf(const std::optional<double>& rate) { return rate ? Json(*rate) : Json(); }
+
 Json runsJson(const Summary& summary) {
   Json json = Json::array();
   for (const RecordingSummary& recording : summary.recordings) {
     json.push_back({{"name", recording.name},
                     {"condition", recording.condition},
-                    {"average_rate", recording.average_rate},
+                    {"average_rate", jsonOf(recording.average_rate)},
                     {"rooms", roomsJson(recording.rooms, summary.places)}});
   }
   return json;
@@ -30,8 +32,9 @@ Json runsJson(const Summary& summary) {
 Json camerasJson(const Summary& summary) {
   Json json = Json::array();
   for (const CameraSummary& camera : summary.cameras) {
-    json.push_back(
-        {{"name", camera.name}, {"count", camera.count}, {"average_rate", camera.average_rate}});
+    json.push_back({{"name", camera.name},
+                    {"count", camera.count},
+                    {"average_rate", jsonOf(camera.average_rate)}});
   }
   return json;
 }

@@ -27,7 +27,7 @@ std::string ratesTable(const Summary& summary) {
   rows.push_back({"mean of the rooms", "", percent(summary.average_rate), ""});
   if (several) {
     for (const RecordingSummary& recording : summary.recordings)
-      rows.back().push_back(percent(recording.average_rate));
+      rows.back().push_back(rateText(recording.average_rate));
   }
   return alignColumns(rows);
 }
@@ -37,7 +37,7 @@ std::string camerasTable(const Summary& summary) {
   if (summary.cameras.empty()) return "";
   TextRows rows{{"camera", "images", "mean of the rooms"}};
   for (const CameraSummary& camera : summary.cameras) {
-    rows.push_back({camera.name, std::to_string(camera.count), percent(camera.average_rate)});
+    rows.push_back({camera.name, std::to_string(camera.count), rateText(camera.average_rate)});
   }
   return alignColumns(rows) + "\n";
 }

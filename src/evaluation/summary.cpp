@@ -36,8 +36,9 @@ double sumOfRates(const std::vector<RoomSummary>& rooms) {
                          [](double sum, const RoomSummary& room) { return sum + room.rate(); });
 }
 
-double meanRate(const std::vector<RoomSummary>& rooms) {
-  return rooms.empty() ? 0 : sumOfRates(rooms) / static_cast<double>(rooms.size());
+std::optional<double> meanRate(const std::vector<RoomSummary>& rooms) {
+  if (rooms.empty()) return std::nullopt;
+  return sumOfRates(rooms) / static_cast<double>(rooms.size());
 }
 
 std::string conditionOf(const std::string& recording) {
@@ -138,6 +139,8 @@ void summarizeLatency(const Evaluation& evaluation, Summary& summary) {
 
 }  // namespace
 
+std::string rateText(const std::optional<double>& rate) { return rate ? percent(*rate) : ""; }
+
 std::string RecordingSummary::rateText(int place) const {
   const auto room = std::find_if(rooms.begin(), rooms.end(), [place](const RoomSummary& candidate) {
     return candidate.place == place;
@@ -149,7 +152,7 @@ Summary summarize(const Evaluation& evaluation) {
   Summary summary;
   summary.places = evaluation.places;
   summary.rooms = summarizeRooms(evaluation, [](const FrameResult&) { return true; });
-  summary.average_rate = meanRate(summary.rooms);
+  summary.average_rate = meanRate(summary.rooms).value_or(0);
   summarizeRecordings(evaluation, summary);
   summarizeCameras(evaluation, summary);
   summary.confusion = confusionOf(evaluation);

@@ -26,12 +26,15 @@ struct RoomSummary {
   }
 };
 
+/// Text such as "96.5 %"; empty without a rate.
+std::string rateText(const std::optional<double>& rate);
+
 /// The rooms in one run (usually one illumination condition).
 struct RecordingSummary {
   std::string name;
-  std::string condition;           ///< last part of the name, without `.bag`
-  std::vector<RoomSummary> rooms;  ///< learned rooms with images
-  double average_rate = 0;         ///< mean of their rates
+  std::string condition;                    ///< last part of the name, without `.bag`
+  std::vector<RoomSummary> rooms;           ///< learned rooms with images
+  std::optional<double> average_rate = {};  ///< mean of their rates; empty without rooms
 
   /// The rate of a room, such as "96.5 %"; empty if the recording does not show it.
   std::string rateText(int place) const;
@@ -41,7 +44,7 @@ struct RecordingSummary {
 struct CameraSummary {
   std::string name;         ///< its topic; "images in folders" for folders, which have none
   std::uint64_t count = 0;  ///< images of learned rooms
-  double average_rate = 0;  ///< mean of the rooms' rates
+  std::optional<double> average_rate = {};  ///< mean of the rooms' rates; empty without images
 };
 
 /// Counts by true place (row) and most probable place (column).

@@ -93,7 +93,7 @@ class Reducer {
     if (inputs.empty()) return {};
     const bool is_only = options_.train.empty() || options_.validate.empty();
     return collectSamplesFor(model_, input.openers(inputs, is_only), model_.options, 0, progress_,
-                             2);
+                             1);
   }
 
   ReductionFigures measured(const Model& model) const {

@@ -158,6 +158,17 @@ class EvaluateTest(TrainedCase):
         latency = figures["latency_ms"]
         self.assertTrue(0 < latency["p50"] <= latency["p95"] <= latency["p99"])
 
+    def test_a_run_without_learned_rooms_has_no_rate(self):
+        self.write_run("attics/attic", rooms=("kitchen",))
+        (self.folder / "attics/attic/kitchen").rename(self.folder / "attics/b")
+        (self.folder / "attics/attic").rmdir()
+        evaluate = ("evaluate", "tuesday", "attics", "--model", "./home.places")
+        runs = self.figures(*evaluate)["runs"]
+        self.assertGreater(runs[0]["average_rate"], 0.5)
+        self.assertIsNone(runs[1]["average_rate"])
+        mean = next(line for line in self.succeed(*evaluate).splitlines() if "mean of" in line)
+        self.assertEqual(mean.count("%"), 2)  # over all, and of tuesday
+
     def test_text_has_one_line_per_room(self):
         text = self.succeed("evaluate", "tuesday", "--model", "./home.places")
         for room in ROOMS:
@@ -204,6 +215,11 @@ class ReduceTest(TrainedCase):
         figures = self.reduce("--method", "shared-greedy", "--support-vectors", 5, "--train",
                               "monday")
         self.assertEqual(figures["support_vectors_after"], 5)
+
+    def test_one_known_room_is_enough_to_validate_on(self):
+        self.write_run("kitchens", rooms=("kitchen",), seed=1)
+        figures = self.reduce("--share", 0.5, "--validate", "kitchens")
+        self.assertGreater(figures["validation"]["average_rate_before"], 0.5)
 
     def test_loss_stays_within_bounds_and_one_vector_fewer_does_not(self):
         arguments = ("--method", "shared-qr")
