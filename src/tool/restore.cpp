@@ -78,10 +78,11 @@ void restore(const RestoreOptions& options) {
     options.output.writeJson({{"models", models}});
     return;
   }
+  const bool replaces = std::filesystem::exists(path);
   restoreModel(path, options.age);
-  options.output.text() << "Backup " << options.age
-                        << " is in use again; the replaced model is now backup 1. "
-                        << "Running recognizers load it with ~reload_model." << std::endl;
+  options.output.text() << "Backup " << options.age << " is in use again"
+                        << (replaces ? "; the replaced model is now backup 1" : "")
+                        << ". Running recognizers load it with ~reload_model." << std::endl;
   options.output.writeJson({{"models", listModels(path)}});
 }
 

@@ -21,10 +21,18 @@ class RestoreTest(ToolCase):
     def test_the_newest_backup_unless_told_otherwise(self):
         self.succeed("train", "tuesday", "--model", "home", *COLOUR)
         self.assertEqual(len(self.rooms()), 2)
-        self.assertIn("in use again", self.succeed("restore", "home"))
+        text = self.succeed("restore", "home")
+        self.assertIn("in use again; the replaced model is now backup 1", text)
         self.assertEqual(len(self.rooms()), 3)
         self.succeed("restore", "home")  # and back
         self.assertEqual(len(self.rooms()), 2)
+
+    def test_after_the_model_was_removed(self):
+        self.succeed("train", "tuesday", "--model", "./home.places", *COLOUR)
+        self.succeed("train", "monday", "--model", "./home.places", *COLOUR)
+        (self.folder / "home.places").unlink()
+        text = self.succeed("restore", "./home.places")
+        self.assertIn("in use again. Running", text)
 
     def test_three_are_kept_and_listed(self):
         for _ in range(4):
