@@ -232,9 +232,10 @@ void InputOptions::requireBag(const std::vector<std::string>& paths) const {
 
 void requireOtherRuns(const std::vector<std::string>& validate,
                       const std::vector<std::string>& learned) {
-  for (const std::string& run : validate) {
+  const std::vector<std::string> learned_runs = findRecordings(learned);
+  for (const std::string& run : findRecordings(validate)) {
     const bool is_learned =
-        std::any_of(learned.begin(), learned.end(), [&run](const std::string& other) {
+        std::any_of(learned_runs.begin(), learned_runs.end(), [&run](const std::string& other) {
           std::error_code ignored;  // what does not exist is reported when it is opened
           return fs::equivalent(other, run, ignored);
         });

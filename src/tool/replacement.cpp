@@ -10,18 +10,25 @@
 #include "evaluation/summary.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
+#include "recognition/training/learned_runs.h"
 
 namespace place_recognition::tool {
 
 Replacement::Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
                          const Progress& progress)
     : recordings_(std::move(recordings)), path_(path) {
-  if (std::filesystem::exists(path_)) old_rooms_ = roomsOf(loadModel(path_), recordings_, progress);
+  if (std::filesystem::exists(path_))
+    old_rooms_ = roomsOf(loadModel(path_), path_, recordings_, progress);
 }
 
-std::vector<Replacement::Room> Replacement::roomsOf(const Model& model,
+std::vector<Replacement::Room> Replacement::roomsOf(const Model& model, const std::string& whose,
                                                     const std::vector<RecordingOpener>& recordings,
                                                     const Progress& progress) {
+  for (const RecordingOpener& open : recordings) {
+    const std::string run = open()->name();
+    if (!isTrainedOn(model.provenance, run)) continue;
+    throw Error("--validate: " + whose + " was trained on " + run + "; give another run.");
+  }
   const std::shared_ptr<const Model> borrowed(std::shared_ptr<const Model>(), &model);
   const Summary summary = summarize(evaluate(borrowed, recordings, 0, progress));
   std::vector<Room> rooms;
@@ -48,7 +55,7 @@ std::pair<double, double> Replacement::meanRate(const std::vector<Room>& rooms,
 }
 
 double Replacement::judge(const Model& model, const Progress& progress) const {
-  const std::vector<Room> rooms = roomsOf(model, recordings_, progress);
+  const std::vector<Room> rooms = roomsOf(model, "the new model", recordings_, progress);
   const double rate = meanRate(rooms, old_rooms_).first;
   const auto [old_rate, error] = meanRate(old_rooms_, rooms);
   if (!old_rooms_.empty() && rate < old_rate - error) {

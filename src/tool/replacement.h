@@ -17,11 +17,13 @@ namespace place_recognition::tool {
 class Replacement {
  public:
   /// Recognizes `recordings` with the model at `path`. If the path is empty or there is no file,
-  /// every new model is accepted. Throws Error, Cancelled.
+  /// every new model is accepted. Throws Error, also if the model was trained on one of the
+  /// recordings; Cancelled.
   Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
               const Progress& progress);
 
-  /// The rate of `model` on the runs, 0..1. Throws Error if that of the old model is better.
+  /// The rate of `model` on the runs, 0..1. Throws Error if that of the old model is better, or if
+  /// `model` was trained on one of them.
   double judge(const Model& model, const Progress& progress) const;
 
  private:
@@ -30,7 +32,8 @@ class Replacement {
     double rate;
     double variance;  // of the rate
   };
-  static std::vector<Room> roomsOf(const Model& model,
+  /// `whose`: the name of the model in errors.
+  static std::vector<Room> roomsOf(const Model& model, const std::string& whose,
                                    const std::vector<RecordingOpener>& recordings,
                                    const Progress& progress);
   /// Mean and standard error over the rooms of both models.

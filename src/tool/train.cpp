@@ -70,7 +70,7 @@ std::string heldOutText(const Model& model) {
   if (judged.empty()) return "Not validated: too few images to hold any of them out.";
   const ValidationOptions& options = model.options.validation;
   std::ostringstream text;
-  text << std::setprecision(2) << "Held-out ";
+  text << std::setprecision(options.block < 100 ? 2 : 6) << "Held-out ";
   if (options.block > 0) {
     text << "blocks of " << options.block << " s, " << options.gap
          << " s from what was trained on: ";

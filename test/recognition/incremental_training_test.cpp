@@ -80,6 +80,21 @@ TEST(TrainIncrementally, KeepsToItsLimitAndRemembersRoomsThatDoNotComeAgain) {
   EXPECT_GT(rateOn(std::move(training.model), 3), 0.85);
 }
 
+TEST(TrainIncrementally, WarnsOfFiguresThatAreTooGood) {
+  const Training before = train({opener(drawFrames(3, 20), "monday")}, twoCueOptions());
+  const auto warnings = [&](const std::string& run, int limit) {
+    std::string text;
+    const std::vector<RecordingOpener> runs{opener(drawFrames(3, 20, 100), run)};
+    for (const std::string& warning : trainIncrementally(before.model, runs, {limit}).warnings) {
+      text += warning;
+    }
+    return text;
+  };
+  EXPECT_EQ(warnings("tuesday", 0), "");
+  EXPECT_NE(warnings("./monday", 0).find("already trained on ./monday"), std::string::npos);
+  EXPECT_NE(warnings("tuesday", 2).find("keeps 2 support vectors of"), std::string::npos);
+}
+
 TEST(TrainIncrementally, KeepsTheNetworkThatTheModelCarries) {
   TrainingOptions options = twoCueOptions();
   options.cues[1].feature = SmallNetwork::options();

@@ -58,6 +58,14 @@ TEST(Recalibrate, LeavesTheMachinesAsTheyAre) {
   }
 }
 
+TEST(Recalibrate, WarnsOfARunThatWasLearnedHoweverItsPathIsWritten) {
+  for (const char* path : {"drawn", "./drawn/", "there/../drawn"}) {
+    const Recalibration result = recalibrate(drawnModel(), {opener(drawFrames(3, 20), path)});
+    ASSERT_EQ(result.warnings.size(), 1u) << path;
+    EXPECT_NE(result.warnings[0].find("was trained on"), std::string::npos);
+  }
+}
+
 TEST(Recalibrate, LeavesPlacesOutThatTheModelDoesNotKnow) {
   const Recalibration result =
       recalibrate(drawnModel(2), {opener(drawFrames(3, 20, 800), "tuesday")});

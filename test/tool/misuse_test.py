@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Nothing that a user says is silently ignored, and no command destroys what it was given."""
 import os
+import shutil
 import unittest
 
 from tool_case import ROOMS, ToolCase, paint
@@ -71,6 +72,19 @@ class OptionsTest(MisuseCase):
         for verb in (["tune", "monday", "--out", "tuned.yaml"],
                      ["reduce", *MODEL, "--out", "./small.places", "--train", "monday"]):
             self.assert_usage(["--validate", "monday"], *verb, "--validate", "./monday")
+
+    def test_no_model_is_judged_by_a_run_that_it_learned(self):
+        self.train()
+        shutil.copytree(self.folder / "monday", self.folder / "site/monday")
+        self.write_run("site/tuesday", seed=1)
+        for learned, judge in (("site", "site/monday"), ("site/monday", "site")):
+            self.assert_usage(["--validate", "site/monday"], "train", learned, "--model",
+                              "./new.places", "--validate", judge)
+        line = self.refuse("train", "site/tuesday", *MODEL, "--validate", "./monday/")
+        self.assertIn("./home.places was trained on ./monday", line)
+        line = self.refuse("train", "site/tuesday", "--add-to", "./home.places", "--model",
+                           "./new.places", "--validate", self.folder / "monday")
+        self.assertIn("was trained on " + str(self.folder / "monday"), line)
 
     def test_labels_do_not_apply_to_the_runs_to_validate_on(self):
         self.train()

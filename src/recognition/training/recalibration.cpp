@@ -12,6 +12,7 @@
 #include "recognition/recognizer/evidence_shift.h"
 #include "recognition/training/calibration_set.h"
 #include "recognition/training/combination.h"
+#include "recognition/training/learned_runs.h"
 #include "recognition/training/model_answers.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/samples.h"
@@ -117,8 +118,7 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   Samples samples = collectSamplesFor(model, recordings, options, threads, progress, 1);
   result.warnings = samples.warnings;
   for (const std::string& input : samples.inputs) {
-    const std::vector<std::string>& trained = model.provenance.inputs;
-    if (std::find(trained.begin(), trained.end(), input) == trained.end()) continue;
+    if (!isTrainedOn(model.provenance, input)) continue;
     result.warnings.push_back("The model was trained on " + input +
                               ", so it seems to be right and sure more often than on other runs.");
   }

@@ -21,6 +21,7 @@
 #include "recognition/training/combination.h"
 #include "recognition/training/cue_training.h"
 #include "recognition/training/learned_before.h"
+#include "recognition/training/learned_runs.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/reduction_choice.h"
 #include "recognition/training/remembered_samples.h"
@@ -95,6 +96,28 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
                        places[static_cast<std::size_t>(pair.b)] +
                        "' look alike: " + percent(pair.rate, 0) +
                        " of their held-out images are mistaken for the other place.");
+  }
+}
+
+void warnOfLearnedRuns(const Model& model, Samples& samples) {
+  for (const std::string& input : samples.inputs) {
+    if (!isTrainedOn(model.provenance, input)) continue;
+    samples.warnings.push_back("The model was already trained on " + input +
+                               ", so the figures of held-out images are too good; give new runs.");
+  }
+}
+
+/// Warns of a limit that leaves little of what earlier held-out frames have judged.
+void warnOfTightLimit(const Model& model, int vector_limit, std::vector<std::string>& warnings) {
+  if (vector_limit == 0) return;
+  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
+    const std::size_t before = model.classifiers[c].supportVectorCount();
+    if (2 * static_cast<std::size_t>(vector_limit) >= before) continue;
+    warnings.push_back("The limit keeps " + counted(vector_limit, "support vector") + " of " +
+                       std::to_string(before) +
+                       " that the model had, so its confidence and the figures of held-out images "
+                       "are too good; run `place_tool calibrate` on another run.");
+    return;
   }
 }
 
@@ -288,8 +311,9 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
     if (recordings.empty()) {
       options.validation = model.options.validation;  // there are no new frames for validation
     } else {
-      samples = joinSamples(std::move(samples),
-                            collectSamplesFor(model, recordings, options, threads, progress, 1));
+      Samples fresh = collectSamplesFor(model, recordings, options, threads, progress, 1);
+      warnOfLearnedRuns(model, fresh);
+      samples = joinSamples(std::move(samples), std::move(fresh));
     }
     if (samples.origins.empty()) {
       throw Error("The models have no support vectors, and no images are added; add images.");
@@ -298,6 +322,7 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
     if (canLearnOn(model, samples, incremental)) learned = learnedBefore(model, samples);
     Training training =
         learn(std::move(samples), options, incremental.forgetting, threads, progress, learned);
+    warnOfTightLimit(model, incremental.vector_limit, training.warnings);
     training.model.asked = model.asked;
     if (!training.model.cameras.known()) training.model.cameras = model.cameras;
     return training;
