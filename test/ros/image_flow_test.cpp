@@ -119,6 +119,23 @@ TEST(RateLimit, RestartsAfterAReset) {
   EXPECT_TRUE(rate_limit.admits(50, 1));
 }
 
+TEST(RateLimit, FollowsAChangeOfTheRateAtOnce) {
+  RateLimit rate_limit;
+  int i = 0;
+  const auto count = [&](double limit, int images) {
+    int admitted = 0;
+    for (const int end = i + images; i < end; ++i) {
+      if (rate_limit.admits(1000 + 0.1 * i, limit)) ++admitted;
+    }
+    return admitted;
+  };
+  EXPECT_EQ(count(0.05, 8), 1);
+  EXPECT_EQ(count(10, 10), 10);
+  EXPECT_EQ(count(1, 9), 0);
+  EXPECT_EQ(count(1, 10), 1);
+  EXPECT_EQ(count(0, 5), 5);
+}
+
 TEST(DebugImage, HasABarAPlaceAndFitsAnyImage) {
   Model model;
   model.places = {"corridor", "kitchen"};
