@@ -7,22 +7,21 @@ namespace place_recognition {
 namespace {
 
 constexpr int kPollPeriod = 100;  // ms; the thread notices its end within this time
+constexpr tcflag_t kLineMode = ICANON | ECHO;
 
 }  // namespace
 
 Keyboard::Keyboard(int terminal, Callback callback)
     : terminal_(terminal), callback_(std::move(callback)) {
   tcgetattr(terminal_, &before_);
-  termios keys = before_;
-  keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-  tcsetattr(terminal_, TCSANOW, &keys);
+  endLineMode();
   thread_ = std::thread([this] { read(); });
 }
 
 Keyboard::~Keyboard() {
   ended_ = true;
   thread_.join();
-  tcsetattr(terminal_, TCSANOW, &before_);
+  if (isUsable(terminal_)) tcsetattr(terminal_, TCSANOW, &before_);
 }
 
 bool Keyboard::isUsable(int descriptor) {
@@ -31,10 +30,20 @@ bool Keyboard::isUsable(int descriptor) {
   return foreground < 0 || foreground == getpgrp();
 }
 
+void Keyboard::endLineMode() {
+  termios mode{};
+  if (tcgetattr(terminal_, &mode) != 0 || (mode.c_lflag & kLineMode) == 0) return;
+  before_ = mode;
+  mode.c_lflag &= ~kLineMode;
+  tcsetattr(terminal_, TCSANOW, &mode);
+}
+
 void Keyboard::read() {
   while (!ended_) {
-    pollfd input{terminal_, POLLIN, 0};
-    if (poll(&input, 1, kPollPeriod) <= 0) continue;
+    const bool usable = isUsable(terminal_);
+    if (usable) endLineMode();
+    pollfd input{usable ? terminal_ : -1, POLLIN, 0};  // -1: only waits
+    if (poll(&input, 1, kPollPeriod) <= 0 || !isUsable(terminal_)) continue;
     char key = 0;
     if (::read(terminal_, &key, 1) != 1) return;  // the terminal has been closed
     callback_(key);
