@@ -92,6 +92,14 @@ TEST_F(RoomHeld, IsNotSureWhenAnswersCease) {
   EXPECT_EQ(add(beliefIn("kitchen", 0.95)), "");  // it may have been elsewhere in between
 }
 
+TEST_F(RoomHeld, WaitsForeverWithoutATimeout) {
+  held_ = HeldRoom(HeldRoom::Options{0.9, 1, 0});
+  for (int i = 0; i < 3; ++i) add(beliefIn("kitchen", 0.95));
+  now_ += ros::Duration(1e6);
+  EXPECT_EQ(held_.sureRoom(now_), "kitchen");
+  EXPECT_NEAR(held_.probabilityOf("kitchen", now_), 0.95, 1e-12);
+}
+
 TEST_F(RoomHeld, IsForgotten) {
   for (int i = 0; i < 3; ++i) add(beliefIn("kitchen", 0.95));
   held_.forget();

@@ -27,7 +27,8 @@ void HeldRoom::add(const PlaceRecognition& belief, const ros::Time& now) {
 }
 
 bool HeldRoom::isMissing(const ros::Time& now) const {
-  return !belief_ || (now - arrival_).toSec() > options_.timeout;
+  if (!belief_) return true;
+  return options_.timeout > 0 && (now - arrival_).toSec() > options_.timeout;
 }
 
 std::string HeldRoom::sureRoom(const ros::Time& now) const {

@@ -16,7 +16,7 @@ class HeldRoom {
   struct Options {
     double min_probability = 0;  ///< of a room, against the other rooms and 'unknown', 0..1
     double hold = 0;             ///< s for which it must have had it
-    double timeout = 0;          ///< s after which the next answer counts as missing
+    double timeout = 0;          ///< s after which the next answer counts as missing; 0: never
   };
 
   explicit HeldRoom(const Options& options) : options_(options) {}
