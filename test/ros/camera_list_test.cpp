@@ -60,11 +60,23 @@ TEST(CameraList, RefusesWhatCannotBeMeant) {
   };
   EXPECT_NE(refuses("[front, 'a b']", "", "m").find("'a b'"), std::string::npos);
   EXPECT_NE(refuses("[front, front]", "", "m").find("twice"), std::string::npos);
+  EXPECT_NE(refuses("[front, /front]", "", "m").find("'/front' twice"), std::string::npos);
   EXPECT_NE(refuses("[a, b, c, d, e, f, g, h, i]", "", "m").find("at most 8"), std::string::npos);
   EXPECT_NE(refuses("[front, rear]", "[a]", "").find("1 name for 2 cameras"), std::string::npos);
   EXPECT_NE(refuses("", "[a, b]", "").find("2 names for 1 camera"), std::string::npos);
   EXPECT_NE(refuses("[front, rear]", "[a, b]", "m").find("Both ~model and ~models"),
             std::string::npos);
+}
+
+TEST(CameraList, HasEachTopicOnce) {
+  Parameters parameters = parametersOf({{"cameras", "[front, /front/image_raw]"}});
+  const std::vector<CameraName> cameras = readCameras(parameters);
+  requireDifferentTopics(cameras, {"/robot/front/image_raw", "/front/image_raw"});
+  EXPECT_EQ(errorOf([&] {
+              requireDifferentTopics(cameras, {"/front/image_raw", "/front/image_raw"});
+            }),
+            "The cameras 'front' and 'front/image_raw' of ~cameras are the same topic, "
+            "/front/image_raw; name each camera once.");
 }
 
 TEST(CameraCorrelationParameter, IsOneNumberOrOneForEachPair) {

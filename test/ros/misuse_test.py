@@ -78,6 +78,12 @@ class RecognizerTest(RecognizerCase):
                        for status in report.status if "Images" in status.name)
         self.wait_for(is_said, lambda: reports)
 
+    def test_each_camera_has_its_own_topic(self):
+        for arguments in (["_cameras:=[front, /front/image_raw]"],
+                          ["_cameras:=[front, rear]", "rear/image_raw:=front/image_raw"]):
+            self.expect_end(self.start_node("place_recognizer", *arguments), 1,
+                            "of ~cameras are the same topic, /front/image_raw")
+
     def test_cameras_change_their_models_together(self):
         for name in ("ma", "mb"):
             self.train(self.write_run("run.bag"), name)

@@ -55,6 +55,17 @@ std::vector<CameraName> readCameras(Parameters& parameters) {
   return cameras;
 }
 
+void requireDifferentTopics(const std::vector<CameraName>& cameras,
+                            const std::vector<std::string>& topics) {
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    for (std::size_t other = 0; other < i; ++other) {
+      if (topics[other] != topics[i]) continue;
+      throw Error("The cameras '" + cameras[other].name + "' and '" + cameras[i].name +
+                  "' of ~cameras are the same topic, " + topics[i] + "; name each camera once.");
+    }
+  }
+}
+
 Eigen::MatrixXd readCameraCorrelation(Parameters& parameters, std::size_t cameras) {
   const std::vector<double> given = parameters.reals("camera_correlation", 0, 1);
   if (given.empty()) return {};

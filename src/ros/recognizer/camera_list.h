@@ -20,6 +20,10 @@ struct CameraName {
 /// a name is not a topic, occurs twice, or has no model although others do.
 std::vector<CameraName> readCameras(Parameters& parameters);
 
+/// Throws Error if two cameras have the same topic. `topics`: of each camera, after remapping.
+void requireDifferentTopics(const std::vector<CameraName>& cameras,
+                            const std::vector<std::string>& topics);
+
 /// Reads the correlation of the cameras' errors from `~camera_correlation`, one number for all
 /// pairs or one per pair (first and second, first and third, ...): cameras x cameras. Empty if it
 /// is not set. Throws Error for any other count of numbers.

@@ -25,6 +25,7 @@ std::vector<std::string> topicsOf(const ros::NodeHandle& node,
                                   const std::vector<CameraName>& cameras) {
   std::vector<std::string> topics;
   for (const CameraName& camera : cameras) topics.push_back(node.resolveName(camera.topic));
+  requireDifferentTopics(cameras, topics);
   return topics;
 }
 
