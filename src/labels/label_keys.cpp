@@ -34,6 +34,11 @@ LabelKeys::LabelKeys(std::vector<std::string> places, std::vector<int> buttons, 
     buttons_.resize(places_.size());
     std::iota(buttons_.begin(), buttons_.end(), 0);
   }
+  for (const int button : buttons_) {
+    if (button >= 0) continue;
+    throw Error("The parameter ~buttons has " + std::to_string(button) +
+                "; give numbers from 0, the first button.");
+  }
   if (buttons_.size() != places_.size()) {
     throw Error("The parameter ~buttons must have one button for each of ~places.");
   }

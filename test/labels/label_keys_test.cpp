@@ -68,5 +68,17 @@ TEST(LabelKeys, ButtonsCanBeChosen) {
   EXPECT_THROW(LabelKeys({"unknown"}, {}, -1), Error);
 }
 
+TEST(LabelKeys, ButtonsCountFromZero) {
+  for (const int button : {-5, -1}) {
+    try {
+      LabelKeys(kPlaces, {0, button}, -1);
+      ADD_FAILURE() << button;
+    } catch (const Error& e) {
+      EXPECT_EQ(std::string(e.what()), "The parameter ~buttons has " + std::to_string(button) +
+                                           "; give numbers from 0, the first button.");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace place_recognition
