@@ -139,6 +139,36 @@ TEST_F(ImpatientRecognizerNode, ThePlaceEndsWhereImagesCannotBeUsed) {
   EXPECT_TRUE(placeBecomes(places, "unknown"));
 }
 
+TEST_F(ImpatientRecognizerNode, ThePlaceEndsWhenTheLensIsCovered) {
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  Inbox<PlaceRecognition> beliefs(node_, name_ + "/belief");
+  ASSERT_TRUE(showRoom1(places));
+  places.clear();
+  const ros::Time covered = nextStamp();
+  const cv::Mat black = drawRoom(1, 1) * 0;
+  for (int i = 0; i < 150 && places.messages().empty(); ++i) {
+    camera_.send(black, nextStamp().toSec());
+    ros::WallDuration(0.1).sleep();
+  }
+  EXPECT_TRUE(placeBecomes(places, "unknown"));
+  for (const PlaceRecognition& belief : beliefs.messages()) {
+    EXPECT_LT(belief.header.stamp, covered);
+  }
+  EXPECT_TRUE(showRoom1(places));
+}
+
+TEST_F(RecognizerNode, AnswersUnknownToABlackFrameWithoutSmoothing) {
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  Inbox<PlaceRecognition> beliefs(node_, name_ + "/belief");
+  reconfigure("smoothing", 0);
+  EXPECT_TRUE(answerTo(beliefs, drawRoom(1, 1)));
+  const auto belief = answerTo(beliefs, drawRoom(1, 1) * 0);
+  reconfigure("smoothing", 0.2);
+  ASSERT_TRUE(belief);
+  EXPECT_FALSE(belief->known);
+  EXPECT_EQ(places.messages().back().data, "unknown");  // published before the belief
+}
+
 TEST_F(ImpatientRecognizerNode, NobodyIsToldAnOldPlace) {
   {
     Inbox<std_msgs::String> places(node_, name_ + "/place");

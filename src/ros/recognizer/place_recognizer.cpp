@@ -238,8 +238,10 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
   PlaceRecognition message = toPlaceRecognition(recognition, *camera.model(), header, seconds);
   message.camera = camera.name();
   answers_.publishFrame(message);
-  // A camera that shows nothing must not outvote the others.
-  const bool fails = cameras_.size() > 1 && camera.blind();
+  // An image without a place is no evidence over time, and a camera that shows nothing must not
+  // outvote the others.
+  const bool shows_nothing = recognition.place < 0 && config_.smoothing > 0;
+  const bool fails = shows_nothing || (cameras_.size() > 1 && camera.blind());
   if (const auto difference = clocks_.add(arrived.camera, camera.lastStamp(), arrived.arrival)) {
     ROS_WARN_THROTTLE(60,
                       "The stamps of the cameras %s and %s differ by %.1f s at the same time, so "
