@@ -201,6 +201,22 @@ TEST_F(RecognizerNode, SaysWhatIsWrongWithImages) {
   }));
 }
 
+TEST_F(RecognizerNode, WarnsOfUnusableImagesBetweenThem) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  ASSERT_TRUE(answerTo(answers, drawRoom(1, 1)));
+  sensor_msgs::Image bad = toImageMessage(drawRoom(1, 1), headerAt(nextStamp().toSec()));
+  bad.encoding = "32FC1";
+  camera_.send(bad);
+  const auto warns = [this] {
+    const auto report = status("Images");
+    return report && report->message.find("unusable images: ") == 0;
+  };
+  EXPECT_TRUE(eventually(warns));
+  EXPECT_TRUE(warns());  // a second later, without another image
+  ASSERT_TRUE(answerTo(answers, drawRoom(1, 1)));
+  EXPECT_TRUE(eventually([&] { return !warns(); }));
+}
+
 TEST_F(RecognizerNode, TakesItsThresholdLive) {
   Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
   reconfigure("unknown_threshold", 0);

@@ -51,6 +51,7 @@ void ImageStatus::unusable(const std::string& problem) {
   ++unusable_;
   ++recent_.unusable;
   last_problem_ = problem;
+  last_unusable_ = true;
 }
 
 void ImageStatus::judged(const std::string& problem) {
@@ -87,6 +88,7 @@ void ImageStatus::answered(const ros::Time& stamp, Clock::time_point arrival) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ++answers_;
   ++recent_.answers;
+  last_unusable_ = false;
   recent_.latency_sum += latency;
   recent_.latency_max = std::max(recent_.latency_max, latency);
   last_age_ = age;
@@ -123,7 +125,7 @@ void ImageStatus::summarize(const Recent& recent, double silence, Report& report
   } else if (timeout_ > 0 && silence > timeout_) {
     report.summaryf(DiagnosticStatus::WARN, "no image on %s for %.0f s", input_.topic().c_str(),
                     silence);
-  } else if (recent.unusable > 0) {
+  } else if (recent.unusable > 0 || last_unusable_) {
     report.summary(DiagnosticStatus::WARN, "unusable images: " + last_problem_);
   } else if (!not_counted_.empty()) {
     report.summary(DiagnosticStatus::WARN, not_counted_);

@@ -72,6 +72,7 @@ class ImageStatus {
   std::uint64_t answered_nothing_ = 0;
   std::uint64_t answers_ = 0;
   std::uint64_t with_held_cues_ = 0;
+  bool last_unusable_ = false;  // whether the last image was unusable
   std::string last_problem_;
   std::string last_nothing_;   // why an image was answered without a place
   std::string image_problem_;  // current, likewise the next one
