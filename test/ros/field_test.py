@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Nodes with full disks, differing clocks, infrared cameras, and two nodelets in one manager."""
 import os
+import pathlib
 import signal
 import sys
 import threading
@@ -39,12 +40,14 @@ class FullDiskTest(FieldCase):
                 self.wait_for(lambda: camera.send() or program.process.poll() is not None,
                               lambda: program.output)
                 self.expect_end(program, 1, f"Cannot write {bag}", "make room",
-                                f"rosbag reindex {bag}.active")
+                                f"rosbag reindex {bag}.active, and rename it to {bag} "
+                                f"({bag}.orig.active is its backup)")
                 self.assertNotIn("terminate called", program.output)
                 self.assertFalse(bag.exists())
                 camera.close()
                 rescue = self.start("rosbag", "reindex", f"{bag}.active")
                 self.assertEqual(rescue.wait(), 0, rescue.output)
+                self.assertTrue(pathlib.Path(f"{bag}.orig.active").exists())
                 with rosbag.Bag(f"{bag}.active") as rescued:
                     self.assertGreater(rescued.get_message_count(), 10)
 

@@ -56,6 +56,11 @@ class PathsTest(NodeCase):
         (self.trip / "run.bag").touch()
         node = self.start_node("place_labeler", "_bag:=run.bag", cwd=self.trip)
         self.expect_end(node, 1, f"The file {self.trip / 'run.bag'} already exists")
+        killed = self.trip / "killed.bag"
+        (self.trip / "killed.bag.active").touch()
+        node = self.start_node("place_labeler", "_bag:=killed.bag", cwd=self.trip)
+        self.expect_end(node, 1, f"rosbag reindex {killed}.active, and rename it to {killed} "
+                        f"({killed}.orig.active is its backup); in either case set ~bag to another name")
         node = self.start_node("place_labeler", f"_bag:={self.trip}")
         self.expect_end(node, 1, f"{self.trip} is a folder")
         node = self.start_node("place_labeler", "_bag:=new/", cwd=self.trip)

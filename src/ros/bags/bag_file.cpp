@@ -24,11 +24,15 @@ bool startsAsBag(const std::string& path) { return startsWith(startOfFile(path),
 
 bool isActiveBag(const std::string& path) { return endsWith(lowerCase(path), ".bag.active"); }
 
-std::string whyActive(const std::string& path) {
+std::string howToRepair(const std::string& path) {
   const std::string name = path.substr(0, path.size() - std::string(".active").size());
-  return "it is being recorded, or was left behind by a killed recorder; in the latter case run: "
-         "rosbag reindex " +
-         path + ", and rename it to " + name;
+  return "rosbag reindex " + path + ", and rename it to " + name + " (" + name +
+         ".orig.active is its backup)";
+}
+
+std::string whyActive(const std::string& path) {
+  return "it is being recorded, or was left behind by a killed recorder; in the latter case run: " +
+         howToRepair(path);
 }
 
 bool isBag(const std::string& path) {

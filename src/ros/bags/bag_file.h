@@ -11,6 +11,10 @@ bool isBag(const std::string& path);
 /// Whether the bag has the name of a recording that is still running, or whose recorder was killed.
 bool isActiveBag(const std::string& path);
 
+/// How to complete an active bag that a killed recorder has left behind; a phrase that follows
+/// "run: ", without a full stop.
+std::string howToRepair(const std::string& path);
+
 /// What is wrong with an active bag at `path` that has no index, and what to do; a phrase that
 /// follows "PATH: ", without a full stop.
 std::string whyActive(const std::string& path);

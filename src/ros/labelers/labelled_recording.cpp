@@ -9,6 +9,7 @@
 #include "base/user_path.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
+#include "ros/bags/bag_file.h"
 #include "ros/nodes/image_topics.h"
 #include "ros/nodes/node_main.h"
 #include "ros/nodes/node_names.h"
@@ -32,10 +33,8 @@ std::unique_ptr<StagedBag> openBag(std::string path) {
     throw Error("The file " + path + " already exists; set ~bag to another name.");
   }
   if (std::filesystem::exists(path + kActive)) {
-    throw Error(path + kActive +
-                " is being recorded, or was left behind by a killed recorder; remove it, or "
-                "repair it with: rosbag reindex " +
-                path + kActive);
+    throw Error(path + kActive + ": " + whyActive(path + kActive) +
+                "; in either case set ~bag to another name.");
   }
   return std::make_unique<StagedBag>(path, kActive);
 }
@@ -91,9 +90,9 @@ void LabelledRecording::finish() {
         (timeless_ > 0 ? noClock(timeless_) : "No image has arrived on " + image_topic_ + ".") +
         " Nothing was recorded.");
   }
-  const std::string rescue = " The recorded part is in " + bag->path() + kActive +
-                             "; when there is room on the disk, run: rosbag reindex " +
-                             bag->path() + kActive;
+  const std::string rescue =
+      " The recorded part is in " + bag->path() + kActive +
+      "; when there is room on the disk, run: " + howToRepair(bag->path() + kActive);
   if (failed_) throw Error("The recording is incomplete." + rescue);
   try {
     bag->complete();
