@@ -40,12 +40,18 @@ class AmclTest(RelocalizationCase):
         self.wait_for(lambda: amcl.heard, "amcl is lost, but hears nothing")
         self.assert_in_kitchen(amcl.heard[0])
 
-    def test_covariances_that_are_not_numbers_are_those_of_a_lost_robot(self):
+    def test_poses_that_are_not_numbers_are_those_of_a_lost_robot(self):
+        nan = math.nan
         amcl, believer = self.amcl(), self.believer()
-        amcl.say(pose(3, 1.5, (math.nan, math.nan, math.nan)))
-        self.place_to_pose("_publish:=true")
         believer.room = "kitchen"
-        self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+        for lost in (pose(3, 1.5, (nan, nan, nan)), pose(nan, nan, (0.1, 0.1, 0.1)),
+                     pose(3, math.inf, (0.1, 0.1, 0.1))):
+            amcl.say(lost)
+            node = self.place_to_pose("_publish:=true")
+            self.expect(node, "amcl is lost (its pose is not finite); restarting it in 'kitchen'")
+            self.wait_for(lambda: amcl.heard, "amcl hears nothing")
+            node.interrupt()
+            amcl.heard.clear()
 
     def test_a_pose_is_published_once_per_interval(self):
         amcl, believer = self.amcl(deaf=True), self.believer()

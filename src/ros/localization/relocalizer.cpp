@@ -1,6 +1,8 @@
 #include "ros/localization/relocalizer.h"
 
 #include <Eigen/LU>
+#include <cmath>
+#include <limits>
 
 #include "base/text.h"
 #include "ros/messages/pose_conversions.h"
@@ -22,6 +24,14 @@ constexpr double kSameRoomDeviation = 1.5;
 /// The frame without the leading slash that tf1 allowed.
 std::string plain(const std::string& frame) {
   return startsWith(frame, "/") ? frame.substr(1) : frame;
+}
+
+/// Standard deviation of the position in its worst direction, m; infinite if the pose is not
+/// finite.
+double deviationOf(const geometry_msgs::PoseWithCovarianceStamped& pose) {
+  const double deviation = largestDeviation(positionCovariance(pose.pose));
+  const bool finite = positionOf(pose.pose).allFinite() && std::isfinite(deviation);
+  return finite ? deviation : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -52,16 +62,14 @@ void Relocalizer::onAmclPose(const geometry_msgs::PoseWithCovarianceStampedConst
 
 bool Relocalizer::isLost(const ros::Time& now) const {
   if (!amcl_pose_) return (now - *first_time_).toSec() >= kFirstPosePatience;
-  // Not `>`, because NaN does not determine the position either.
-  return !(largestDeviation(positionCovariance(amcl_pose_->pose)) <= lost_deviation_);
+  return deviationOf(*amcl_pose_) > lost_deviation_;
 }
 
 bool Relocalizer::knows(const UniformDistribution& area) const {
   if (!amcl_pose_) return false;
   const Eigen::Vector2d offset = positionOf(amcl_pose_->pose) - area.mean;
   return offset.dot(area.covariance.inverse() * offset) <= kSameRoomDistance &&
-         largestDeviation(positionCovariance(amcl_pose_->pose)) <=
-             kSameRoomDeviation * largestDeviation(area.covariance);
+         deviationOf(*amcl_pose_) <= kSameRoomDeviation * largestDeviation(area.covariance);
 }
 
 bool Relocalizer::isHeard() {
@@ -76,8 +84,9 @@ bool Relocalizer::isHeard() {
 
 std::string Relocalizer::stateText() const {
   if (!amcl_pose_) return "No pose has arrived on " + subscriber_.getTopic();
-  return "amcl is lost (its position deviates by " +
-         fixed(largestDeviation(positionCovariance(amcl_pose_->pose)), 2) + " m)";
+  const double deviation = deviationOf(*amcl_pose_);
+  if (!std::isfinite(deviation)) return "amcl is lost (its pose is not finite)";
+  return "amcl is lost (its position deviates by " + fixed(deviation, 2) + " m)";
 }
 
 void Relocalizer::robotIsIn(const std::string& room, const UniformDistribution& area,
