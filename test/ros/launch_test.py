@@ -53,6 +53,14 @@ class ArgumentsTest(unittest.TestCase):
                     self.assertEqual(remapped.get("odom", "odom"), "odom" if topic == "none" else topic)
                     self.assertEqual(config.params["/place_recognizer/use_odometry"].value, topic != "none")
 
+    def test_a_node_ends_the_launch_or_is_restarted(self):
+        for file, *arguments in (("recognize.launch",), ("recognize.launch", "manager:=manager"),
+                                 ("train.launch",), ("relocalize.launch", "rooms:=rooms.yaml")):
+            for required in ("true", "false"):
+                with self.subTest(file, arguments=arguments, required=required):
+                    node = read(file, *arguments, f"required:={required}").nodes[0]
+                    self.assertEqual((node.required, node.respawn), (required == "true", required == "false"))
+
 
 if __name__ == "__main__":
     unittest.main()
