@@ -12,7 +12,8 @@
 namespace place_recognition {
 
 /// Restarts amcl, or another node with its topics, in the robot's room when it is lost: when the
-/// deviation of its position exceeds `~lost_deviation`, or when it has not published a position.
+/// deviation of its position exceeds `~lost_deviation`, when its pose is not finite, or when it has
+/// not published one.
 /// Does nothing unless `~publish` is set. Not thread-safe.
 class Relocalizer {
  public:
