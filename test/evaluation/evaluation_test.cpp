@@ -28,9 +28,9 @@ TEST(Summary, KeepsRunsApart) {
   const Summary summary = summarize(madeUpEvaluation());
   ASSERT_EQ(summary.recordings.size(), 2u);
   EXPECT_EQ(summary.recordings[0].condition, "day");
-  EXPECT_DOUBLE_EQ(summary.recordings[0].average_rate, (2.0 / 3 + 1) / 2);
+  EXPECT_DOUBLE_EQ(summary.recordings[0].average_rate.value(), (2.0 / 3 + 1) / 2);
   ASSERT_EQ(summary.recordings[1].rooms.size(), 1u);
-  EXPECT_DOUBLE_EQ(summary.recordings[1].average_rate, 0.5);
+  EXPECT_DOUBLE_EQ(summary.recordings[1].average_rate.value(), 0.5);
   EXPECT_DOUBLE_EQ(summary.test_set_rate, (2.0 / 3 + 1 + 0.5) / 3);
 }
 
@@ -101,10 +101,10 @@ TEST(Evaluate, KeepsSeveralCamerasApart) {
   const Summary summary = summarize(evaluation);
   ASSERT_EQ(summary.cameras.size(), 3u);
   EXPECT_EQ(summary.cameras[0].count, 30u);  // the rear camera sees one room everywhere
-  EXPECT_NEAR(summary.cameras[0].average_rate, 1.0 / 3, 1e-9);
+  EXPECT_NEAR(summary.cameras[0].average_rate.value(), 1.0 / 3, 1e-9);
   EXPECT_EQ(summary.cameras[1].count, 30u);
   EXPECT_EQ(summary.cameras[2].name, "images in folders");
-  EXPECT_NEAR(summary.cameras[1].average_rate, 1, 0.1);
+  EXPECT_NEAR(summary.cameras[1].average_rate.value(), 1, 0.1);
   EXPECT_NE(resultTable(evaluation, summary).find("/front"), std::string::npos);
 }
 
