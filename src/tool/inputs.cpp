@@ -155,6 +155,21 @@ std::vector<std::string> withoutRepetitions(const std::vector<std::string>& reco
   return distinct;
 }
 
+/// Without links and a final slash; empty for what cannot be found, which is reported when it is
+/// opened.
+fs::path canonical(const std::string& path) {
+  std::error_code ignored;
+  const fs::path whole = fs::weakly_canonical(path, ignored);
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+/// Whether `path` is `folder`, or in it.
+bool contains(const fs::path& folder, const fs::path& path) {
+  return !folder.empty() &&
+         std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+             folder.end();
+}
+
 }  // namespace
 
 const char* const kInputHelp =
@@ -232,14 +247,13 @@ void InputOptions::requireBag(const std::vector<std::string>& paths) const {
 
 void requireOtherRuns(const std::vector<std::string>& validate,
                       const std::vector<std::string>& learned) {
-  const std::vector<std::string> learned_runs = findRecordings(learned);
-  for (const std::string& run : findRecordings(validate)) {
-    const bool is_learned =
-        std::any_of(learned_runs.begin(), learned_runs.end(), [&run](const std::string& other) {
-          std::error_code ignored;  // what does not exist is reported when it is opened
-          return fs::equivalent(other, run, ignored);
-        });
-    if (is_learned) throw UsageError("--validate: " + run + " is also learned; give another run");
+  for (const std::string& run : validate) {
+    for (const std::string& other : learned) {
+      if (!contains(canonical(run), canonical(other)) &&
+          !contains(canonical(other), canonical(run)))
+        continue;
+      throw UsageError("--validate: " + run + " is also learned; give another run");
+    }
   }
 }
 

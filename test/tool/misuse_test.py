@@ -78,7 +78,7 @@ class OptionsTest(MisuseCase):
         shutil.copytree(self.folder / "monday", self.folder / "site/monday")
         self.write_run("site/tuesday", seed=1)
         for learned, judge in (("site", "site/monday"), ("site/monday", "site")):
-            self.assert_usage(["--validate", "site/monday"], "train", learned, "--model",
+            self.assert_usage(["--validate: " + judge], "train", learned, "--model",
                               "./new.places", "--validate", judge)
         line = self.refuse("train", "site/tuesday", *MODEL, "--validate", "./monday/")
         self.assertIn("./home.places was trained on ./monday", line)
