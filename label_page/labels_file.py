@@ -76,6 +76,14 @@ def border(time, frames):
     return middle
 
 
+def labels_path(bag):
+    """Returns the path of the labels file of RUN.bag or RUN.bag.active. Keep in step with
+    writtenLabelsFile() in src/ros/bags/bag_file.cpp."""
+    if bag.lower().endswith(".bag.active"):
+        bag = os.path.splitext(bag)[0]
+    return os.path.splitext(bag)[0] + ".labels.yaml"
+
+
 class BagLabels:
     """The labels of one bag, and the file that holds them."""
 
@@ -84,7 +92,7 @@ class BagLabels:
         `initial`: the label that an earlier part of the recording carries over, or ""."""
         self.tool = tool
         self.bag = bag
-        self.path = os.path.splitext(bag.path)[0] + ".labels.yaml"
+        self.path = labels_path(bag.path)
         self.kept = False  # whether this session has backed up the file that it found
         self.seen = self.bytes_on_disk()
         info = self.ask(*reading, *(["--initial-label=" + initial] if initial else []))

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "place_recognition/error.h"
@@ -27,11 +28,18 @@ struct LabelOptions {
 /// The bags among the inputs; each can be read and labelled with a file beside it.
 std::vector<std::string> checkedBags(const LabelOptions& options) {
   const std::vector<std::string> bags = findRecordings(options.inputs);
+  std::map<std::string, std::string> owners;  // of the files of labels
   for (const std::string& bag : bags) {
     if (!isBag(bag)) {
       throw Error(bag + " is a folder of images, which are labelled by their folders; give bags.");
     }
     bagInfo(bag, options.input.bag);  // throws if it cannot be read
+    const std::string labels = writtenLabelsFile(std::filesystem::absolute(bag).lexically_normal());
+    const auto [owner, is_new] = owners.emplace(labels, bag);
+    if (!is_new) {
+      throw Error("The labels of " + owner->second + " and of " + bag + " would both be saved in " +
+                  labels + "; rename one of the bags.");
+    }
   }
   if (bags.size() > 1 && !options.input.bag.labels_file.empty()) {
     throw Error("--labels " + options.input.bag.labels_file +

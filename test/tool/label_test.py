@@ -188,6 +188,24 @@ class SavingTest(LabelCase):
                 self.assertEqual(status, 422, content)
         self.assertEqual(self.files(), ["run.bag"])
 
+    def test_two_bags_with_one_labels_file_are_refused(self):
+        for names in (("plain.1", "plain.2"), ("tue.bag", "tue.BAG")):
+            for name in names:
+                self.record(name)
+            said = self.refuse("label", "--no-browser", names[0], "./" + names[1])
+            for name in (*names, names[0].split(".")[0] + ".labels.yaml", "rename"):
+                self.assertIn(name, said)
+        (self.folder / "other").mkdir()
+        self.record("other/tue.bag")
+        page = self.page("tue.bag", "other/tue.bag")
+        self.assertEqual(len(set(page.get("recording")["files"])), 2)
+
+    def test_a_bag_with_the_name_of_an_active_one_is_labelled_by_the_file_of_its_run(self):
+        self.record("run.bag.active")
+        page = self.page("run.bag.active")
+        self.save(page, span(0, 4, "kitchen"))
+        self.assertEqual(self.stretches("run.bag.active"), [("kitchen", 0, 3.9)])
+
     def test_a_disk_that_refuses_leaves_nothing_behind(self):
         self.record("run.bag")
         page = self.page("run.bag")

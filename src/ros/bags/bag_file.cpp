@@ -41,14 +41,17 @@ bool isBag(const std::string& path) {
   return endsWith(lowerCase(path), ".bag") || isActiveBag(path) || startsAsBag(path);
 }
 
+std::string writtenLabelsFile(const std::string& path) {
+  fs::path labels = path;
+  if (isActiveBag(path)) labels.replace_extension();
+  return labels.replace_extension(".labels.yaml").string();
+}
+
 std::string ownLabelsFile(const std::string& path) {
-  fs::path bag = path;
-  if (isActiveBag(path)) bag.replace_extension();
-  for (const char* ending : {".labels.yaml", ".labels.yml"}) {
-    fs::path labels = bag;
-    labels.replace_extension(ending);
+  fs::path labels = writtenLabelsFile(path);
+  for (const char* extension : {".yaml", ".yml"}) {
     std::error_code ignored;
-    if (fs::exists(labels, ignored)) return labels.string();
+    if (fs::exists(labels.replace_extension(extension), ignored)) return labels.string();
   }
   return "";
 }

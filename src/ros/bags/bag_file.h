@@ -19,6 +19,10 @@ std::string howToRepair(const std::string& path);
 /// follows "PATH: ", without a full stop.
 std::string whyActive(const std::string& path);
 
+/// The file that `place_tool label` writes for the bag: RUN.labels.yaml beside RUN.bag or
+/// RUN.bag.active.
+std::string writtenLabelsFile(const std::string& path);
+
 /// The file of labels with the name of the bag, RUN.labels.yaml or RUN.labels.yml beside RUN.bag or
 /// RUN.bag.active; empty if there is none.
 std::string ownLabelsFile(const std::string& path);
