@@ -6,6 +6,7 @@
 
 #include "datasets/image_sequence.h"
 #include "datasets/layouts.h"
+#include "ros/bags/bag_file.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "tool/output.h"
 #include "tool/unusable_images.h"
@@ -34,6 +35,7 @@ void importImages(const ImportOptions& options) {
     throw UsageError("--rate requires --layout rooms or indecs, because the others have stamps");
   }
   requireWritable(options.out, Contents::kBag);
+  requireNoLabelsBeside(options.out);
   std::vector<std::string> warnings;
   const std::vector<LabelledImage> images = listImages(options.folder, layout, warnings);
 

@@ -130,7 +130,9 @@ void printBag(const BagInfo& bag, const std::string& path, std::ostream& out) {
     if (topic.width > 0) out << "  " << topic.width << "x" << topic.height;
     out << "\n";
   }
-  out << (bag.labels.empty() ? "no labels\n" : "labels, s since the start\n");
+  const std::string source = bag.labels_file.empty() ? "" : " in " + bag.labels_file;
+  out << (bag.labels.empty() ? "no labels" + source : "labels" + source + ", s since the start")
+      << "\n";
   for (const BagLabel& label : bag.labels) {
     out << std::setw(8) << label.from << " .. " << std::setw(8) << label.to << "  " << label.place
         << "\n";
@@ -155,6 +157,7 @@ Json bagFigures(const BagInfo& bag, const std::string& path) {
           {"start", bag.start},
           {"duration", bag.duration},
           {"topics", topics},
+          {"labels_file", bag.labels_file},
           {"labels", labels}};
 }
 

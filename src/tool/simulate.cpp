@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "ros/bags/bag_file.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "simulation/simulation.h"
 #include "tool/output.h"
@@ -86,12 +87,18 @@ void simulateRuns(SimulateOptions options) {
   if (conditions.size() < options.conditions.size()) {
     throw UsageError("--conditions: a light is given twice");
   }
+  const auto runPath = [&](const std::string& condition) {
+    return options.out + "/" + condition + (as_bag ? ".bag" : "");
+  };
+  for (const std::string& condition : conditions) {
+    if (as_bag) requireNoLabelsBeside(runPath(condition));
+  }
   ProgressDisplay display(options.output.progress);
   Json recordings = Json::array();
   const NewFolder folder(options.out);
   for (const std::string& condition : conditions) {
     options.simulation.condition = conditionFromName(condition);
-    const std::string path = options.out + "/" + condition + (as_bag ? ".bag" : "");
+    const std::string path = runPath(condition);
     const auto render = as_bag ? renderBag : renderFolder;
     const Counts counts = render(options.simulation, path, display.callback());
     int images = 0;

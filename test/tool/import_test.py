@@ -77,6 +77,31 @@ class ImportTest(ToolCase):
         self.assertIn("places.lst line 1",
                       self.refuse("import", "data", "--out", "b.bag", "--layout", "cold"))
 
+    def test_a_bag_whose_labels_a_file_would_replace_is_refused(self):
+        self.write_run("rooms", views=1)
+        for name in ("run.labels.yaml", "run.labels.yml", "labels.dat"):
+            file = self.folder / "lab" / name
+            file.parent.mkdir(exist_ok=True)
+            file.write_text("labels: [{from: 0, place: old}]")
+            self.assertIn(f"lab/{name}", self.refuse("import", "rooms", "--out", "lab/run.bag"))
+            file.unlink()
+        self.succeed("import", "rooms", "--out", "lab/run.bag")
+        self.assertEqual(self.figures("info", "lab/run.bag")["labels_file"], "")
+        file.write_text("1000000000 old\n")
+        self.assertEqual(self.figures("info", "lab/run.bag")["labels_file"], "lab/labels.dat")
+        self.assertIn("labels in lab/labels.dat, s", self.succeed("info", "lab/run.bag"))
+        said = self.succeed("info", "lab/run.bag", "--label", "hall")
+        self.assertNotIn("labels.dat", said)
+
+    def test_a_simulation_whose_labels_a_file_would_replace_is_refused(self):
+        (self.folder / "runs").mkdir()
+        file = self.folder / "runs/night.labels.yaml"
+        file.write_text("labels: [{from: 0, place: old}]")
+        simulate = ("simulate", "--out", "runs", "--conditions", "cloudy,night", "--size", "32x24")
+        self.assertIn("runs/night.labels.yaml", self.refuse(*simulate))
+        self.succeed("simulate", "--out", "runs", "--conditions", "night", "--size", "32x24",
+                     "--format", "images")
+
     def test_images_that_cannot_be_used(self):
         self.write_image("data/kitchen/1.png", paint("kitchen", 0))
         (self.folder / "data/kitchen/2.png").write_bytes(b"no image")

@@ -56,6 +56,21 @@ std::string ownLabelsFile(const std::string& path) {
   return "";
 }
 
+std::string labelsFileBeside(const std::string& path) {
+  const std::string own = ownLabelsFile(path);
+  if (!own.empty()) return own;
+  const fs::path lines = fs::path(path).replace_filename("labels.dat");
+  std::error_code ignored;
+  return fs::exists(lines, ignored) ? lines.string() : "";
+}
+
+void requireNoLabelsBeside(const std::string& path) {
+  const std::string labels = labelsFileBeside(path);
+  if (labels.empty()) return;
+  throw Error("The labels of " + path + " would be replaced by those in " + labels +
+              ", which lies beside it; rename or remove that file, or write the bag elsewhere.");
+}
+
 bool isRos2Bag(const std::string& folder) {
   std::error_code failure;
   bool metadata = false, data = false;

@@ -27,6 +27,13 @@ std::string writtenLabelsFile(const std::string& path);
 /// RUN.bag.active; empty if there is none.
 std::string ownLabelsFile(const std::string& path);
 
+/// The file whose labels replace those in the bag: ownLabelsFile(), or labels.dat in the bag's
+/// folder; empty if there is none.
+std::string labelsFileBeside(const std::string& path);
+
+/// Throws Error if a labelled bag that is written to `path` would not be read with its own labels.
+void requireNoLabelsBeside(const std::string& path);
+
 /// Whether the folder is a ROS 2 bag.
 bool isRos2Bag(const std::string& folder);
 

@@ -1,7 +1,6 @@
 #include "ros/bags/bag_recording.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -21,15 +20,10 @@
 namespace place_recognition {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The file of labels for the bag at `path`; empty if there is none.
+/// The file of labels for the bag at `path`; empty if there is none, or if it has no effect.
 std::string findLabelsFile(const std::string& path, const BagRecordingOptions& options) {
-  if (!options.labels_file.empty()) return options.labels_file;
-  const std::string own = ownLabelsFile(path);
-  if (!own.empty()) return own;
-  const fs::path lines = fs::path(path).replace_filename("labels.dat");
-  return fs::exists(lines) ? lines.string() : "";
+  if (!options.label.empty()) return "";
+  return options.labels_file.empty() ? labelsFileBeside(path) : options.labels_file;
 }
 
 /// The records that bag_reader writes about one bag, each of them checked.

@@ -17,7 +17,7 @@ struct BagRecordingOptions {
       "/place_label";         ///< std_msgs/String: holds until the next; see labels.h
   std::string label;          ///< one place for the whole bag
   std::string initial_label;  ///< what was said before the bag starts, for labels of its topic
-  std::string labels_file;    ///< empty: ownLabelsFile(), or labels.dat in the bag's folder
+  std::string labels_file;    ///< empty: labelsFileBeside()
 };
 
 /// Reads the images of a bag (sensor_msgs/Image or CompressedImage; uncompressed, bz2 or lz4) with
@@ -54,7 +54,7 @@ struct BagInfo {
   std::vector<BagTopic> topics;  ///< images first, then in order of name
   std::vector<BagLabel> labels;  ///< in order of time; empty: the bag is not labelled
   std::string last_label;        ///< at its end; empty: none
-  std::string labels_file;       ///< file with the labels; empty: the bag itself
+  std::string labels_file;       ///< file with the labels; empty: the bag or an option
 };
 
 /// Reads the contents of a bag. Throws Error like openBagRecording(), but not if there are no
