@@ -79,6 +79,7 @@ void CategoriesExperiment::compute(const std::vector<Json>& cells, const CellSin
       if (cell.at("tested") != buildings_[b].name) continue;
       if (!samples) {
         samples = std::make_unique<PlaceSamples>(buildings_, features, threads_, progress);
+        warn(samples->warnings());
       }
       Fold split = samples->samples().split(static_cast<int>(b));
       std::swap(split.train, split.test);

@@ -208,10 +208,10 @@ void CuesExperiment::compute(const std::vector<Json>& cells, const CellSink& fin
     const auto trained = std::find_if(sets_.begin(), sets_.end(), [&](const ImageSet& set) {
       return cell.at("training_set") == set.name;
     });
-    const auto model = std::make_shared<const Model>(
-        train({[&] { return recordingOf(trained->name, trained->images); }},
-              optionsOf(cell.at("cue_set")), threads_, progress)
-            .model);
+    Training training = train({[&] { return recordingOf(trained->name, trained->images); }},
+                              optionsOf(cell.at("cue_set")), threads_, progress);
+    warn(training.warnings);
+    const auto model = std::make_shared<const Model>(std::move(training.model));
     std::vector<std::vector<Tested>> tested;
     for (const ImageSet& set : sets_) {
       report(progress, "Testing", 0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -54,6 +55,22 @@ class Experiment {
 
   /// `results`: one per cell, in the order of cells().
   virtual Findings findings(const std::vector<Json>& results) const = 0;
+
+  /// For a person, after compute(): which images it left out and why.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ protected:
+  /// Adds those sentences to warnings() that it lacks.
+  void warn(const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) {
+      const bool is_new =
+          std::find(warnings_.begin(), warnings_.end(), sentence) == warnings_.end();
+      if (is_new) warnings_.push_back(sentence);
+    }
+  }
+
+ private:
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace place_recognition

@@ -40,6 +40,7 @@ std::vector<Json> FinalExperiment::cells() const {
 void FinalExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                               const Progress& progress) {
   const PlaceSamples samples(sets_, features_, threads_, progress);
+  warn(samples.warnings());
   for (const Json& cell : cells) {
     const auto set = std::find_if(sets_.begin(), sets_.end(), [&](const ImageSet& candidate) {
       return candidate.name == cell.at("training_set");

@@ -67,6 +67,7 @@ std::vector<Json> LearningCurveExperiment::cells() const {
 void LearningCurveExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
                                       const Progress& progress) {
   const PlaceSamples places(sets_, PlaceFeatures::kGlobal, threads_, progress);
+  warn(places.warnings());
   const SetSamples& samples = places.samples();
   const SvmOptions svm = trainingOptions(PlaceFeatures::kGlobal).svm;
   const Eigen::MatrixXd measures = places.measures(progress);

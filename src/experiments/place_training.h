@@ -51,6 +51,8 @@ class PlaceSamples {
 
   const SetSamples& samples() const { return set_samples_; }
   const std::vector<std::string>& places() const { return samples_.places; }
+  /// Which images are omitted and why.
+  const std::vector<std::string>& warnings() const { return samples_.warnings; }
 
  private:
   TrainingOptions options_;

@@ -160,6 +160,7 @@ void ReductionExperiment::compute(const std::vector<Json>& cells, const CellSink
       if (wanted.empty()) continue;
       if (!samples) {
         samples = std::make_unique<PlaceSamples>(sets_, features, threads_, progress);
+        warn(samples->warnings());
       }
       const PlaceTraining training =
           samples->train(samples->samples().split(static_cast<int>(set)), progress);

@@ -1,6 +1,8 @@
+#include <iostream>
 #include <memory>
-#include <ostream>
 
+#include "base/parallel.h"
+#include "datasets/image_file.h"
 #include "datasets/layout_sets.h"
 #include "experiments/categories_experiment.h"
 #include "experiments/cues_experiment.h"
@@ -14,6 +16,7 @@
 #include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/part_option.h"
+#include "tool/unusable_images.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -84,23 +87,51 @@ std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
   return conditionSets(options.data, options.layout);
 }
 
+/// Leaves the images out of `set` that cannot be read, and says so. Returns their number.
+std::size_t leaveOutUnusable(ImageSet& set, unsigned threads, ProgressDisplay& display) {
+  const Progress progress = display.callback();
+  std::vector<std::string> problems(set.images.size());
+  parallelFor(problems.size(), threads, [&](std::size_t i, unsigned thread) {
+    if (thread == 0)
+      report(progress, "Checking " + set.name, static_cast<double>(i) / problems.size());
+    problems[i] = readDeepImageFile(set.images[i].path).problem;
+  });
+  UnusableImages unusable;
+  std::vector<LabelledImage> usable;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    if (problems[i].empty()) {
+      usable.push_back(set.images[i]);
+    } else {
+      unusable.add(set.images[i].path, problems[i]);
+    }
+  }
+  display.clear();
+  unusable.requireOthers(problems.size());
+  unusable.warn(std::cerr);
+  set.images = std::move(usable);
+  return unusable.count();
+}
+
 void runExperimentVerb(const ExperimentOptions& options) {
   requireApplicable(options);
   const Part part = parsePart(options.part);
   std::vector<ImageSet> sets = setsOf(options);
-  std::size_t images = 0;
-  for (ImageSet& set : sets) {
-    set = thinnedOut(set, options.every);
-    images += set.images.size();
-  }
   const NewFolder folder(options.out);
   ProgressDisplay display(options.output.progress);
+  std::size_t images = 0, unusable = 0;
+  for (ImageSet& set : sets) {
+    set = thinnedOut(set, options.every);
+    unusable += leaveOutUnusable(set, options.threads, display);
+    images += set.images.size();
+  }
   const std::string digest = digestOf(sets);
   const std::unique_ptr<Experiment> experiment = makeExperiment(options, std::move(sets));
   const ExperimentOutcome outcome =
       runExperiment(*experiment, options.out, digest, part, display.callback());
   display.clear();
-
+  for (const std::string& warning : experiment->warnings()) {
+    std::cerr << "warning: " << warning << "\n";
+  }
   std::ostream& out = options.output.text();
   if (outcome.missing == 0) {
     out << outcome.text << "\nTables, figures and results: " << options.out << std::endl;
@@ -112,7 +143,9 @@ void runExperimentVerb(const ExperimentOptions& options) {
                             {"cells", outcome.cells},
                             {"computed", outcome.computed},
                             {"missing", outcome.missing},
-                            {"pictures", images}});
+                            {"pictures", images},
+                            {"unusable_images", unusable},
+                            {"warnings", experiment->warnings()}});
 }
 
 }  // namespace

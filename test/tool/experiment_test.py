@@ -44,6 +44,23 @@ class PlacesTest(ExperimentCase):
         self.assertAlmostEqual(sum(rates) / len(rates), float(by_set["average", ""][0]), places=2)
         self.assertEqual(self.table("out/table_8_1.csv")[-1], ["all", "15", "15", "15"])
 
+    def test_damaged_images_are_left_out_and_counted(self):
+        self.write_indecs()
+        for name in ("night/kitchen/000.png", "night/office/002.png"):
+            (self.folder / "data" / name).write_bytes(b"no image")
+        self.write_image("data/sunny/office/001.png", 0 * paint("office", 1))
+        for name, more in (("indecs-global", ()), ("bins", ("--part", "1/99")), ("cues", ())):
+            with self.subTest(name=name):
+                result = self.run_tool("experiment", name, "--data", "data", "--out", name, "--json",
+                                       "-", *more)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn("2 images cannot be used and were skipped", result.stderr)
+                self.assertIn("night/kitchen/000.png", result.stderr)
+                self.assertEqual("1 image of a single colour" in result.stderr, name != "bins")
+                figures = json.loads(result.stdout)
+                self.assertEqual((figures["pictures"], figures["unusable_images"]), (43, 2))
+        self.assertEqual(self.table("indecs-global/table_8_1.csv")[-1], ["all", "15", "13", "15"])
+
     def test_second_run_computes_nothing_and_a_lost_cell_only_itself(self):
         self.write_indecs()
         self.assertEqual(self.experiment("indecs-global")["computed"], 3)
