@@ -29,7 +29,7 @@ def reading_options(options):
     """Returns the options that tell place_tool where the labels come from."""
     pairs = (("--label-topic", options.label_topic), ("--labels", options.labels),
              ("--label", options.label))
-    return [word for option, value in pairs if value for word in (option, value)]
+    return [f"{option}={value}" for option, value in pairs if value]
 
 
 def make_server(options):

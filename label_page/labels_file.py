@@ -102,7 +102,7 @@ class BagLabels:
 
     def ask(self, *options):
         """Returns the output of `place_tool info` for the bag."""
-        result = subprocess.run([self.tool, "info", self.bag.path, "--json", "-", *options],
+        result = subprocess.run([self.tool, "info", "--json", "-", *options, "--", self.bag.path],
                                 capture_output=True, text=True)
         if result.returncode != 0:
             raise Problem(result.stderr.strip().split(": ", 1)[-1] or "place_tool info failed.")

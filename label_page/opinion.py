@@ -87,8 +87,8 @@ class Opinion:
         self.tell(number, stage="Recognizing", fraction=0)
         bags = [bag for bag in self.recording.bags if self.topic in bag.entries]
         times = iter(self.recording.times[self.topic])
-        command = ["recognize", *(bag.path for bag in bags), "--image-topic", self.topic,
-                   "--model", model, "--json", "-", "--progress", "none"]
+        command = ["recognize", "--image-topic", self.topic, "--model", model, "--json", "-",
+                   "--progress", "none", "--", *(bag.path for bag in bags)]
         done = self.run(number, command, lambda n, line: self.on_answer(n, line, times))
         if done:
             self.tell(number, stage="", fraction=1)

@@ -73,7 +73,8 @@ void label(const LabelOptions& options) {
   pass("--model", options.model);
   pass("--port", std::to_string(options.port));
   pass("--image-topic", bag.image_topics.empty() ? "" : bag.image_topics.front());
-  pass("--label-topic", bag.label_topic);
+  const bool has_topic = bag.label.empty() && bag.labels_file.empty();
+  pass("--label-topic", has_topic ? bag.label_topic : "");
   pass("--labels", bag.labels_file);
   pass("--label", bag.label);
   const std::vector<std::string> bags = checkedBags(options);

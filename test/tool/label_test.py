@@ -200,6 +200,20 @@ class SavingTest(LabelCase):
         page = self.page("tue.bag", "other/tue.bag")
         self.assertEqual(len(set(page.get("recording")["files"])), 2)
 
+    def test_labels_from_a_file_or_an_option_are_shown(self):
+        self.record("run.bag", labels=[(0, "said")])
+        (self.folder / "other.yaml").write_text("labels: [{from: 0, place: written}]")
+        for option, place in (("--labels=other.yaml", "written"), ("--label=given", "given")):
+            page = self.page("run.bag", option)
+            self.assertEqual([label["place"] for label in page.get("recording")["spans"]], [place])
+
+    def test_a_bag_whose_name_starts_with_a_dash(self):
+        self.record("--help.bag")
+        page = self.page("--label=-room", "--", "--help.bag")
+        self.assertEqual([label["place"] for label in page.get("recording")["spans"]], ["-room"])
+        self.save(page, span(0, 4, "kitchen"))
+        self.assertEqual(self.stretches("./--help.bag"), [("kitchen", 0, 3.9)])
+
     def test_a_bag_with_the_name_of_an_active_one_is_labelled_by_the_file_of_its_run(self):
         self.record("run.bag.active")
         page = self.page("run.bag.active")
