@@ -34,7 +34,7 @@ bool isPlainName(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
   };
-  return !name.empty() && name.size() <= kMaxPlainNameBytes &&
+  return !name.empty() && name.front() != '-' && name.size() <= kMaxPlainNameBytes &&
          std::all_of(name.begin(), name.end(), allowed);
 }
 

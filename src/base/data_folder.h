@@ -10,8 +10,9 @@ namespace place_recognition {
 /// ROS_HOME nor HOME is set.
 std::string dataFolder(const std::string& kind);
 
-/// Whether `name` matches [A-Za-z0-9_-]{1,64}, as required for models, networks and cues: their
-/// names become parts of paths and of option keys.
+/// Whether `name` consists of 1 to 64 of A-Z, a-z, 0-9, _ and -, and does not start with -, as
+/// required for models, networks and cues: their names become parts of paths and of option keys,
+/// and words of command lines.
 bool isPlainName(const std::string& name);
 
 /// Whether `name` is a file name rather than the name of an object in its dataFolder(): it contains

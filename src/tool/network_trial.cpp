@@ -86,14 +86,14 @@ void tryNetworks(const std::vector<CueOptions>& cues) {
   for (const CueOptions& cue : cues) {
     const auto* embedding = std::get_if<EmbeddingOptions>(&cue.feature);
     if (!embedding || embedding->loaded) continue;
-    runTrial({embedding->network, "--options=" + writeOptions(*embedding)}, embedding->network,
-             embedding->layer);
+    runTrial({"--options=" + writeOptions(*embedding), "--", embedding->network},
+             embedding->network, embedding->layer);
   }
 }
 
 NetworkFacts tryNetwork(const std::string& name, const std::string& layer) {
-  std::vector<std::string> arguments{name};
-  if (!layer.empty()) arguments.push_back("--layer=" + layer);
+  std::vector<std::string> arguments{"--", name};
+  if (!layer.empty()) arguments.insert(arguments.begin(), "--layer=" + layer);
   return toFacts(runTrial(arguments, name, layer));
 }
 

@@ -26,6 +26,13 @@ TEST(FileName, HasASlashOrTheExtension) {
   EXPECT_FALSE(isFileName(std::string("a/\0b", 4), ".places"));
 }
 
+TEST(PlainName, CannotBeTakenForAnOptionOrAPath) {
+  for (const char* name : {"office", "Office-2", "_x", "7"}) EXPECT_TRUE(isPlainName(name)) << name;
+  for (const char* name : {"", "-", "--", "-x", "--help", "a/b", "a.b", "a b"}) {
+    EXPECT_FALSE(isPlainName(name)) << name;
+  }
+}
+
 // The examples of FIPS 180-4 and of the empty text.
 TEST(Sha256, IsThatOfTheStandard) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

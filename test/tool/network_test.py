@@ -129,7 +129,17 @@ class InstallTest(ToolCase):
         self.assertNotIn(".new.onnx", line)
         self.assertIn("'absent'", self.refuse("network", "add", "given.onnx", "--name", "small",
                                               "--layer", "absent"))
-        self.refuse("network", "add", "given.onnx", "--name", "../small", status=2)
+        for name in ("../small", "--help", "-h", "--", "-x"):
+            self.refuse("network", "add", "given.onnx", f"--name={name}", status=2)
+
+    def test_a_file_whose_name_starts_with_a_dash_is_no_option(self):
+        self.given.rename(self.folder / "--help.onnx")
+        self.succeed("network", "add", "--name", "small", "--", "--help.onnx")
+        self.write_run("monday")
+        self.succeed("train", "monday", "--model", "home", "--config", "embedding", "--set",
+                     "cues.embedding.feature.network=--help.onnx", "--set",
+                     "cues.layout.feature.network=--help.onnx")
+        self.assertIn("cannot name a model", self.refuse("train", "monday", "--model=-home"))
 
 
 if __name__ == "__main__":
