@@ -58,10 +58,12 @@ std::string whyUnreadable(const std::string& bag) {
   without_labels.label = "any";
   try {
     const BagInfo info = bagInfo(bag, without_labels);
-    const bool has_images =
-        std::any_of(info.topics.begin(), info.topics.end(),
-                    [](const BagTopic& topic) { return hasImages(topic) && topic.messages > 0; });
-    return has_images ? "" : "it has no images";
+    std::vector<std::string> topics;
+    for (const BagTopic& topic : info.topics) {
+      if (hasImages(topic) && topic.messages > 0) return "";
+      topics.push_back(topic.name);
+    }
+    return whyNoImages(topics);
   } catch (const Error& e) {
     const std::string message = e.what(), start = "Cannot read " + bag + ": ";
     return message.substr(startsWith(message, start) ? start.size() : 0);

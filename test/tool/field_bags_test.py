@@ -117,6 +117,8 @@ class BagTest(FieldCase):
         (self.folder / "sound.bag").rename(self.folder / "runs/sound.bag")
         with rosbag.Bag(str(self.folder / "runs/laser.bag"), "w") as bag:
             bag.write("/place_label", String("kitchen"), rospy.Time(1000))
+        with rosbag.Bag(str(self.folder / "runs/depth.bag"), "w") as bag:
+            bag.write("/depth/compressedDepth", CompressedImage(), rospy.Time(1000))
         damaged = {"unindexed": (unindexed(content), "rosbag reindex runs/unindexed.bag"),
                    "cut": (content[:-2000], "copy or record it again"),
                    "text": (b"notes\n", "not a ROS 1 bag")}
@@ -128,6 +130,8 @@ class BagTest(FieldCase):
             result = self.run_tool(*verb)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("Nothing was read from runs/laser.bag: it has no images", result.stderr)
+            self.assertIn("Nothing was read from runs/depth.bag: it has only compressedDepth images, "
+                          "which cannot be used", result.stderr)
             for name, (_, words) in damaged.items():
                 self.assertEqual(result.stderr.count(f"Nothing was read from runs/{name}.bag"), 1)
                 self.assertIn(words, result.stderr)
@@ -135,6 +139,8 @@ class BagTest(FieldCase):
         # An unreadable bag that is named explicitly is an error, and so are unreadable labels.
         for name, (_, words) in damaged.items():
             self.assertIn(words, self.refuse("train", "runs/sound.bag", f"runs/{name}.bag", *MODEL))
+        self.assertIn("only compressedDepth images, which cannot be used; its topics are /depth",
+                      self.refuse("train", "runs/depth.bag", *MODEL))
         (self.folder / "runs/labels.dat").write_text("kitchen\n")
         self.assertIn("labels.dat, line 1", self.run_tool(*train).stderr.splitlines()[-1])
 

@@ -1,5 +1,6 @@
 #include "ros/bags/bag_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -69,6 +70,14 @@ void requireNoLabelsBeside(const std::string& path) {
   if (labels.empty()) return;
   throw Error("The labels of " + path + " would be replaced by those in " + labels +
               ", which lies beside it; rename or remove that file, or write the bag elsewhere.");
+}
+
+bool isCompressedDepth(const std::string& topic) { return endsWith(topic, "compressedDepth"); }
+
+std::string whyNoImages(const std::vector<std::string>& topics) {
+  const bool has_depth = std::any_of(topics.begin(), topics.end(), isCompressedDepth);
+  return has_depth ? "it has only compressedDepth images, which cannot be used"
+                   : "it has no images";
 }
 
 bool isRos2Bag(const std::string& folder) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace place_recognition {
 
@@ -33,6 +34,13 @@ std::string labelsFileBeside(const std::string& path);
 
 /// Throws Error if a labelled bag that is written to `path` would not be read with its own labels.
 void requireNoLabelsBeside(const std::string& path);
+
+/// Whether the images of a topic are distances, by its name; they cannot be used as a camera's.
+bool isCompressedDepth(const std::string& topic);
+
+/// Why a bag whose topics include no images that can be used is not a recording; a phrase that
+/// follows "PATH: ", without a full stop.
+std::string whyNoImages(const std::vector<std::string>& topics);
 
 /// Whether the folder is a ROS 2 bag.
 bool isRos2Bag(const std::string& folder);

@@ -83,7 +83,7 @@ void sendSpan(const rosbag::Bag& bag) {
 void sendTopics(const rosbag::Bag& bag, const RecordedTopics& topics, bool with_sizes) {
   for (const auto& [name, topic] : topics) {
     BagRecord record;
-    if (with_sizes && topic.hasImages() && topic.messages > 0) {
+    if (with_sizes && areImages(name, topic.type) && topic.messages > 0) {
       boost::shared_ptr<void> owner;
       readImage(*rosbag::View(bag, rosbag::TopicQuery(name)).begin(), record, owner);
     }

@@ -223,9 +223,7 @@ class BagRecording : public Recording {
 
 }  // namespace
 
-bool hasImages(const BagTopic& topic) {
-  return topic.type == kImageType || topic.type == kCompressedImageType;
-}
+bool hasImages(const BagTopic& topic) { return areImages(topic.name, topic.type); }
 
 std::unique_ptr<Recording> openBagRecording(const std::string& path,
                                             const BagRecordingOptions& options) {

@@ -37,7 +37,7 @@ struct BagTopic {
   int height = 0;
 };
 
-/// Whether the messages of the topic are images, by their type.
+/// Whether the messages of the topic are images that can be used, by its name and type.
 bool hasImages(const BagTopic& topic);
 
 /// An interval of a bag with one label.

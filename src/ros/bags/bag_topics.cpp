@@ -21,18 +21,11 @@ std::string bareName(const std::string& topic) {
                                     : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
 }
 
-/// Whether the images are distances, which cannot be used as a camera's images.
-bool isCompressedDepth(const std::string& topic) {
-  const std::string ending = "compressedDepth";
-  return topic.size() >= ending.size() &&
-         topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 /// Names and types, for a message.
 std::string listed(const RecordedTopics& topics, bool images_only) {
   std::string text;
   for (const auto& [name, topic] : topics) {
-    if (images_only && (!topic.hasImages() || isCompressedDepth(name))) continue;
+    if (images_only && !areImages(name, topic.type)) continue;
     text += (text.empty() ? "" : ", ") + name + " (" + topic.type + ")";
   }
   return text.empty() ? "none" : text;
@@ -43,11 +36,15 @@ std::string listed(const RecordedTopics& topics, bool images_only) {
 std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wanted) {
   std::vector<std::string> candidates;  // in order of name, so that compressed ones follow raw ones
   for (const auto& [name, topic] : topics) {
-    if (!topic.hasImages() || isCompressedDepth(name)) continue;
+    if (!areImages(name, topic.type)) continue;
     if (name == wanted) return name;
     candidates.push_back(name);
   }
-  if (candidates.empty()) throw Error("it has no images; its topics are " + listed(topics, false));
+  if (candidates.empty()) {
+    std::vector<std::string> names;
+    for (const auto& [name, topic] : topics) names.push_back(name);
+    throw Error(whyNoImages(names) + "; its topics are " + listed(topics, false));
+  }
   if (!wanted.empty()) {
     for (const char* suffix : {"", "/compressed"}) {
       const auto meant = [&](const std::string& name) {

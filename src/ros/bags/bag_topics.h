@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ros/bags/bag_file.h"
+
 namespace place_recognition {
 
 inline const std::string kImageType = "sensor_msgs/Image";
@@ -16,9 +18,12 @@ inline const std::string kCompressedImageType = "sensor_msgs/CompressedImage";
 struct RecordedTopic {
   std::string type;  ///< of its messages, such as "sensor_msgs/Image"
   std::uint32_t messages = 0;
-
-  bool hasImages() const { return type == kImageType || type == kCompressedImageType; }
 };
+
+/// Whether the messages of a topic are images that can be used.
+inline bool areImages(const std::string& topic, const std::string& type) {
+  return (type == kImageType || type == kCompressedImageType) && !isCompressedDepth(topic);
+}
 
 /// By name.
 using RecordedTopics = std::map<std::string, RecordedTopic>;
