@@ -46,7 +46,7 @@ std::string asCondition(std::string word) {
 double numberBehindLetter(const std::string& word) {
   char* end = nullptr;
   const double value = word.size() > 1 ? std::strtod(word.c_str() + 1, &end) : NAN;
-  return end && *end == '\0' ? value : NAN;
+  return end && *end == '\0' && std::isfinite(value) ? value : NAN;
 }
 
 using Warnings = std::vector<std::string>;

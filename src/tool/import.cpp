@@ -6,6 +6,7 @@
 
 #include "datasets/image_sequence.h"
 #include "datasets/layouts.h"
+#include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "tool/output.h"
@@ -23,6 +24,16 @@ struct ImportOptions {
   OutputOptions output;
 };
 
+/// Throws Error unless ROS can store the stamps of the images, which are in order.
+void requireSeconds(const std::vector<LabelledImage>& images) {
+  constexpr double kEnd = 4294967295.;  // of ROS time, s since 1970
+  for (const LabelledImage* image : {&images.front(), &images.back()}) {
+    if (image->stamp >= 0 && image->stamp < kEnd) continue;
+    throw Error("The time in the name of " + image->path +
+                " is not in seconds since 1970; rename the images.");
+  }
+}
+
 void importImages(const ImportOptions& options) {
   const Layout& layout = options.layout;
   if (!layout.camera.empty() && layout.name != "cold") {
@@ -31,13 +42,15 @@ void importImages(const ImportOptions& options) {
   if (!layout.condition.empty() && layout.name != "indecs") {
     throw UsageError("--condition requires --layout indecs");
   }
-  if (layout.rate != Layout().rate && layout.name != "rooms" && layout.name != "indecs") {
+  const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
+  if (layout.rate != Layout().rate && !by_rate) {
     throw UsageError("--rate requires --layout rooms or indecs, because the others have stamps");
   }
   requireWritable(options.out, Contents::kBag);
   requireNoLabelsBeside(options.out);
   std::vector<std::string> warnings;
   const std::vector<LabelledImage> images = listImages(options.folder, layout, warnings);
+  if (!by_rate) requireSeconds(images);
 
   LabelledBagOptions bag_options;
   bag_options.jpeg = !options.raw;

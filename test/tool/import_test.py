@@ -60,6 +60,26 @@ class ImportTest(ToolCase):
         self.assertIn("holiday.png",
                       self.refuse("import", "data", "--out", "b.bag", "--layout", "idol"))
 
+    def test_times_that_are_not_in_seconds_are_refused(self):
+        idol = ("import", "data", "--out", "run.bag", "--layout", "idol")
+        self.write_image("data/t1125496218.25_rKT_x6.5_y5.3_a.3.png", paint("kitchen", 0))
+        for time in ("1125496218370", "4294967296", "-1"):
+            picture = self.write_image(f"data/t{time}_rKT_x6.5_y5.3_a.3.png", paint("kitchen", 1))
+            line = self.refuse(*idol)
+            self.assertIn(picture.name, line)
+            self.assertIn("seconds", line)
+            picture.unlink()
+        for time in ("inf", "nan", "1e999"):
+            picture = self.write_image(f"data/t{time}_rKT_x6.5_y5.3_a.3.png", paint("kitchen", 1))
+            self.assertIn("is not named like", self.refuse(*idol))
+            picture.unlink()
+
+    def test_a_rate_so_low_that_times_leave_the_range_of_ros_is_refused(self):
+        self.write_run("rooms", views=1)
+        line = self.refuse("import", "rooms", "--out", "run.bag", "--rate", "1e-12")
+        self.assertIn("run.bag: its image 2 has the time 1001000000000 s", line)
+        self.assertIn("rate", line)
+
     def test_cold_takes_labels_from_its_list(self):
         names = ["t1152886490.25_x0.205133_y0.000557_a0.002507.jpeg",
                  "t1152886491.5_x0.3_y0.0_a0.0.jpeg"]

@@ -8,8 +8,10 @@
 #include <cassert>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
+#include <sstream>
 
 #include "labels/labels.h"
+#include "place_recognition/error.h"
 #include "ros/bags/staged_bag.h"
 #include "ros/messages/conversions.h"
 
@@ -35,6 +37,18 @@ sensor_msgs::CompressedImage toJpegMessage(const cv::Mat& image, const std_msgs:
       image.channels() == 3 ? "bgr8; jpeg compressed bgr8" : "mono8; jpeg compressed mono8";
   cv::imencode(".jpg", image, message.data, {cv::IMWRITE_JPEG_QUALITY, quality});
   return message;
+}
+
+/// Throws Error unless ROS can store the time.
+ros::Time toTime(double seconds, std::uint32_t number, const std::string& path) {
+  if (seconds >= ros::TIME_MIN.toSec() && seconds < ros::TIME_MAX.sec) return ros::Time(seconds);
+  std::ostringstream text;
+  text.precision(13);
+  text << seconds;
+  throw Error("Cannot write " + path + ": its image " + std::to_string(number) + " has the time " +
+              text.str() +
+              " s since 1970, which ROS cannot store; give a higher rate, or times in "
+              "seconds.");
 }
 
 }  // namespace
@@ -65,7 +79,7 @@ void LabelledBagWriter::write(const cv::Mat& image, const std::string& place, do
   if (!place.empty()) checkLabel(place, bag_->file.path());
   std_msgs::Header header;
   header.seq = bag_->images++;
-  header.stamp = ros::Time(bag_->options.base_time + stamp);
+  header.stamp = toTime(bag_->options.base_time + stamp, bag_->images, bag_->file.path());
   header.frame_id = camera.empty() ? bag_->options.frame_id : camera;
   const std::string topic =
       camera.empty() ? bag_->options.image_topic : "/" + camera + "/image_raw";
