@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import unicodedata
 
-from recording import Problem
+from recording import LAST_FRAME, Problem
 
 MAX_NAME_BYTES = 128
 UNKNOWN = "unknown"
@@ -146,10 +146,11 @@ class BagLabels:
             behind = bisect.bisect_left(self.frames, end)
             if first == behind:
                 continue
-            last = behind == len(self.frames)
-            labels.append({"from": border(begin, self.frames),
-                           "to": None if last else border(end, self.frames),
-                           "place": span["place"]})
+            if behind < len(self.frames):
+                end = border(end, self.frames)
+            else:
+                end = round(self.frames[-1] + LAST_FRAME, 6) if self.bag.goes_on else None
+            labels.append({"from": border(begin, self.frames), "to": end, "place": span["place"]})
         return labels
 
     def save(self, labels):
@@ -174,7 +175,7 @@ class BagLabels:
         read = [[label["place"], label["from"], label["to"]] for label in info["labels"]]
         meant = []
         for label in labels:
-            end = info["duration"] if label["to"] is None else label["to"]
+            end = info["duration"] if label["to"] is None else min(label["to"], info["duration"])
             # place_tool merges adjacent labels of the same place.
             if meant and meant[-1][0] == label["place"] and meant[-1][2] == label["from"]:
                 meant[-1][2] = end

@@ -86,7 +86,9 @@ class Opinion:
     def recognize(self, number, model):
         self.tell(number, stage="Recognizing", fraction=0)
         bags = [bag for bag in self.recording.bags if self.topic in bag.entries]
-        times = iter(self.recording.times[self.topic])
+        shown = iter(self.recording.times[self.topic])
+        times = iter([next(shown) if is_shown else None
+                      for bag in bags for is_shown in bag.frames[self.topic]])
         command = ["recognize", "--image-topic", self.topic, "--model", model, "--json", "-",
                    "--progress", "none", "--", *(bag.path for bag in bags)]
         done = self.run(number, command, lambda n, line: self.on_answer(n, line, times))
@@ -100,6 +102,9 @@ class Opinion:
 
     def on_answer(self, number, line, times):
         answer = json.loads(line)
+        time = next(times)
+        if time is None:
+            return
         over_time = answer.get("smoothed") or {
             "place": answer["place"], "known": answer["known"], "evidence": 1,
             "probabilities": {place: score["probability"]
@@ -112,7 +117,7 @@ class Opinion:
         with self.lock:
             if number != self.number:
                 return
-            self.answers.append([round(next(times), 6), place, probabilities,
+            self.answers.append([round(time, 6), place, probabilities,
                                  round(1 - evidence, 3)])
             self.state["fraction"] = len(self.answers) / len(self.recording.times[self.topic])
         self.on_change()

@@ -56,10 +56,16 @@ class Bag:
         for topic in self.image_topics():
             entries = self.bag._get_entries(list(self.bag._get_connections([topic])))
             self.entries[topic] = list(entries)
-        self.first, self.last = largest_group(self.all_times())
+        times = self.all_times()
+        self.first, self.last = largest_group(times)
+        self.goes_on = times[-1] > self.last  # with frames that are not shown
+        self.frames = {}  # topic -> whether each of its frames is shown
         for topic, entries in self.entries.items():
-            self.entries[topic] = [entry for entry in entries
-                                   if self.first <= entry.time.to_sec() <= self.last]
+            self.frames[topic] = [self.first <= entry.time.to_sec() <= self.last
+                                  for entry in entries]
+            self.entries[topic] = [entry for entry, shown in zip(entries, self.frames[topic])
+                                   if shown]
+        self.hidden = len(times) - len(self.all_times())
         self.offset = 0.0
 
     def image_topics(self):

@@ -120,6 +120,7 @@ class LabelServer(ThreadingHTTPServer):
                          for bag in self.recording.bags],
                 "files": [bag.path for bag in self.labels.bags],
                 "duration": self.recording.duration,
+                "hidden": sum(bag.hidden for bag in self.recording.bags),
                 "topics": [{"name": name, "frames": len(times)}
                            for name, times in self.recording.times.items()],
                 "topic": self.topic, "spans": spans, "unsaved": unsaved,

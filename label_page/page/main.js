@@ -307,6 +307,9 @@ element("name").textContent = recording.bags.map(bag => bag.name).join(", ");
 element("topic").replaceChildren(...recording.topics.map(({name, frames}) =>
     new Option(`${name}: ${frames} frames`, name, false, name === recording.topic)));
 element("topic").disabled = recording.topics.length < 2;
+if (recording.hidden) {
+  say(`Not shown: frames more than a day before or after the others (${recording.hidden})`, true);
+}
 if (recording.unsaved) say("Not saved yet");
 
 addEventListener("resize", redraw);

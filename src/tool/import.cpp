@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -34,6 +35,19 @@ void requireSeconds(const std::vector<LabelledImage>& images) {
   }
 }
 
+/// Says if a gap between the images is so long that they hardly are one recording.
+void warnOfGap(const std::vector<LabelledImage>& images, std::vector<std::string>& warnings) {
+  constexpr double kDay = 24 * 60 * 60;  // s
+  const auto before = std::adjacent_find(images.begin(), images.end(),
+                                         [](const LabelledImage& image, const LabelledImage& next) {
+                                           return next.stamp - image.stamp > kDay;
+                                         });
+  if (before == images.end()) return;
+  warnings.push_back("More than a day lies between " + before->path + " and " +
+                     std::next(before)->path +
+                     "; a bag holds one recording, so import each into a bag of its own.");
+}
+
 void importImages(const ImportOptions& options) {
   const Layout& layout = options.layout;
   if (!layout.camera.empty() && layout.name != "cold") {
@@ -50,7 +64,10 @@ void importImages(const ImportOptions& options) {
   requireNoLabelsBeside(options.out);
   std::vector<std::string> warnings;
   const std::vector<LabelledImage> images = listImages(options.folder, layout, warnings);
-  if (!by_rate) requireSeconds(images);
+  if (!by_rate) {
+    requireSeconds(images);
+    warnOfGap(images, warnings);
+  }
 
   LabelledBagOptions bag_options;
   bag_options.jpeg = !options.raw;

@@ -7,6 +7,7 @@
 #include "base/data_folder.h"
 #include "base/options.h"
 #include "base/place_name.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "ros/bags/bag_file.h"
@@ -156,6 +157,7 @@ Json bagFigures(const BagInfo& bag, const std::string& path) {
   return {{"bag", path},
           {"start", bag.start},
           {"duration", bag.duration},
+          {"other_images", bag.other_images},
           {"topics", topics},
           {"labels_file", bag.labels_file},
           {"labels", labels}};
@@ -184,6 +186,13 @@ void info(const InfoOptions& options) {
     if (isActiveBag(options.name)) {
       std::cerr << "warning: " << options.name
                 << " is complete but has the name of an active recording; rename it.\n";
+    }
+    if (bag.other_images > 0) {
+      std::cerr
+          << "warning: " << options.name << ": " << counted(bag.other_images, "image")
+          << (bag.other_images == 1 ? " is" : " are")
+          << " more than a day away from the others and not within the duration and the labels "
+             "shown; train reads them.\n";
     }
     if (options.output.json != "-") printBag(bag, options.name, options.output.text());
     options.output.writeJson(bagFigures(bag, options.name));

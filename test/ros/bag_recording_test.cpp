@@ -124,6 +124,7 @@ TEST_F(Bags, AClockThatWasNotSetDoesNotCount) {
     const BagInfo info = bagInfo(path_);
     EXPECT_DOUBLE_EQ(info.start, 1.5e9 - 1);
     EXPECT_DOUBLE_EQ(info.duration, 3);
+    EXPECT_EQ(info.other_images, 1u);
   }
 }
 

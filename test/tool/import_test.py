@@ -60,6 +60,14 @@ class ImportTest(ToolCase):
         self.assertIn("holiday.png",
                       self.refuse("import", "data", "--out", "b.bag", "--layout", "idol"))
 
+    def test_two_recordings_in_one_folder_are_named(self):
+        for time in (1125496218, 1125496219, 1125796219):
+            self.write_image(f"data/t{time}_rKT_x6.5_y5.3_a.3.png", paint("kitchen", 0))
+        result = self.run_tool("import", "data", "--out", "run.bag", "--layout", "idol")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("More than a day lies between data/t1125496219_rKT", result.stderr)
+        self.assertIn("and data/t1125796219_rKT", result.stderr)
+
     def test_times_that_are_not_in_seconds_are_refused(self):
         idol = ("import", "data", "--out", "run.bag", "--layout", "idol")
         self.write_image("data/t1125496218.25_rKT_x6.5_y5.3_a.3.png", paint("kitchen", 0))

@@ -56,8 +56,23 @@ class RecordingTest(LabelCase):
                 bag.write(TOPIC, jpeg(i), rospy.Time(10 + i))
         page = self.page("run.bag")
         self.assertAlmostEqual(page.get("recording")["duration"], 1.91, places=5)
+        self.assertEqual(page.get("recording")["hidden"], 5)
         self.assertEqual(page.post("save", {"spans": [span(0, 1, "lab")]})[0], 200)
         self.assertEqual(self.stretches("run.bag"), [("lab", 0, .95)])
+        result = self.run_tool("info", "run.bag")
+        self.assertIn("run.bag: 5 images are more than a day away", result.stderr)
+
+    def test_images_of_another_day_get_no_label(self):
+        self.record("run.bag", frames=20)
+        with rosbag.Bag(str(self.folder / "run.bag"), "a") as bag:
+            for i in range(5):
+                bag.write(TOPIC, jpeg(i), rospy.Time.from_sec(START + 200000 + i))
+        page = self.page("run.bag")
+        self.assertEqual(page.get("recording")["hidden"], 5)
+        self.assertEqual(page.post("save", {"spans": [span(1, 1.91, "lab")]})[0], 200)
+        self.assertIn("{from: 0.95, to: 1.91, place", self.text("run.labels.yaml"))
+        spans = self.page("run.bag").get("recording")["spans"]
+        self.assertEqual([(label["place"], round(label["to"], 6)) for label in spans], [("lab", 1.91)])
 
     def test_labels_count_for_all_topics(self):
         self.record("run.bag", topics=("/front/compressed", "/rear/compressed"))

@@ -294,6 +294,17 @@ class OpinionTest(LabelCase):
             self.assertEqual(max(probabilities, key=probabilities.get), place)
         self.assertEqual(page.get("answers?question=99&after=0"), [])
 
+    def test_answers_belong_to_the_frames_that_are_shown(self):
+        self.write_bag("monday.bag", [(room, room) for room in self.rooms])
+        self.write_bag("tuesday.bag", [("office", None)] * 3)
+        with rosbag.Bag(str(self.folder / "tuesday.bag"), "a") as bag:
+            image = [message for _, message, _ in bag.read_messages()][0]
+            for i in range(6):
+                bag.write(TOPIC, image, rospy.Time(200000 + i))
+        self.succeed("train", "monday.bag", "--model", "home", "--config", "crfh_colour")
+        answers = self.answers(self.page("tuesday.bag", "--model", "home"))
+        self.assertEqual([answer[0] for answer in answers], list(range(6)))
+
     def test_it_learns_from_the_labels_of_the_page(self):
         self.write_bag("run.bag", [(room, None) for room in self.rooms * 2])
         page = self.page("run.bag")

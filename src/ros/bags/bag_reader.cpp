@@ -72,11 +72,12 @@ cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
 }
 
 void sendSpan(const rosbag::Bag& bag) {
-  const auto [begin, end] = timeSpan(bag);
+  const BagTimeSpan span = timeSpan(bag);
   BagRecord record;
   record.kind = BagRecordKind::kSpan;
-  record.time = begin.toSec();
-  record.stamp = end.toSec();
+  record.time = span.begin.toSec();
+  record.stamp = span.end.toSec();
+  record.number = span.other_images;
   send(record);
 }
 

@@ -129,6 +129,7 @@ struct OpenBag {
     BagRecord record = records.next();
     info.start = record.time;
     info.duration = record.stamp - record.time;
+    info.other_images = record.number;
     for (record = records.next(); record.kind == BagRecordKind::kTopic; record = records.next()) {
       info.topics.push_back({record.text, record.detail, record.number,
                              static_cast<int>(record.cols), static_cast<int>(record.rows)});

@@ -49,12 +49,13 @@ struct BagLabel {
 
 /// The contents of a bag.
 struct BagInfo {
-  double start = 0;              ///< s since 1970, or of simulated time; see timeSpan()
-  double duration = 0;           ///< s
-  std::vector<BagTopic> topics;  ///< images first, then in order of name
-  std::vector<BagLabel> labels;  ///< in order of time; empty: the bag is not labelled
-  std::string last_label;        ///< at its end; empty: none
-  std::string labels_file;       ///< file with the labels; empty: the bag or an option
+  double start = 0;                ///< s since 1970, or of simulated time; see timeSpan()
+  double duration = 0;             ///< s
+  std::uint64_t other_images = 0;  ///< number of images more than a day before or after
+  std::vector<BagTopic> topics;    ///< images first, then in order of name
+  std::vector<BagLabel> labels;    ///< in order of time; empty: the bag is not labelled
+  std::string last_label;          ///< at its end; empty: none
+  std::string labels_file;         ///< file with the labels; empty: the bag or an option
 };
 
 /// Reads the contents of a bag. Throws Error like openBagRecording(), but not if there are no

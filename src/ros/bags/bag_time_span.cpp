@@ -7,11 +7,11 @@
 namespace place_recognition {
 namespace {
 
-/// The times of the first and last image in the largest group of images. A gap of more than a day,
-/// caused by a clock that was not set, separates groups.
-std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
+/// The span of the largest group of images alone. A gap of more than a day, caused by a clock that
+/// was not set, separates groups.
+BagTimeSpan spanOfImages(rosbag::View& images) {
   constexpr double kGap = 24 * 60 * 60;  // s
-  std::pair<ros::Time, ros::Time> span;
+  BagTimeSpan span;
   std::uint32_t most = 0, count = 0;
   ros::Time first, last;
   for (const rosbag::MessageInstance& image : images) {
@@ -23,7 +23,7 @@ std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
     last = time;
     if (++count >= most) {
       most = count;
-      span = {first, last};
+      span = {first, last, images.size() - most};
     }
   }
   return span;
@@ -31,13 +31,13 @@ std::pair<ros::Time, ros::Time> spanOfImages(rosbag::View& images) {
 
 }  // namespace
 
-std::pair<ros::Time, ros::Time> timeSpan(const rosbag::Bag& bag) {
+BagTimeSpan timeSpan(const rosbag::Bag& bag) {
   constexpr double kGap = 10 * 60;  // s
   rosbag::View all(bag);
   if (all.size() == 0) return {};
   rosbag::View images(bag, rosbag::TypeQuery({kImageType, kCompressedImageType}));
-  if (images.size() == 0) return {all.getBeginTime(), all.getEndTime()};
-  const auto [first, last] = spanOfImages(images);
+  if (images.size() == 0) return {all.getBeginTime(), all.getEndTime(), 0};
+  const auto [first, last, others] = spanOfImages(images);
   ros::Time begin = all.getBeginTime(), before = begin, end = last;
   for (const rosbag::MessageInstance& message : rosbag::View(bag, ros::TIME_MIN, first)) {
     if (message.getTime().toSec() - before.toSec() > kGap) begin = message.getTime();
@@ -47,7 +47,7 @@ std::pair<ros::Time, ros::Time> timeSpan(const rosbag::Bag& bag) {
     if (message.getTime().toSec() - end.toSec() > kGap) break;
     end = message.getTime();
   }
-  return {begin, end};
+  return {begin, end, others};
 }
 
 }  // namespace place_recognition

@@ -12,7 +12,7 @@ namespace place_recognition {
 // kCrash may come at any point and is the last record.
 
 enum class BagRecordKind : std::uint32_t {
-  kSpan,    ///< time and stamp: first and last bag time
+  kSpan,    ///< time and stamp: first and last bag time; number: of images outside, a day away
   kTopic,   ///< text: name; detail: type; number: messages; rows and cols of the first image
   kLabel,   ///< text: label; time
   kDepth,   ///< rows and cols: the lowest and highest value of images with 16 bits, see DepthExtent
