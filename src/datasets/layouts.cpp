@@ -140,6 +140,11 @@ std::vector<LabelledImage> listIndecs(const fs::path& folder, const std::string&
                 " contains several conditions, but a run has only one; "
                 "add --condition cloudy, night or sunny.");
   }
+  conditions.erase("");
+  if (found.empty() && !conditions.empty()) {
+    throw Error(folder.string() + " contains no images of the condition " + wanted + ", only of " +
+                listed({conditions.begin(), conditions.end()}) + "; give another --condition.");
+  }
   std::sort(found.begin(), found.end());
   std::vector<LabelledImage> images;
   for (const IndecsImage& image : found) images.push_back({image.path, image.room, 0});

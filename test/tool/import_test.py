@@ -48,8 +48,10 @@ class ImportTest(ToolCase):
         names = ["night/kitchen/1_0.png", "sunny/kitchen/1_0.png", "sunny/hall/1_0.png"]
         labels = self.import_pictures(names, "--layout", "indecs", "--condition", "sunny")
         self.assertEqual([label for _, label in labels], ["hall", "kitchen"])
-        self.assertIn("--condition",
-                      self.refuse("import", "data", "--out", "b.bag", "--layout", "indecs"))
+        indecs = ("import", "data", "--out", "b.bag", "--layout", "indecs")
+        self.assertIn("--condition", self.refuse(*indecs))
+        self.assertIn("no images of the condition cloudy, only of night, sunny; give",
+                      self.refuse(*indecs, "--condition", "cloudy"))
 
     def test_idol_is_in_the_order_of_its_stamps(self):
         labels = self.import_pictures(

@@ -35,6 +35,16 @@ class ReproduceTest(ToolCase):
         for title in ("Table 8.6", "Table 8.1", "images per room", "viewpoint", "Total time"):
             self.assertIn(title, report)
 
+    def test_indecs_without_one_of_the_lights(self):
+        for seed, condition in enumerate(("Cloudy", "night")):
+            for room in ROOMS:
+                for view in range(3):
+                    self.write_image(f"data/{room}_{condition}_01_{30 * view:03d}.png",
+                                       paint(room, view, seed))
+        report = self.report("indecs", "indecs-global")
+        self.assertIn("| night | 9 |", report)
+        self.assertNotIn("sunny |", report.split("## indecs-global")[0])
+
     def test_idol(self):
         for seed, sequence in enumerate(("dum_cloudy1", "dum_night2", "min_sunny1")):
             for i, room in enumerate(sorted(ROOMS) * 3):
