@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "base/place_name.h"
 #include "datasets/image_sequence.h"
 #include "datasets/layouts.h"
 #include "place_recognition/error.h"
@@ -103,6 +104,9 @@ void importImages(const ImportOptions& options) {
     if (places.count(place) > 0) continue;
     warnings.push_back("'" + place + "' is not in the bag: its images cannot be used (" + problem +
                        ").");
+  }
+  for (std::string& sentence : warnOfLikeNames({places.begin(), places.end()})) {
+    warnings.push_back(std::move(sentence));
   }
   display.clear();
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tests place_tool import on tiny folders in each layout of doc/datasets.md."""
+import json
 import unittest
 
 import rosbag
@@ -61,6 +62,14 @@ class ImportTest(ToolCase):
         self.write_image("data/png/holiday.png", paint("office", 0))
         self.assertIn("holiday.png",
                       self.refuse("import", "data", "--out", "b.bag", "--layout", "idol"))
+
+    def test_rooms_whose_names_look_alike_are_named(self):
+        for room in ("Office", "office", "kitchen"):
+            self.write_image(f"data/{room}/1.png", paint("kitchen", 0))
+        result = self.run_tool("import", "data", "--out", "run.bag", "--json", "-")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("warning: 'Office' and 'office'", result.stderr)
+        self.assertIn("'Office' and 'office'", json.loads(result.stdout)["warnings"][0])
 
     def test_two_recordings_in_one_folder_are_named(self):
         for time in (1125496218, 1125496219, 1125796219):
