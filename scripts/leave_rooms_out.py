@@ -5,13 +5,14 @@
   ./scripts/leave_rooms_out.py RUN1 RUN2 [--elsewhere RUN3] [--presets crfh,sift]
                                [--place-tool PATH]
 
-For every preset, leaves out each room in turn when training on one run and tests on the other run,
-in both directions. Prints a Markdown table of the means over the rooms: the area under the ROC
+For every preset, trains on one run without each room of the other run in turn and tests on the
+other run, in both directions. Prints a Markdown table of the means over the rooms: the area under the ROC
 curve of known against unknown and, at the threshold that `train` sets, the fractions of unknown and
 known images that are answered 'unknown'. --elsewhere adds a row for a run from another building,
 with all rooms trained. The runs are folders of room/image files.
 """
 import pathlib
+import sys
 import tempfile
 
 from preset_trials import PlaceTool, parser, presets
@@ -19,7 +20,21 @@ from preset_trials import PlaceTool, parser, presets
 KEYS = ("roc_area", "detection_rate", "false_alarm_rate")
 
 
+def room_folders(run):
+    """Returns the folders of a run's rooms, without those that other systems add."""
+    folder = pathlib.Path(run)
+    if not folder.is_dir():
+        sys.exit(f"{run} is not a folder; give a folder of room/image files.")
+    return [path for path in sorted(folder.iterdir()) if path.is_dir()
+            and not path.name.startswith((".", "@", "__")) and path.name != "lost+found"]
+
+
 def mean_cells(results):
+    """Returns the cells with the means of the results; None is one without known or without unknown
+    images."""
+    results = [result for result in results if result]
+    if not results:
+        return ["-"] * len(KEYS)
     means = [sum(result[key] for result in results) / len(results) for key in KEYS]
     return [f"{means[0]:.3f}", f"{100 * means[1]:.0f} %", f"{100 * means[2]:.0f} %"]
 
@@ -31,7 +46,7 @@ class Trial:
     def without(self, room, run, *tests):
         """Trains on all rooms of `run` except `room` and returns the figures of the tests."""
         with tempfile.TemporaryDirectory(dir=self.folder) as rest:
-            for other in sorted(pathlib.Path(run).iterdir()):
+            for other in room_folders(run):
                 if other.name != room:
                     (pathlib.Path(rest) / other.name).symlink_to(other.resolve())
             model = self.folder / "rest.places"
@@ -45,8 +60,7 @@ def main():
     options = arguments.parse_args()
     place_tool = PlaceTool(options)
     first, second = options.runs
-    rooms = sorted({path.name for run in options.runs for path in pathlib.Path(run).iterdir()
-                    if path.is_dir()})
+    rooms = {run: [path.name for path in room_folders(run)] for run in options.runs}
     print("| preset | unknown | area, forward | detected | false alarms "
           "| area, backward | detected | false alarms |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
@@ -55,7 +69,7 @@ def main():
             trial = Trial(place_tool, preset, folder)
             cells = [f"`{preset}`", "a room"]
             for train, test in ((first, second), (second, first)):
-                cells += mean_cells([trial.without(room, train, test) for room in rooms])
+                cells += mean_cells([trial.without(room, train, test) for room in rooms[test]])
             print("| " + " | ".join(cells) + " |", flush=True)
             if not options.elsewhere:
                 continue

@@ -67,7 +67,7 @@ def recorded_topics(path):
             return {name: topic.msg_type for name, topic in bag.get_type_and_topic_info().topics.items()}
     except rosbag.ROSBagUnindexedException:
         sys.exit(f"{path} has no index because its recording was interrupted; run: rosbag reindex {path}")
-    except (rosbag.ROSBagException, OSError) as e:
+    except (rosbag.ROSBagException, OSError, ValueError) as e:
         sys.exit(f"Cannot read {path}: {e}; copy or record it again.")
 
 

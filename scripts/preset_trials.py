@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -44,6 +45,9 @@ class PlaceTool:
     def __init__(self, options):
         self.command = ([options.place_tool] if options.place_tool
                         else ["rosrun", "place_recognition", "place_tool"])
+        if not shutil.which(self.command[0]):
+            sys.exit(f"{self.command[0]} is not a program; source build/devel/setup.bash first, or "
+                     "give --place-tool.")
 
     def figures(self, *words):
         """Returns the JSON output of a verb."""

@@ -80,12 +80,14 @@ class ReplayTest(NodeCase):
     def test_what_cannot_be_played_is_told(self):
         run = self.write_run(self.trip / "the run.bag")
         (self.trip / "notes.bag").write_text("notes")
+        (self.trip / "noise.bag").write_bytes(bytes(range(128, 256)))
         settings = {"BAG": run, "RATE": "1", "LOOP": "false", "IMAGE": "/camera/image_raw",
                     "ODOMETRY": "none"}
         for name, value, words in (
                 ("BAG", self.trip / "the lost run.bag", "There is no file"),
                 ("BAG", self.trip, "There is no file"),
                 ("BAG", self.trip / "notes.bag", "copy or record it again"),
+                ("BAG", self.trip / "noise.bag", "noise.bag: "),
                 ("BAG", f"[{run}, lost.bag]", "lost.bag; give"),
                 ("BAG", "[", "give a path, or a list as in bag:='[run_0.bag, run_1.bag]'"),
                 ("RATE", "fast", "The argument rate is 'fast'; give a number above 0"),

@@ -81,6 +81,10 @@ class ReproduceTest(ToolCase):
                       (self.folder / "out/report.md").read_text())
         self.assertEqual(self.reproduce("idol", "data", "--out", "out", "--experiments",
                                         "categories").returncode, 2)
+        result = self.reproduce("indecs", "data", "--out", "/proc/nowhere")
+        self.assertEqual((result.returncode, result.stdout), (1, ""))
+        self.assertIn("reproduce: /proc/nowhere", result.stderr)
+        self.assertEqual(len(result.stderr.splitlines()), 1)
 
 
 if __name__ == "__main__":
