@@ -6,10 +6,10 @@
                                [--place-tool PATH]
 
 For every preset, trains on one run without each room of the other run in turn and tests on the
-other run, in both directions. Prints a Markdown table of the means over the rooms: the area under the ROC
-curve of known against unknown and, at the threshold that `train` sets, the fractions of unknown and
-known images that are answered 'unknown'. --elsewhere adds a row for a run from another building,
-with all rooms trained. The runs are folders of room/image files.
+other run, in both directions. Prints a Markdown table of the means over the rooms: the area under
+the ROC curve of known against unknown and, at the threshold that `train` sets, the fractions of
+unknown and known images that are answered 'unknown'. --elsewhere adds a row for a run from another
+building, with all rooms trained. The runs are folders of room/image files.
 """
 import pathlib
 import sys

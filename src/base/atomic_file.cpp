@@ -134,7 +134,11 @@ std::string readFile(const std::string& path, std::size_t limit) {
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status;
   if (fd < 0 || fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) {
-    const std::string why = fd < 0 ? std::strerror(errno) : "not a file";
+    std::string why = fd < 0 ? std::strerror(errno) : "not a file";
+    std::error_code ignored;
+    if (fd < 0 && errno == ENOENT && std::filesystem::is_symlink(path, ignored)) {
+      why = "it is a broken link";
+    }
     if (fd >= 0) close(fd);
     throw Error("Cannot read " + path + ": " + why + "; check the name.");
   }

@@ -121,7 +121,14 @@ YAML::Node childOf(YAML::Node parent, const std::string& key, const std::string&
 YAML::Node parseYaml(const std::string& text, const std::string& where) {
   try {
     requireModestYaml(text, where);
-    return YAML::Load(text);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    for (std::size_t i = 1; i < documents.size(); ++i) {
+      if (documents[i].IsNull()) continue;
+      throw Error(where +
+                  " contains several YAML documents, of which only one would be read; remove "
+                  "the others or the lines '---'.");
+    }
+    return documents.empty() ? YAML::Node() : documents.front();
   } catch (const YAML::Exception& e) {
     throw Error(where + " is not valid YAML: " + e.what() + ".");
   }

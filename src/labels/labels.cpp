@@ -16,13 +16,13 @@ namespace place_recognition {
 namespace {
 
 struct Interval {
-  double from = 0;
+  double from = std::numeric_limits<double>::quiet_NaN();
   double to = std::numeric_limits<double>::infinity();
   std::string place;
 
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("from", self.from, "s");
+    visitor("from", self.from, "s; required");
     visitor("to", self.to, "s; if omitted: until the next interval");
     visitor("place", self.place, "label");
   }
@@ -57,6 +57,10 @@ std::optional<std::vector<Interval>> readIntervals(const std::string& path, doub
     Interval& interval = file.labels[i];
     const std::string where = path + ", labels[" + std::to_string(i) + "]";
     checkLabel(interval.place, where);
+    if (std::isnan(interval.from)) {
+      throw Error(where + ": 'from' is missing or no number; give the time at which " +
+                  inQuotes(interval.place) + " begins.");
+    }
     if (!std::isfinite(interval.from) || !(interval.from < interval.to)) {
       throw Error(where + ": 'from' must be less than 'to'.");
     }
@@ -74,7 +78,7 @@ void addIntervals(std::vector<Interval> intervals, const std::string& path, Labe
     labels.add(interval.from, interval.place);
     const bool last = i + 1 == intervals.size();
     const double next = last ? std::numeric_limits<double>::infinity() : intervals[i + 1].from;
-    if (!std::isfinite(interval.to)) continue;
+    if (!std::isfinite(interval.to) && interval.from < next) continue;
     if (interval.to > next) {
       throw Error(path + ": the intervals of " + inQuotes(interval.place) + " and " +
                   inQuotes(intervals[i + 1].place) + " overlap; let the first end earlier.");

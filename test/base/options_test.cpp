@@ -69,6 +69,12 @@ TEST(Options, KeepDefaultsForWhatIsNotNamed) {
 
 TEST(Options, AnEmptyFileChangesNothing) { EXPECT_EQ(readWhole("").seed, 7u); }
 
+TEST(Options, AreOneDocument) {
+  EXPECT_EQ(readWhole("---\nseed: 8\n---\n").seed, 8u);
+  EXPECT_EQ(readWhole("seed: 8\n...\n").seed, 8u);
+  EXPECT_THROW(readWhole("seed: 8\n---\nseed: 9\n"), Error);
+}
+
 TEST(Options, ReadNestedListsAndAlternatives) {
   const Whole whole =
       readWhole("parts: [{name: a, shape: {type: square, sides: 5}}, {shape: {radius: 0.25}}]");

@@ -100,6 +100,11 @@ TEST_F(LabelFiles, FaultsAreNamed) {
   const auto yaml = [this](const std::string& text) { return errorOf("run.labels.yaml", text); };
   EXPECT_NE(yaml("labels: [{from: 0, to: 9, place: a}, {from: 8, place: b}]").find("overlap"),
             std::string::npos);
+  EXPECT_NE(yaml("labels: [{from: 8, place: a}, {from: 8, place: b}]").find("'a' and 'b' overlap"),
+            std::string::npos);
+  EXPECT_NE(yaml("labels: [{place: a}]").find("labels[0]: 'from' is missing"), std::string::npos);
+  EXPECT_NE(yaml("labels: [{from: 1, place: a}]\n---\nlabels: [{from: 2, place: b}]").find("---"),
+            std::string::npos);
   EXPECT_NE(
       yaml("labels: [{from: 9, to: 8, place: a}]").find("labels[0]: 'from' must be less than 'to'"),
       std::string::npos);

@@ -3,6 +3,7 @@
 #include <rosbag/bag.h>
 #include <std_msgs/String.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -84,6 +85,16 @@ TEST_F(Bags, ALabelsFileBesideTheBagComesBeforeTheTopic) {
   EXPECT_EQ(readAll(path_, options)[4].place, "lab");
   options.label = "everywhere";
   EXPECT_EQ(places(readAll(path_, options)), std::vector<std::string>(5, "everywhere"));
+}
+
+TEST_F(Bags, ABrokenLinkToALabelsFileIsNotPassedOver) {
+  writeRun(path_);
+  for (const char* name : {"run.labels.yaml", "run.labels.yml", "labels.dat"}) {
+    const std::string link = scratch_ / name;
+    std::filesystem::create_symlink("nowhere", link);
+    EXPECT_NE(errorOf(path_).find(std::string(name) + ": it is a broken link"), std::string::npos);
+    std::filesystem::remove(link);
+  }
 }
 
 TEST_F(Bags, ALabelTopicThatWasAskedForMustBeThere) {

@@ -19,6 +19,12 @@ namespace fs = std::filesystem;
 constexpr const char* kStart = "#ROSBAG V2.0";
 constexpr const char* kRos2Remedy = "convert it to a ROS 1 bag, for instance with rosbags-convert";
 
+/// Whether the path is taken, if only by a broken link.
+bool isTaken(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
 bool startsAsBag(const std::string& path) { return startsWith(startOfFile(path), kStart); }
 
 }  // namespace
@@ -51,8 +57,7 @@ std::string writtenLabelsFile(const std::string& path) {
 std::string ownLabelsFile(const std::string& path) {
   fs::path labels = writtenLabelsFile(path);
   for (const char* extension : {".yaml", ".yml"}) {
-    std::error_code ignored;
-    if (fs::exists(labels.replace_extension(extension), ignored)) return labels.string();
+    if (isTaken(labels.replace_extension(extension))) return labels.string();
   }
   return "";
 }
@@ -61,8 +66,7 @@ std::string labelsFileBeside(const std::string& path) {
   const std::string own = ownLabelsFile(path);
   if (!own.empty()) return own;
   const fs::path lines = fs::path(path).replace_filename("labels.dat");
-  std::error_code ignored;
-  return fs::exists(lines, ignored) ? lines.string() : "";
+  return isTaken(lines) ? lines.string() : "";
 }
 
 void requireNoLabelsBeside(const std::string& path) {
