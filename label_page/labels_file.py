@@ -5,6 +5,7 @@ times are relative to the bag's start as place_tool reports it.
 """
 import bisect
 import json
+import math
 import os
 import re
 import subprocess
@@ -45,6 +46,18 @@ def check_name(name):
     if name.casefold() == UNKNOWN:
         raise Problem(f"'{name}' is reserved for unknown places; choose another name, or leave the "
                       "place unlabelled.")
+
+
+def require_spans(spans):
+    """Raises TypeError, KeyError, ValueError or OverflowError unless `spans` is a list of spans,
+    which checked() may still refuse."""
+    if not isinstance(spans, list):
+        raise TypeError("The spans are not a list.")
+    for span in spans:
+        if not math.isfinite(span["from"]) or not math.isfinite(span["to"]):
+            raise ValueError("A time is not finite.")
+        if not isinstance(span["place"], str):
+            raise TypeError("A place is not text.")
 
 
 def checked(spans):

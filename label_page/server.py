@@ -10,7 +10,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from urllib.parse import parse_qs, urlsplit
 
-from labels_file import Changed, checked
+from labels_file import Changed, checked, require_spans
 from recording import HEIGHTS, Problem
 
 PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "page")
@@ -170,7 +170,7 @@ class Handler(BaseHTTPRequestHandler):
             self.send_json({"problem": str(problem)}, HTTPStatus.CONFLICT)
         except Problem as problem:
             self.send_json({"problem": str(problem)}, HTTPStatus.UNPROCESSABLE_ENTITY)
-        except (KeyError, ValueError, TypeError, IndexError):
+        except (KeyError, ValueError, TypeError, IndexError, OverflowError, RecursionError):
             self.close_connection = True
             self.send(b"", "text/plain", status=HTTPStatus.BAD_REQUEST)
 
@@ -248,6 +248,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def draft(self, body):
         spans, page = body["spans"], body.get("page")
+        require_spans(spans)
         with self.server.lock:
             self.server.require_newest(page)
             self.server.keep(page, spans, not body.get("saved", False))

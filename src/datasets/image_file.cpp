@@ -100,6 +100,8 @@ DecodedImage readDeepImageFile(const std::string& path) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.data());
     return decode(readImageHeader(bytes, file.size()), bytes, file.size());
   } catch (const Error&) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) return {{}, "it is a folder, not an image"};
     return {{}, "it cannot be read or is larger than 256 MB"};
   }
 }

@@ -156,8 +156,9 @@ std::vector<LabelledImage> listIdol(const fs::path& folder, Warnings& warnings) 
   for (const fs::path path : imagesBelow(folder.string(), warnings)) {
     LabelledImage image{path.string(), "", NAN};
     for (const std::string& word : split(path.stem().string(), "_")) {
-      if (word.front() == 't') image.stamp = numberBehindLetter(word);
-      if (word.front() == 'r') image.place = word.substr(1);
+      // Only the first of these words: more may follow, as in _retouched.
+      if (word.front() == 't' && std::isnan(image.stamp)) image.stamp = numberBehindLetter(word);
+      if (word.front() == 'r' && image.place.empty()) image.place = word.substr(1);
     }
     if (image.place.empty() || std::isnan(image.stamp)) {
       throw Error(image.path +

@@ -8,6 +8,7 @@
 #include "base/place_name.h"
 #include "datasets/image_sequence.h"
 #include "datasets/layouts.h"
+#include "labels/labels.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/labelled_bag_writer.h"
@@ -22,6 +23,7 @@ struct ImportOptions {
   std::string folder;
   std::string out;
   Layout layout;
+  double rate = 0;  // Hz; 0: that of the layout
   bool raw = false;
   OutputOptions output;
 };
@@ -50,7 +52,7 @@ void warnOfGap(const std::vector<LabelledImage>& images, std::vector<std::string
 }
 
 void importImages(const ImportOptions& options) {
-  const Layout& layout = options.layout;
+  Layout layout = options.layout;
   if (!layout.camera.empty() && layout.name != "cold") {
     throw UsageError("--camera requires --layout cold");
   }
@@ -58,13 +60,19 @@ void importImages(const ImportOptions& options) {
     throw UsageError("--condition requires --layout indecs");
   }
   const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
-  if (layout.rate != Layout().rate && !by_rate) {
+  if (options.rate > 0) layout.rate = options.rate;
+  if (options.rate > 0 && !by_rate) {
     throw UsageError("--rate requires --layout rooms or indecs, because the others have stamps");
   }
   requireWritable(options.out, Contents::kBag);
   requireNoLabelsBeside(options.out);
   std::vector<std::string> warnings;
   const std::vector<LabelledImage> images = listImages(options.folder, layout, warnings);
+  std::set<std::string> checked;
+  for (const LabelledImage& image : images) {
+    const bool is_new = !image.place.empty() && checked.insert(image.place).second;
+    if (is_new) checkLabel(image.place, image.path);
+  }
   if (!by_rate) {
     requireSeconds(images);
     warnOfGap(images, warnings);
@@ -134,7 +142,7 @@ void addImport(CommandLine& tool) {
   verb.option("--condition", "NAME", options->layout.condition,
               "indecs: the light to import if the folder holds several: cloudy, night or sunny")
       .oneOf({"cloudy", "night", "sunny"});
-  verb.option("--rate", "HZ", options->layout.rate,
+  verb.option("--rate", "HZ", options->rate,
               "rooms, indecs: images per second (default 5); the other layouts have stamps")
       .positive();
   verb.option("--camera", "NAME", options->layout.camera,

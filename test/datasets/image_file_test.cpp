@@ -216,6 +216,7 @@ TEST(ImageFilesThatAreNone, AreNamedForWhatTheyAre) {
             std::string::npos);
   EXPECT_NE(problem("<!DOCTYPE html><html>").find("web page"), std::string::npos);
   EXPECT_NE(problem("notes").find("not an image"), std::string::npos);
+  EXPECT_EQ(readImageFile(scratch / ".").problem, "it is a folder, not an image");
 }
 
 TEST(ImageFilesThatAreBombs, AreRefusedByTheirHeader) {

@@ -260,6 +260,8 @@ TEST(Conversions, UnknownEncodingsAreRefusedByName) {
             std::string::npos);
   EXPECT_LT(errorOf(imageMessage(std::string(1 << 20, 'x'), 1, 1, {1})).size(), 600u);
   EXPECT_NE(errorOf(imageMessage("", 1, 1, {1})), "");
+  EXPECT_NE(errorOf(imageMessage(std::string("bo\0bo", 5), 1, 1, {1})).find("'bo?bo'"),
+            std::string::npos);
 }
 
 TEST(Conversions, OddWidthsOfYuvAreRefused) {

@@ -99,6 +99,25 @@ class ImportTest(ToolCase):
         self.assertIn("run.bag: its image 2 has the time 1001000000000 s", line)
         self.assertIn("rate", line)
 
+    def test_further_words_of_idol_names_have_no_meaning(self):
+        labels = self.import_pictures(["t1125496218.25_rKT_x6.5_y5.3_a0.5_top_retouched.png"],
+                                      "--layout", "idol")
+        self.assertEqual(labels, [(1125496218.25, "KT")])
+
+    def test_a_rate_of_layouts_with_stamps_is_refused(self):
+        self.write_image("data/t1125496218.25_rKT_x6.5_y5.3_a0.5.png", paint("kitchen", 0))
+        for rate in (2, 5):
+            self.assertIn("--rate requires --layout rooms or indecs",
+                          self.refuse("import", "data", "--out", "b.bag", "--layout", "idol",
+                                      "--rate", rate, status=2))
+
+    def test_a_folder_that_cannot_name_a_room_is_named(self):
+        self.write_run("data", views=1)
+        self.write_image("data/unknown/1.png", paint("kitchen", 0))
+        line = self.refuse("import", "data", "--out", "run.bag")
+        self.assertIn("data/unknown/1.png: the label 'unknown'", line)
+        self.assertNotIn("run.bag", line)
+
     def test_cold_takes_labels_from_its_list(self):
         names = ["t1152886490.25_x0.205133_y0.000557_a0.002507.jpeg",
                  "t1152886491.5_x0.3_y0.0_a0.0.jpeg"]

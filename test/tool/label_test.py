@@ -78,8 +78,13 @@ class AddressTest(LabelCase):
 
     def test_malformed_requests_are_refused_and_change_nothing(self):
         for name, body in (("save", "{"), ("save", "[]"), ("save", '{"spans": [{}]}'),
-                           ("save", '{"spans": [{"from": 0, "to": "a", "place": "b"}]}')):
-            self.assertEqual(self.status("POST", name, body), 400, body)
+                           ("save", '{"spans": [{"from": 0, "to": "a", "place": "b"}]}'),
+                           ("save", '{"spans": [{"from": 0, "to": 1%s, "place": "b"}]}' % ("0" * 400)),
+                           ("save", "[" * 100000), ("draft", '{"spans": 5}'), ("draft", '{"spans": {}}'),
+                           ("draft", '{"spans": [5]}'), ("draft", '{"spans": [{"from": 0, "to": 1}]}'),
+                           ("draft", '{"spans": [{"from": 0, "to": NaN, "place": "b"}]}'),
+                           ("draft", '{"spans": [{"from": 0, "to": 1, "place": 5}]}')):
+            self.assertEqual(self.status("POST", name, body), 400, body[:80])
         for query in ("times?topic=/no", "picture?topic=/no&frame=0&size=thumb",
                       f"picture?topic={TOPIC}&frame=0", "answers?question=a&after=0", "times"):
             self.assertEqual(self.status("GET", query), 400, query)

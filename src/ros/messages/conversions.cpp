@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -37,8 +38,8 @@ PixelLayout layoutOf(const std::string& encoding) {
   if (encoding == kYuy2) return {2, 1};
   if (!isGrey(encoding) && !isColor(encoding)) {
     throw Error(
-        "Images of encoding '" + encoding.substr(0, 40) +
-        "' cannot be used; supported are rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, "
+        "Images of encoding " + inQuotes(encoding, 40) +
+        " cannot be used; supported are rgb, bgr, rgba, bgra, mono and bayer of 8 or 16 bits, "
         "yuv422, yuv422_yuy2, 8UC1, 8UC3 and 16UC1.");
   }
   return {static_cast<std::uint64_t>(encodings::numChannels(encoding)),
