@@ -165,6 +165,25 @@ class RecordingTest(LabelCase):
         np.testing.assert_allclose(page.picture("/bgr", 0)[16, 24], (200, 100, 50), atol=4)
         np.testing.assert_allclose(page.picture("/rgb", 0)[16, 24], (50, 100, 200), atol=4)
 
+    def test_two_bags_with_one_labels_file_are_refused(self):
+        for names in (("plain.1", "plain.2"), ("tue.bag", "tue.BAG")):
+            for name in names:
+                self.record(name)
+            said = self.refuse("label", "--no-browser", names[0], "./" + names[1])
+            for name in (*names, names[0].split(".")[0] + ".labels.yaml", "rename"):
+                self.assertIn(name, said)
+        (self.folder / "other").mkdir()
+        self.record("other/tue.bag")
+        page = self.page("tue.bag", "other/tue.bag")
+        self.assertEqual(len(set(page.get("recording")["files"])), 2)
+
+    def test_labels_from_a_file_or_an_option_are_shown(self):
+        self.record("run.bag", labels=[(0, "said")])
+        (self.folder / "other.yaml").write_text("labels: [{from: 0, place: written}]")
+        for option, place in (("--labels=other.yaml", "written"), ("--label=given", "given")):
+            page = self.page("run.bag", option)
+            self.assertEqual([label["place"] for label in page.get("recording")["spans"]], [place])
+
     def test_input_that_is_not_a_recording_gives_one_line(self):
         self.write_run("rooms", views=1)
         (self.folder / "broken.bag").write_bytes(b"#ROSBAG V2.0\n" + bytes(100))

@@ -193,25 +193,6 @@ class SavingTest(LabelCase):
                 self.assertEqual(status, 422, content)
         self.assertEqual(self.files(), ["run.bag"])
 
-    def test_two_bags_with_one_labels_file_are_refused(self):
-        for names in (("plain.1", "plain.2"), ("tue.bag", "tue.BAG")):
-            for name in names:
-                self.record(name)
-            said = self.refuse("label", "--no-browser", names[0], "./" + names[1])
-            for name in (*names, names[0].split(".")[0] + ".labels.yaml", "rename"):
-                self.assertIn(name, said)
-        (self.folder / "other").mkdir()
-        self.record("other/tue.bag")
-        page = self.page("tue.bag", "other/tue.bag")
-        self.assertEqual(len(set(page.get("recording")["files"])), 2)
-
-    def test_labels_from_a_file_or_an_option_are_shown(self):
-        self.record("run.bag", labels=[(0, "said")])
-        (self.folder / "other.yaml").write_text("labels: [{from: 0, place: written}]")
-        for option, place in (("--labels=other.yaml", "written"), ("--label=given", "given")):
-            page = self.page("run.bag", option)
-            self.assertEqual([label["place"] for label in page.get("recording")["spans"]], [place])
-
     def test_a_bag_whose_name_starts_with_a_dash(self):
         self.record("--help.bag")
         page = self.page("--label=-room", "--", "--help.bag")
