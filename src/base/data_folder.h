@@ -15,6 +15,10 @@ std::string dataFolder(const std::string& kind);
 /// and words of command lines.
 bool isPlainName(const std::string& name);
 
+/// That rule, for messages.
+constexpr const char* kPlainNameRule =
+    "1 to 64 letters, digits, '_' or '-', and no '-' at its start";
+
 /// Whether `name` is a file name rather than the name of an object in its dataFolder(): it contains
 /// a slash or ends in `extension`.
 bool isFileName(const std::string& name, const std::string& extension);

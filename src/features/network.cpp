@@ -158,8 +158,7 @@ std::string networkFolder() { return dataFolder("networks"); }
 std::string networkPath(const std::string& name) {
   if (isFileName(name, kExtension)) return name;
   if (!isPlainName(name)) {
-    throw Error(inQuotes(name) +
-                " cannot name a network; use 1 to 64 letters, digits, '_' or '-'.");
+    throw Error(inQuotes(name) + " cannot name a network; use " + kPlainNameRule + ".");
   }
   return networkFolder() + "/" + name + kExtension;
 }

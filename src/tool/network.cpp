@@ -107,7 +107,7 @@ NetworkFacts tryStaged(const StagedNetwork& staged, const NetworkAddOptions& opt
 
 void add(const NetworkAddOptions& options) {
   if (!isPlainName(options.name)) {
-    throw UsageError("--name takes 1 to 64 letters, digits, '_' or '-', and no '-' at its start");
+    throw UsageError(std::string("--name takes ") + kPlainNameRule);
   }
   const std::string bytes =
       isUrl(options.source) ? download(options.source, kMaxNetworkBytes, options.output.progress)

@@ -24,7 +24,7 @@ std::string modelPath(const std::string& name) {
 
 std::string namedModelPath(const std::string& name) {
   if (!isPlainName(name)) {
-    throw Error(inQuotes(name) + " cannot name a model; use 1 to 64 letters, digits, '_' or '-'.");
+    throw Error(inQuotes(name) + " cannot name a model; use " + kPlainNameRule + ".");
   }
   const std::string path = modelFolder() + "/" + name + kExtension;
   if (fs::is_symlink(fs::symlink_status(path))) {

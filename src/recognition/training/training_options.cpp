@@ -15,8 +15,7 @@ namespace {
 /// Runs the checks of a cue's parts, and adds the cue's name to their messages.
 void checkCue(const CueOptions& cue) {
   if (!isPlainName(cue.name)) {
-    throw Error("Option 'cues.name' is '" + cue.name +
-                "'; give 1 to 64 letters, digits, '_' or '-'.");
+    throw Error("Option 'cues.name' is '" + cue.name + "'; give " + kPlainNameRule + ".");
   }
   try {
     colourNormalization(cue.normalize);

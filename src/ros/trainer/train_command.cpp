@@ -46,8 +46,7 @@ bool areGraphNames(const std::string& names) {
 void check(const TrainGoal& goal) {
   requireOfGoal(!goal.bags.empty() || !goal.from_model.empty(), "bags are missing");
   requireOfGoal(goal.bags.size() <= kMaxBags, "bags has more than " + std::to_string(kMaxBags));
-  requireOfGoal(isPlainName(goal.model),
-                "model must be 1 to 64 letters, digits, '_' or '-', and start without '-'");
+  requireOfGoal(isPlainName(goal.model), std::string("model must be ") + kPlainNameRule);
   requireOfGoal(goal.preset.empty() || isPlainName(goal.preset),
                 "preset must be the name of a file in config/, such as 'crfh'");
   requireOfGoal(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
@@ -57,12 +56,12 @@ void check(const TrainGoal& goal) {
                     std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
                 "reduction must be auto, none, qr, shared-qr or shared-greedy");
   requireOfGoal(goal.add_to.empty() || isPlainName(goal.add_to),
-                "add_to must be 1 to 64 letters, digits, '_' or '-', and start without '-'");
+                std::string("add_to must be ") + kPlainNameRule);
   requireOfGoal(
       goal.add_to.empty() || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty()),
       "add_to excludes preset, yaml and reduction, which the model defines");
   requireOfGoal(goal.from_model.empty() || isPlainName(goal.from_model),
-                "from_model must be 1 to 64 letters, digits, '_' or '-', and start without '-'");
+                std::string("from_model must be ") + kPlainNameRule);
   requireOfGoal(goal.from_model.empty() || !goal.add_to.empty(), "from_model needs add_to");
   requireOfGoal(
       !goal.calibrate || (goal.preset.empty() && goal.yaml.empty() && goal.reduction.empty() &&
