@@ -21,11 +21,11 @@
 #include "recognition/training/combination.h"
 #include "recognition/training/cue_training.h"
 #include "recognition/training/learned_before.h"
-#include "recognition/training/learned_runs.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/reduction_choice.h"
 #include "recognition/training/remembered_samples.h"
 #include "recognition/training/samples.h"
+#include "recognition/training/training_warnings.h"
 
 namespace place_recognition {
 namespace {
@@ -71,53 +71,6 @@ void keepWhatIsUnknown(std::size_t count, CalibrationSet& calibration_set) {
   for (std::size_t i = count; i < samples.size(); ++i) judged.insert(samples[i].place);
   for (std::size_t i = 0; i < count; ++i) {
     calibration_set.judges_unknown[i] = judged.count(samples[i].place) == 0;
-  }
-}
-
-/// Warnings about places that cross-validation cannot judge.
-void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>& warnings) {
-  constexpr int kEnoughFolds = 5;
-  const auto enough = static_cast<std::uint64_t>(2 * std::min(folds, kEnoughFolds));
-  for (std::size_t k = 0; k < samples.images.size(); ++k) {
-    if (samples.images[k] >= enough) continue;
-    warnings.push_back("The place '" + samples.places[k] + "' has only " +
-                       counted(samples.images[k], "image") +
-                       "; its answers and their confidence will be poor. Record more of it.");
-  }
-}
-
-void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
-                         const std::vector<std::string>& places,
-                         std::vector<std::string>& warnings) {
-  constexpr double kWorthAWord = 0.1;
-  for (const ConfusedPair& pair : pairs) {
-    if (pair.rate - pair.standard_error < kWorthAWord) continue;
-    warnings.push_back("'" + places[static_cast<std::size_t>(pair.a)] + "' and '" +
-                       places[static_cast<std::size_t>(pair.b)] +
-                       "' look alike: " + percent(pair.rate, 0) +
-                       " of their held-out images are mistaken for the other place.");
-  }
-}
-
-void warnOfLearnedRuns(const Model& model, Samples& samples) {
-  for (const std::string& input : samples.inputs) {
-    if (!isTrainedOn(model.provenance, input)) continue;
-    samples.warnings.push_back("The model was already trained on " + input +
-                               ", so the figures of held-out images are too good; give new runs.");
-  }
-}
-
-/// Warns of a limit that leaves little of what earlier held-out frames have judged.
-void warnOfTightLimit(const Model& model, int vector_limit, std::vector<std::string>& warnings) {
-  if (vector_limit == 0) return;
-  for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
-    const std::size_t before = model.classifiers[c].supportVectorCount();
-    if (2 * static_cast<std::size_t>(vector_limit) >= before) continue;
-    warnings.push_back("The limit keeps " + counted(vector_limit, "support vector") + " of " +
-                       std::to_string(before) +
-                       " that the model had, so its confidence and the figures of held-out images "
-                       "are too good; run `place_tool calibrate` on another run.");
-    return;
   }
 }
 
@@ -312,7 +265,7 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
       options.validation = model.options.validation;  // there are no new frames for validation
     } else {
       Samples fresh = collectSamplesFor(model, recordings, options, threads, progress, 1);
-      warnOfLearnedRuns(model, fresh);
+      warnOfLearnedRuns(model, fresh.inputs, fresh.warnings);
       samples = joinSamples(std::move(samples), std::move(fresh));
     }
     if (samples.origins.empty()) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "place_recognition/model.h"
+#include "recognition/model/scores.h"
+#include "recognition/training/samples.h"
+
+namespace place_recognition {
+
+// Sentences for a person about what a training cannot do well. Each function adds to `warnings`.
+
+/// Places that cross-validation in `folds` cannot judge.
+void warnOfFewImages(const Samples& samples, int folds, std::vector<std::string>& warnings);
+
+/// Pairs of places of which more than a tenth is mistaken, beyond a standard error.
+void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
+                         const std::vector<std::string>& places,
+                         std::vector<std::string>& warnings);
+
+/// Those of `inputs` that `model`, which is extended, was trained on.
+void warnOfLearnedRuns(const Model& model, const std::vector<std::string>& inputs,
+                       std::vector<std::string>& warnings);
+
+/// A limit that leaves less than half of the vectors of `model`, by which its held-out frames were
+/// judged. 0: no limit.
+void warnOfTightLimit(const Model& model, int vector_limit, std::vector<std::string>& warnings);
+
+}  // namespace place_recognition
