@@ -1,6 +1,7 @@
 #include "ros/recognizer/debug_image.h"
 
 #include <algorithm>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
@@ -29,12 +30,26 @@ struct Layout {
   int bar_length;  ///< of probability 1
 };
 
+/// The most probable places, at most kMostBars, in their order.
+std::vector<int> drawnPlaces(const Eigen::RowVectorXd& probabilities) {
+  constexpr std::size_t kMostBars = 12;
+  std::vector<int> places(static_cast<std::size_t>(probabilities.size()));
+  std::iota(places.begin(), places.end(), 0);
+  if (places.size() <= kMostBars) return places;
+  std::stable_sort(places.begin(), places.end(),
+                   [&](int a, int b) { return probabilities[a] > probabilities[b]; });
+  places.resize(kMostBars);
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
 }  // namespace
 
 cv::Mat drawAnswer(const cv::Mat& image, const Recognition& recognition, const Model& model) {
   const Layout layout(image.size());
-  const int places = static_cast<int>(model.places.size());
-  cv::Mat canvas(image.rows + (places + 1) * layout.line, image.cols, CV_8UC3,
+  const std::vector<int> places = drawnPlaces(recognition.probabilities);
+  const int bars = static_cast<int>(places.size());
+  cv::Mat canvas(image.rows + (bars + 1) * layout.line, image.cols, CV_8UC3,
                  cv::Scalar(40, 40, 40));
   cv::Mat frame = canvas.rowRange(0, image.rows);
   if (image.channels() == 1) {
@@ -53,11 +68,12 @@ cv::Mat drawAnswer(const cv::Mat& image, const Recognition& recognition, const M
   cv::putText(canvas, answer, {layout.line / 2, layout.line * 3 / 2}, kFont,
               1.6 * layout.font_scale, recognition.known ? kWhite : kGrey, 1, cv::LINE_AA);
 
-  for (int i = 0; i < places; ++i) {
+  for (int i = 0; i < bars; ++i) {
     const int top = image.rows + layout.line / 2 + i * layout.line;
-    const double probability = recognition.probabilities[i];
-    const bool chosen = recognition.known && i == recognition.place;
-    cv::putText(canvas, model.places[static_cast<std::size_t>(i)],
+    const int place = places[static_cast<std::size_t>(i)];
+    const double probability = recognition.probabilities[place];
+    const bool chosen = recognition.known && place == recognition.place;
+    cv::putText(canvas, model.places[static_cast<std::size_t>(place)],
                 {layout.line / 2, top + layout.line * 3 / 4}, kFont, layout.font_scale, kWhite, 1,
                 cv::LINE_AA);
     const int length = std::max(1, static_cast<int>(probability * layout.bar_length));
