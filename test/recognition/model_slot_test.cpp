@@ -58,6 +58,16 @@ TEST_F(ModelSlots, ExchangeTheModel) {
   EXPECT_EQ(two->places.size(), 2u);  // users of the old model keep it
 }
 
+TEST_F(ModelSlots, KeepTheModelIfItsFileIsUnchanged) {
+  slot_.load("two");
+  const std::shared_ptr<const Model> two = slot_.model();
+  slot_.reload();
+  EXPECT_EQ(slot_.model(), two);
+  save("two", 3);
+  slot_.reload();
+  EXPECT_NE(slot_.model(), two);
+}
+
 TEST_F(ModelSlots, KeepTheModelIfTheNextIsBad) {
   slot_.load("two");
   const std::shared_ptr<const Model> two = slot_.model();

@@ -97,6 +97,24 @@ TEST_F(RecognizerNode, CanBeSwitchedOff) {
   EXPECT_TRUE(answerTo(answers, drawRoom(1, 3)));
 }
 
+TEST_F(RecognizerNode, APauseAndTheSameModelKeepWhatTheStreamHasShown) {
+  Inbox<PlaceRecognition> answers(node_, name_ + "/recognition");
+  const auto shiftAfter = [&](unsigned frame) {
+    EXPECT_TRUE(answerTo(answers, drawRoom(4, frame)));
+    const auto report = status("Images");
+    return report ? std::stod(valueOf(*report, "shift of the evidence")) : 0;
+  };
+  trigger("reset");
+  for (unsigned frame = 1; frame < 20; ++frame) answerTo(answers, drawRoom(4, frame));
+  const double before = shiftAfter(20);
+  enable(false);
+  enable(true);
+  trigger("reload_model");
+  EXPECT_GT(shiftAfter(20), 0.7 * before);
+  trigger("reset");
+  EXPECT_LT(shiftAfter(20), 0.3 * before);
+}
+
 /// A recognizer whose `~image_timeout` is one second.
 class ImpatientRecognizerNode : public RecognizerNode {
  protected:

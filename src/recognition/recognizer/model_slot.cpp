@@ -32,7 +32,9 @@ ModelSlot::Loaded ModelSlot::readAgain() {
 
 void ModelSlot::use(Loaded loaded) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  model_ = std::move(loaded.model);
+  const bool is_same =
+      model_ && !model_->version.empty() && model_->version == loaded.model->version;
+  if (!is_same) model_ = std::move(loaded.model);
   name_ = std::move(loaded.name);
   problem_.clear();
 }

@@ -25,7 +25,8 @@ class ModelSlot {
   /// Throws Error like read().
   Loaded readAgain();
 
-  /// Replaces the model in use.
+  /// Replaces the model in use. One of the same version stays, so that recognizers keep what they
+  /// have learned of the light and the evidence of their stream.
   void use(Loaded loaded);
 
   /// Throws Error like read(), keeping the model in use.

@@ -64,7 +64,8 @@ bool PlaceRecognizer::onSetEnabled(std_srvs::SetBool::Request& request,
   }
   if (enable != was_enabled) {
     updateSubscription();
-    reset();  // waits for the answer in progress
+    const std::lock_guard<std::mutex> lock(state_mutex_);  // waits for the answer in progress
+    answers_.forget(place_tracker_);
   }
   response.success = true;
   response.message = request.data ? "Recognizing." : "Not recognizing until enabled again.";
