@@ -49,11 +49,12 @@ struct IncrementalOptions {
 /// Incremental training (thesis section 9.1): trains on the support vectors of `model` and on the
 /// labelled frames of new `recordings`, which may show known or new places (there may be none if
 /// there is another model). Features, kernels and gammas stay those of the model. Without
-/// a limit and another model, one-against-all machines are extended by those of new places, and the
-/// weights of the cues and what is "unknown" in known places stay, too. Otherwise, the held-out
-/// frames of the new runs and those on which the models were validated determine the weights of the
-/// cues and the calibration. Throws like train(), but one new place is enough; also if the models
-/// were trained with different features.
+/// a limit and another model, one-against-all machines are extended by those of new places. Without
+/// another model, the weights of the cues and what is "unknown" in known places stay. Otherwise,
+/// the held-out frames of the new runs and those on which the models were validated determine the
+/// weights of the cues and the calibration. Fewer images than SamplingOptions::most are learned if
+/// the model has many support vectors, but at least 1000. Throws like train(), but one new place is
+/// enough; also if the models were trained with different features.
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             const IncrementalOptions& incremental, unsigned threads = 0,
                             const Progress& progress = {});

@@ -72,7 +72,7 @@ Eigen::MatrixXd placeValues(const BinarySvms& machines, const Eigen::MatrixXd& m
 
 BinarySvms trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
                          const std::vector<int>& labels, std::size_t places,
-                         const SvmOptions& options, unsigned threads) {
+                         const SvmOptions& options, unsigned threads, const Progress& progress) {
   assert(vectors.size() == labels.size());
   options.check();
   BinarySvms machines;
@@ -84,7 +84,10 @@ BinarySvms trainMachines(const PackedGram& gram, const std::vector<int>& vectors
   machines.biases.setZero(static_cast<Eigen::Index>(signs.size()));
 
   const LibsvmSolver solver(gram, vectors);
-  parallelFor(signs.size(), threads, [&](std::size_t m, unsigned) {
+  parallelFor(signs.size(), threads, [&](std::size_t m, unsigned thread) {
+    if (thread == 0) {
+      report(progress, "Training", static_cast<double>(m) / static_cast<double>(signs.size()));
+    }
     const auto machine = static_cast<Eigen::Index>(m);
     const bool positive = std::count(signs[m].begin(), signs[m].end(), 1) > 0;
     const bool negative = std::count(signs[m].begin(), signs[m].end(), -1) > 0;

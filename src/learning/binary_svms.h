@@ -5,6 +5,7 @@
 
 #include "learning/packed_gram.h"
 #include "place_recognition/learning_options.h"
+#include "place_recognition/progress.h"
 
 namespace place_recognition {
 
@@ -33,10 +34,11 @@ Eigen::MatrixXd placeValues(const BinarySvms& machines, const Eigen::MatrixXd& m
 /// Trains every machine on some of the vectors of a Gram matrix, all of which have a column in it,
 /// with C-SVC (libsvm, precomputed kernel). `labels`: place 0..places-1 of each of `vectors`. A
 /// place or pair without vectors of both signs gives a machine with zero weights and bias -1 or +1.
-/// The result does not depend on `threads`.
+/// The result does not depend on `threads`. `progress`: of "Training".
 BinarySvms trainMachines(const PackedGram& gram, const std::vector<int>& vectors,
                          const std::vector<int>& labels, std::size_t places,
-                         const SvmOptions& options, unsigned threads = 1);
+                         const SvmOptions& options, unsigned threads = 1,
+                         const Progress& progress = {});
 /// The same on all vectors of a Gram matrix (n x n), which is copied.
 BinarySvms trainMachines(const Eigen::MatrixXd& gram, const std::vector<int>& labels,
                          std::size_t places, const SvmOptions& options, unsigned threads = 1);

@@ -152,6 +152,21 @@ void expectOthersAsTheyWere(const std::vector<Frame>& frames, const TrainingOpti
   }
 }
 
+TEST(TrainIncrementally, WithinALimitKeepsTheWeightsOfCuesAndWhatIsUnknown) {
+  const auto before =
+      std::make_shared<const Model>(train({opener(drawFrames(3, 60))}, twoCueOptions()).model);
+  Model model = train({opener(drawFrames(3, 60))}, twoCueOptions()).model;
+  for (unsigned night = 1; night <= 5; ++night) {
+    std::vector<Frame> frames = drawFrames(3, 3, 1000 * night);
+    for (Frame& frame : frames) frame.image = frame.image * (0.5 + 0.1 * night);
+    model = trainIncrementally(model, {opener(frames)}, {60}).model;
+  }
+  EXPECT_EQ(model.cue_weights, before->cue_weights);
+  const auto after = std::make_shared<const Model>(std::move(model));
+  const std::vector<Frame> strange = framesOf("room3", 7000, 50);
+  EXPECT_GE(fractionsOf(after, strange).unknown, fractionsOf(before, strange).unknown);
+}
+
 TEST(TrainIncrementally, ANewRoomIsRecognizedAsIfLearnedWithTheOthers) {
   std::vector<Frame> others;
   for (const Frame& frame : drawFrames(4, 30)) {

@@ -84,7 +84,7 @@ Eigen::VectorXd importanceOf(const std::vector<int>& samples, const TrainingTask
 /// `samples`. The machines of new places are trained on all of these, and then changed like others.
 BinarySvms extendMachines(const LearnedCue& learned, const std::vector<int>& train_rows,
                           const std::vector<int>& samples, const PackedGram& gram,
-                          const TrainingTask& task) {
+                          const TrainingTask& task, const Progress& progress) {
   const auto before = static_cast<std::ptrdiff_t>(learned.machines.weights.rows());
   const std::vector<int> added(samples.begin() + before, samples.end());
   BinarySvms machines =
@@ -98,7 +98,7 @@ BinarySvms extendMachines(const LearnedCue& learned, const std::vector<int>& tra
     labels.push_back(static_cast<int>(place - places.begin()));
   }
   const BinarySvms trained =
-      trainMachines(gram, train_rows, labels, places.size() + 1, task.svm, task.threads);
+      trainMachines(gram, train_rows, labels, places.size() + 1, task.svm, task.threads, progress);
   for (std::size_t k = 0; k < places.size(); ++k) {
     machines.weights.col(places[k]) += trained.weights.col(static_cast<Eigen::Index>(k));
     machines.biases[places[k]] = trained.biases[static_cast<Eigen::Index>(k)];
@@ -109,19 +109,23 @@ BinarySvms extendMachines(const LearnedCue& learned, const std::vector<int>& tra
 /// Machines trained on (or extended by) the rows `train_rows` of a Gram matrix, which belong to
 /// `samples`.
 BinarySvms trainMachinesOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
-                           const PackedGram& gram, const TrainingTask& task) {
-  if (task.learned) return extendMachines(*task.learned, train_rows, samples, gram, task);
+                           const PackedGram& gram, const TrainingTask& task,
+                           const Progress& progress) {
+  if (task.learned) {
+    return extendMachines(*task.learned, train_rows, samples, gram, task, progress);
+  }
   std::vector<int> labels;
   for (const int sample : samples) labels.push_back(task.samples[sample].place);
-  return trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads);
+  return trainMachines(gram, train_rows, labels, task.places, task.svm, task.threads, progress);
 }
 
 /// trainReduced() on the rows `train_rows` of a Gram matrix, which belong to `samples`; the
 /// resulting vectors are indices among these.
 ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const std::vector<int>& samples,
                                const PackedGram& gram, const TrainingTask& task,
-                               const std::vector<ReductionOptions>& reductions) {
-  const BinarySvms machines = trainMachinesOn(train_rows, samples, gram, task);
+                               const std::vector<ReductionOptions>& reductions,
+                               const Progress& progress) {
+  const BinarySvms machines = trainMachinesOn(train_rows, samples, gram, task, progress);
   const std::vector<int> vectors = supportVectors(machines);
   BinarySvms supported = machines;
   supported.weights = rows(machines.weights, vectors);
@@ -154,14 +158,20 @@ ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& sam
                              const std::vector<ReductionOptions>& reductions) {
   std::vector<int> all(samples.size());
   std::iota(all.begin(), all.end(), 0);
-  return trainReducedOn(all, samples, gram, task, reductions);
+  return trainReducedOn(all, samples, gram, task, reductions, task.progress);
 }
 
 std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vector<int>& cue_rows,
                                          const TrainingTask& task,
-                                         const std::vector<ReductionOptions>& reductions) {
+                                         const std::vector<ReductionOptions>& reductions,
+                                         const Progress& progress) {
   std::vector<HeldOutValues> held_out(reductions.size(), noneHeldOut(task));
-  for (const Fold& fold : task.folds) {
+  for (std::size_t f = 0; f < task.folds.size(); ++f) {
+    const Progress progress_of_fold = [&](const std::string&, double part) {
+      const double done = static_cast<double>(f) + part;
+      return !progress || progress("Validating", done / static_cast<double>(task.folds.size()));
+    };
+    const Fold& fold = task.folds[f];
     const std::vector<int> train = withCue(fold.train, cue_rows);
     const std::vector<int> test = withCue(fold.test, cue_rows);
     if (train.empty() || test.empty()) continue;
@@ -169,7 +179,8 @@ std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vect
     for (const int sample : train) trained[task.samples[sample].place] = true;
 
     const std::vector<int> train_rows = pick(cue_rows, train);
-    const ReducedMachines reduced = trainReducedOn(train_rows, train, gram, task, reductions);
+    const ReducedMachines reduced =
+        trainReducedOn(train_rows, train, gram, task, reductions, progress_of_fold);
     const Eigen::MatrixXd kernel_values =
         gram.values(pick(cue_rows, test), pick(train_rows, reduced.vectors));
     for (std::size_t r = 0; r < reductions.size(); ++r) {

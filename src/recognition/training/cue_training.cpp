@@ -67,9 +67,8 @@ class CueTrainer {
     compare();
     const PackedGram gram(Kernel(cue_.kernel), measures_, task_.threads);
     requireBounded(gram);
-    report(task_.progress, "Validating", 0);
-    std::vector<HeldOutValues> held_out = crossValidate(gram, rows_, task_, reductions);
-    report(task_.progress, "Training", 0);
+    std::vector<HeldOutValues> held_out =
+        crossValidate(gram, rows_, task_, reductions, task_.progress);
     ReducedMachines reduced = trainReduced(gram, samples_, task_, reductions);
     std::vector<Feature> vectors;
     std::vector<VectorOrigin> origins;

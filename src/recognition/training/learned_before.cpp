@@ -86,7 +86,6 @@ LearnedBefore learnedBefore(const Model& model, const Samples& samples) {
   const std::size_t places = samples.places.size();
   LearnedBefore learned;
   learned.new_places = newPlaces(places, place_of);
-  learned.cue_weights = model.cue_weights;
   for (const Classifier& classifier : model.classifiers) {
     const BinarySvms& before = ClassifierParts::of(classifier).machines;
     assert(!before.one_against_one);

@@ -15,8 +15,7 @@ struct LearnedBefore {
   /// Samples x places: the change of decision values that each sample asks for; zero for the
   /// remembered ones.
   Eigen::MatrixXd changes;
-  std::vector<int> new_places;      ///< whose machines are still to be trained
-  std::vector<double> cue_weights;  ///< of the sum that the changes are for
+  std::vector<int> new_places;  ///< whose machines are still to be trained
 };
 
 /// The machines of `model`, extended to the places of `samples`, which begin with the remembered

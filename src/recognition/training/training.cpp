@@ -114,9 +114,10 @@ std::vector<Fold> withRemembered(std::vector<Fold> folds, std::size_t remembered
 }
 
 /// The steps from samples to a model, whose options are the requested ones and those found.
-/// `learned`: what to extend, if anything.
+/// `learned`: what to extend, if anything. `kept_weights`: of the cues; empty: to be found.
 Training learn(Samples samples, TrainingOptions options, double forgetting, unsigned threads,
-               const Progress& progress, const std::optional<LearnedBefore>& learned = {}) {
+               const Progress& progress, const std::optional<LearnedBefore>& learned = {},
+               const std::vector<double>& kept_weights = {}) {
   const std::size_t places = samples.places.size();
   report(progress, "Choosing blocks of time", 0);
   std::vector<Fold> folds = chooseFolds(samples, threads, options);
@@ -138,16 +139,17 @@ Training learn(Samples samples, TrainingOptions options, double forgetting, unsi
   }
 
   CalibrationSet calibration_set = calibrationSetOf(samples, folds, cues, reductions.size());
-  if (learned) keepWhatIsUnknown(samples.origins.size(), calibration_set);
+  if (!kept_weights.empty()) keepWhatIsUnknown(samples.origins.size(), calibration_set);
 
   Training training;
   Model& model = training.model;
   model.options = options;
   model.decision_limit = decisionLimit(options);
   model.cue_weights =
-      learned ? learned->cue_weights
-              : chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
-                                 model.decision_limit, calibration_set.samples, places);
+      !kept_weights.empty()
+          ? kept_weights
+          : chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
+                             model.decision_limit, calibration_set.samples, places);
   std::vector<CombinedValues> held_out;
   for (const std::vector<HeldOutValues>& reduced : calibration_set.reductions) {
     held_out.push_back(combine(reduced, model.cue_weights, model.decision_limit));
@@ -229,6 +231,17 @@ ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
   return asked;
 }
 
+/// The most new images, so that the Gram matrices, which include the vectors of the model, hardly
+/// become larger than in a training of `most` images.
+int mostNewImages(const Model& model, int most) {
+  constexpr int kAlways = 1000;
+  std::size_t vectors = 0;
+  for (const Classifier& classifier : model.classifiers) {
+    vectors = std::max(vectors, classifier.supportVectorCount());
+  }
+  return std::max(std::min(most, kAlways), most - static_cast<int>(vectors));
+}
+
 }  // namespace
 
 Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,
@@ -254,6 +267,7 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
   TrainingOptions options = model.asked;
   options.image = model.options.image;
   options.cues = model.options.cues;
+  options.sampling.most = mostNewImages(model, options.sampling.most);
   options.reduction = learningOnReduction(options.reduction, incremental.vector_limit);
   options.check();
   return timed([&] {
@@ -274,7 +288,8 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
     std::optional<LearnedBefore> learned;
     if (canLearnOn(model, samples, incremental)) learned = learnedBefore(model, samples);
     Training training =
-        learn(std::move(samples), options, incremental.forgetting, threads, progress, learned);
+        learn(std::move(samples), options, incremental.forgetting, threads, progress, learned,
+              incremental.other ? std::vector<double>() : model.cue_weights);
     warnOfTightLimit(model, incremental.vector_limit, training.warnings);
     training.model.asked = model.asked;
     if (!training.model.cameras.known()) training.model.cameras = model.cameras;
