@@ -175,6 +175,43 @@ TEST_F(ImpatientRecognizerNode, ThePlaceEndsWhenTheLensIsCovered) {
   EXPECT_TRUE(showRoom1(places));
 }
 
+/// Images that `~maximum_rate` leaves out say nothing about a camera that shows nothing.
+TEST_F(ImpatientRecognizerNode, ThePlaceEndsThoughSomeImagesAreLeftOut) {
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  sensor_msgs::Image black = toImageMessage(drawRoom(1, 1) * 0, headerAt(0));
+  sensor_msgs::Image strange = toImageMessage(drawRoom(1, 1), headerAt(0));
+  strange.encoding = "32FC1";
+  for (sensor_msgs::Image bad : {black, strange}) {
+    reconfigure("maximum_rate", 0);
+    places.clear();
+    ASSERT_TRUE(showRoom1(places)) << bad.encoding;
+    places.clear();
+    reconfigure("maximum_rate", 0.5);  // every second image, by their stamps
+    for (int i = 0; i < 60 && places.messages().empty(); ++i) {
+      bad.header.stamp = nextStamp();
+      camera_.send(bad);
+      ros::WallDuration(0.1).sleep();
+    }
+    EXPECT_FALSE(places.messages().empty()) << bad.encoding;
+  }
+  reconfigure("maximum_rate", 0);
+}
+
+TEST_F(RecognizerNode, KeepsThePlaceBetweenTheImagesThatItsRateAdmits) {
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  ASSERT_TRUE(eventually([this] { return listeners() > 0; }));
+  camera_.send(drawRoom(1, 1), nextStamp().toSec());
+  ASSERT_TRUE(places.find([](const auto& place) { return place.data == "room1"; }));
+  places.clear();
+  reconfigure("maximum_rate", 1e-3);
+  for (int i = 0; i < 65; ++i) {  // longer than `~image_timeout`
+    camera_.send(drawRoom(1, 1), nextStamp().toSec());
+    ros::WallDuration(0.1).sleep();
+  }
+  EXPECT_TRUE(places.messages().empty());
+  reconfigure("maximum_rate", 0);
+}
+
 TEST_F(RecognizerNode, AnswersUnknownToABlackFrameWithoutSmoothing) {
   Inbox<std_msgs::String> places(node_, name_ + "/place");
   Inbox<PlaceRecognition> beliefs(node_, name_ + "/belief");

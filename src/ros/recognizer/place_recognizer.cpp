@@ -43,6 +43,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       models_(private_node, names_, parameters.text("model")),
       image_timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
       newest_(names_.size()),
+      usable_(names_.size()),
       clocks_(names_.size()),
       diagnostics_(node, private_node, name),
       lazy_(parameters.flag("lazy", true)),
@@ -188,9 +189,10 @@ void PlaceRecognizer::recognize(const ArrivedImage& arrived) {
   const double seconds = (stamp.isZero() ? ros::Time::now() : stamp).toSec();
   if (!camera.admits(seconds, config_.maximum_rate)) {
     camera.status().leftOut();
-    last_image_ = arrived.arrival;
+    if (usable_[arrived.camera]) last_image_ = arrived.arrival;
     return;
   }
+  usable_[arrived.camera] = false;  // until publish() finds that it is
   followModels();
   if (!camera.model()) {
     camera.status().judged("not answered, because there is no model");
@@ -250,6 +252,7 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
                       std::abs(difference->seconds));
   }
   if (!fails && place_tracker_.counts(arrived.camera)) {
+    usable_[arrived.camera] = true;
     last_image_ = arrived.arrival;
     answers_.publishOverTime(place_tracker_.update(camera.lastStamp(), recognition, arrived.camera),
                              message, place_tracker_);

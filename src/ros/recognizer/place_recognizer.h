@@ -80,7 +80,8 @@ class PlaceRecognizer {
   CameraModels models_;
   const double image_timeout_;  // s; 0: none
   NewestImage newest_;
-  CameraClocks clocks_;  // used by the worker
+  std::vector<bool> usable_;  // per camera: the last image that was not left out
+  CameraClocks clocks_;       // used by the worker
   std::vector<std::unique_ptr<CameraRecognizer>> cameras_;
   Diagnostics diagnostics_;
 
