@@ -48,6 +48,7 @@ class Monitor:
         self.lost = None  # wall time at which ~place became unknown; None: it names a room
         self.start = time.time()
         self.first = self.last = None  # wall time of the first and last answer
+        self.last_belief = 0  # wall time of the last room over time that comes from an image
         self.first_stamp = None  # s
         self.seconds = []
         self.single, self.over_time = Count(), Count()
@@ -70,6 +71,7 @@ class Monitor:
 
     def on_belief(self, message):
         with self.lock:
+            self.last_belief = time.time()
             answer = answer_of(message)
             self.over_time.add(answer, self.truth)
             if (answer, self.truth) != self.shown:
@@ -82,9 +84,9 @@ class Monitor:
 
     def look_for_silence(self):
         """Prints that the place is unknown when this comes from no image: the camera is silent or
-        the recognizer has been disabled."""
+        shows nothing, or the recognizer has been disabled."""
         with self.lock:
-            silent = self.lost and time.time() - max(self.lost, self.last or 0) > 0.5
+            silent = self.lost and time.time() - max(self.lost, self.last_belief) > 0.5
             if silent and self.shown and self.shown[0] != "unknown":
                 self.shown = ("unknown", self.truth)
                 print("       - s   unknown", flush=True)

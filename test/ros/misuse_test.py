@@ -110,14 +110,28 @@ class RecognizerTest(RecognizerCase):
         self.assertIn("mb", answer.message)
         self.assertEqual(version(), first)
 
-    def test_the_monitor_shows_that_the_camera_is_silent(self):
+    def start_monitor(self):
+        """Returns a monitor that has printed the name of the room."""
         self.start_recognizer("_image_timeout:=1")
         monitor = self.start(sys.executable, SOURCE / "scripts/place_monitor.py")
         self.wait_for(lambda: "place_monitor" in str(self.subscribers("/place_recognizer/belief")),
                       lambda: monitor.output)
         self.show(8)
         self.expect(monitor, "kitchen")
-        self.expect(monitor, "unknown")
+        return monitor
+
+    def test_the_monitor_shows_that_the_camera_is_silent(self):
+        self.expect(self.start_monitor(), "unknown")
+
+    def test_the_monitor_shows_that_the_lens_is_covered(self):
+        monitor = self.start_monitor()
+        black = Image(height=96, width=128, encoding="bgr8", step=384, data=bytes(96 * 384))
+
+        def is_shown():
+            black.header.stamp = rospy.Time.now()
+            self.front.publisher.publish(black)
+            return "unknown" in monitor.output
+        self.wait_for(is_shown, lambda: monitor.output)
 
     def subscribers(self, topic):
         _, subscribers, _ = rospy.get_master().getSystemState()[2]
