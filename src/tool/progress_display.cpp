@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "tool/output.h"
 #include "tool/signals.h"
 
 namespace place_recognition::tool {
@@ -71,7 +71,7 @@ bool ProgressDisplay::show(const std::string& stage, double fraction) {
 
 void ProgressDisplay::print(double fraction) const {
   if (style_ == Style::kJson) {
-    std::cout << nlohmann::json{{"stage", stage_}, {"fraction", fraction}} << std::endl;
+    std::cout << jsonLine({{"stage", stage_}, {"fraction", fraction}}) << std::flush;
   } else if (style_ == Style::kLines) {
     std::cerr << stage_ << ": " << wholePercent(fraction) << " %" << timeLeft(fraction)
               << std::endl;

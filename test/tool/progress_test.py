@@ -25,6 +25,14 @@ class ProgressTest(ToolCase):
             self.assertEqual(set(line), {"stage", "fraction"})
             self.assertTrue(0 <= line["fraction"] <= 1)
 
+    def test_json_lines_of_a_run_whose_name_is_not_utf8(self):
+        path = os.fsencode(self.folder) + b"/caf\xe9"
+        os.rename(self.folder / self.write_run("monday"), path)
+        lines = [json.loads(line) for line in self.succeed(
+            "train", os.fsdecode(path), "--model", "./m.places", "--progress",
+            "json").splitlines()]
+        self.assertTrue(any("caf\ufffd" in line["stage"] for line in lines), lines)
+
     def test_text_for_people_leaves_stdout_to_the_json_lines(self):
         self.write_run("monday")
         self.succeed("train", "monday", "--model", "./m.places")
