@@ -16,7 +16,7 @@ from std_srvs.srv import SetBool, Trigger
 
 sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
 from field_case import IMAGE, ROOMS, FieldCase  # noqa: E402
-from node_case import SOURCE  # noqa: E402
+from node_case import PROGRAMS, SOURCE  # noqa: E402
 
 
 class RecognizerCase(FieldCase):
@@ -158,6 +158,11 @@ class LabelerTest(FieldCase):
         camera.publisher.publish(Image(height=4, width=4, encoding="32FC4", step=64,
                                        data=bytes(256)))
         self.expect(node, "Images on /camera/image_raw are recorded but cannot be learned", "32FC4")
+
+    def test_a_node_has_a_name_without_a_namespace(self):
+        for name in ("robot/labeler", "~labeler"):
+            self.expect_end(self.start(PROGRAMS / "place_labeler", f"__name:={name}"), 1,
+                            f"place_labeler: Invalid node name [{name}]", "__ns:=NAMESPACE")
 
     def test_a_button_has_one_meaning(self):
         for options in (["_no_place_button:=1"], ["_buttons:=[2, 2]"]):

@@ -138,6 +138,9 @@ std::vector<std::string> initialize(int argc, char** argv, const char* name) {
                   argument + ".");
     }
     throw Error(e.what());
+  } catch (const ros::InvalidNodeNameException& e) {
+    throw Error(std::string(e.what()) +
+                "; give __name:=NAME without / and ~, and the namespace as __ns:=NAMESPACE.");
   }
   return {argv + std::min(argc, 1), argv + argc};
 }
