@@ -152,6 +152,15 @@ TEST_F(DoubtfulFramesTest, GoesOnWhereTheClockJumpsBack) {
   EXPECT_EQ(places(keptFrames()), (std::vector<std::string>{"kitchen", "corridor"}));
 }
 
+TEST_F(DoubtfulFramesTest, GoesOnWhereTheClockIsSet) {
+  at(10);
+  DoubtfulFrames frames(options());
+  frames.take("/image", message(1), answer(0, false), "kitchen");
+  at(3e9);  // more than a ros::Duration later
+  EXPECT_NO_THROW(frames.take("/image", message(2), answer(0, false), "corridor"));
+  EXPECT_EQ(kept(".bag").size(), 1u);
+}
+
 TEST_F(DoubtfulFramesTest, AFolderThatCannotBeMadeIsAnError) {
   KeepOptions wrong = options();
   wrong.folder = scratch_.write("file", "") + "/kept";

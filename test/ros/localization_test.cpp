@@ -92,6 +92,13 @@ TEST_F(RoomHeld, IsNotSureWhenAnswersCease) {
   EXPECT_EQ(add(beliefIn("kitchen", 0.95)), "");  // it may have been elsewhere in between
 }
 
+TEST_F(RoomHeld, IsNotSureAfterTheClockIsSet) {
+  for (int i = 0; i < 3; ++i) add(beliefIn("kitchen", 0.95));
+  now_ = ros::Time(3e9);  // more than a ros::Duration later
+  EXPECT_EQ(held_.sureRoom(now_), "");
+  EXPECT_EQ(add(beliefIn("kitchen", 0.95)), "");
+}
+
 TEST_F(RoomHeld, WaitsForeverWithoutATimeout) {
   held_ = HeldRoom(HeldRoom::Options{0.9, 1, 0});
   for (int i = 0; i < 3; ++i) add(beliefIn("kitchen", 0.95));

@@ -114,6 +114,30 @@ class ClockTest(NodeCase):
                     frames.append(place)
         self.assertEqual(frames, ["kitchen"] * 4 + ["office"] * 3 + ["corridor"] * 3)
 
+    def test_recorders_record_at_times_whose_difference_exceeds_a_duration(self):
+        (self.folder / "rooms.yaml").write_text(ROOMS)
+        clock = rospy.Publisher("/clock", Clock, queue_size=1, latch=True)
+        self.addCleanup(clock.unregister)
+        for node, *arguments in (("place_labeler",), ("auto_labeler", "_rooms:=rooms.yaml")):
+            with self.subTest(node):
+                camera = Camera()
+                program = self.start_node(node, f"_bag:={node}.bag", IMAGE,
+                                          "_image_transport:=compressed", *arguments)
+                self.wait_for(camera.listeners, "nobody listens")
+                for time in (10, 11, 3e9, 3e9 + 1, 10, 11):
+                    clock.publish(Clock(rospy.Time(int(time))))
+                    rospy.rostime.wallsleep(.2)
+                    camera.send()
+                    rospy.rostime.wallsleep(.2)
+                camera.close()
+                self.assertEqual(program.interrupt(), 0, program.output)
+                self.assertIn(f"{node}.bag: 6 images.", program.output)
+                self.assertNotIn("cannot be handled", program.output)
+                with rosbag.Bag(str(self.folder / f"{node}.bag")) as bag:
+                    times = [round(time.to_sec()) for _, _, time in
+                             bag.read_messages("/camera/image_raw/compressed")]
+                self.assertEqual(times, [10, 11, 3e9, 3e9 + 1, 3e9 + 1, 3e9 + 2])
+
     def test_a_clock_is_no_reason_to_complain(self):
         clock = rospy.Publisher("/clock", Clock, queue_size=1, latch=True)
         self.addCleanup(clock.unregister)

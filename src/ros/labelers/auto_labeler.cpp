@@ -88,9 +88,9 @@ void AutoLabeler::labelWaiting() {
 }
 
 bool AutoLabeler::mayStillCome(const Waiting& image) const {
-  const ros::Duration age = ros::Time::now() - image.arrival;
+  const ros::Time now = ros::Time::now();
   // Time may have jumped back, for example in a looped bag.
-  return !image.stamp.isZero() && age >= ros::Duration(0) && age < patience_;
+  return !image.stamp.isZero() && now >= image.arrival && now < image.arrival + patience_;
 }
 
 void AutoLabeler::label(const Waiting& image, const std::optional<Eigen::Vector2d>& position) {

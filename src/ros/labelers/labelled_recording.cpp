@@ -18,9 +18,9 @@ namespace place_recognition {
 namespace {
 
 constexpr const char* kActive = StagedBag::kActive;
-constexpr double kReportPeriod = 5;  // s
-constexpr double kTick = 1e-6;       // s, between entries at the same time of the clock
-constexpr double kTimeJump = 0.5;    // s; larger steps back are logged
+constexpr double kReportPeriod = 5;    // s
+constexpr std::int64_t kTick = 1'000;  // ns, between entries at the same time of the clock
+constexpr std::int64_t kTimeJump = 500'000'000;  // ns; larger steps back are logged
 
 std::unique_ptr<StagedBag> openBag(std::string path) {
   if (path.empty()) return nullptr;
@@ -105,13 +105,14 @@ void LabelledRecording::finish() {
 ros::Time LabelledRecording::nextTime() {
   const ros::Time now = ros::Time::now();
   if (now < ros::TIME_MIN) return {};  // a simulated clock that has not started
-  const ros::Duration back = last_time_ - (now + ahead_);
-  if (back > ros::Duration(kTimeJump)) {
+  const std::int64_t time = static_cast<std::int64_t>(now.toNSec()) + ahead_;
+  const std::int64_t back = static_cast<std::int64_t>(last_time_.toNSec()) - time;
+  if (back > kTimeJump) {
     ROS_WARN("Time has jumped back by %.1f s; the recording continues as if it had not.",
-             back.toSec());
+             1e-9 * static_cast<double>(back));
   }
-  if (back >= ros::Duration(0)) ahead_ += back + ros::Duration(kTick);
-  last_time_ = now + ahead_;
+  if (back >= 0) ahead_ += back + kTick;
+  last_time_.fromNSec(now.toNSec() + static_cast<std::uint64_t>(ahead_));
   return last_time_;
 }
 

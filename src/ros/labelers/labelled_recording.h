@@ -70,7 +70,8 @@ class LabelledRecording {
   bool failed_ = false;
   ros::WallTime next_trial_;  // of an image
   ros::Time last_time_;       // in the bag
-  ros::Duration ahead_{0};    // lead of the bag over a clock that has jumped back
+  /// Lead of the bag over a clock that has jumped back, ns; a ros::Duration cannot represent each.
+  std::int64_t ahead_ = 0;
 
   ros::Time reported_time_;
   ros::NodeHandle node_;

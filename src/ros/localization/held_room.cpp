@@ -1,6 +1,7 @@
 #include "ros/localization/held_room.h"
 
 #include "base/text.h"
+#include "ros/localization/seconds_between.h"
 
 namespace place_recognition {
 namespace {
@@ -28,7 +29,7 @@ void HeldRoom::add(const PlaceRecognition& belief, const ros::Time& now) {
 
 bool HeldRoom::isMissing(const ros::Time& now) const {
   if (!belief_) return true;
-  return options_.timeout > 0 && (now - arrival_).toSec() > options_.timeout;
+  return options_.timeout > 0 && secondsBetween(arrival_, now) > options_.timeout;
 }
 
 std::string HeldRoom::sureRoom(const ros::Time& now) const {
@@ -38,15 +39,15 @@ std::string HeldRoom::sureRoom(const ros::Time& now) const {
 std::string HeldRoom::whyNot(const ros::Time& now) const {
   if (!belief_) return "no answer of place_recognizer has arrived";
   if (isMissing(now)) {
-    return "the last answer of place_recognizer arrived " + fixed((now - arrival_).toSec(), 2) +
-           " s ago";
+    return "the last answer of place_recognizer arrived " +
+           fixed(secondsBetween(arrival_, now), 2) + " s ago";
   }
   if (!belief_->known) return "the answer is 'unknown'";
   if (since_.isZero()) {
     return "'" + belief_->place + "' has a probability of " +
            fixed(probabilityOfPlace(*belief_), 2) + ", less than ~min_probability";
   }
-  const double held = (now - since_).toSec();
+  const double held = secondsBetween(since_, now);
   if (held < options_.hold) {
     return "'" + belief_->place + "' has been certain for " + fixed(held, 2) +
            " s, less than ~hold";

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/text.h"
+#include "ros/localization/seconds_between.h"
 #include "ros/messages/pose_conversions.h"
 #include "ros/nodes/node_names.h"
 
@@ -61,7 +62,7 @@ void Relocalizer::onAmclPose(const geometry_msgs::PoseWithCovarianceStampedConst
 }
 
 bool Relocalizer::isLost(const ros::Time& now) const {
-  if (!amcl_pose_) return (now - *first_time_).toSec() >= kFirstPosePatience;
+  if (!amcl_pose_) return secondsBetween(*first_time_, now) >= kFirstPosePatience;
   return deviationOf(*amcl_pose_) > lost_deviation_;
 }
 
@@ -93,7 +94,7 @@ void Relocalizer::robotIsIn(const std::string& room, const UniformDistribution& 
                             const ros::Time& now) {
   if (!publish_) return;
   if (!first_time_) first_time_ = now;
-  const bool too_early = told_ && (now - *told_).toSec() < interval_;
+  const bool too_early = told_ && secondsBetween(*told_, now) < interval_;
   if (too_early || !isLost(now) || knows(area)) return;
   const bool same_map = !amcl_pose_ || plain(amcl_pose_->header.frame_id) == map_frame_;
   if (!same_map || !isHeard()) return;
@@ -109,7 +110,7 @@ void Relocalizer::robotIsIn(const std::string& room, const UniformDistribution& 
 }
 
 void Relocalizer::watch(const ros::Time& now) {
-  if (answered_ || (now - *told_).toSec() < kAnswerPatience) return;
+  if (answered_ || secondsBetween(*told_, now) < kAnswerPatience) return;
   answered_ = true;  // so that this is reported only once
   ROS_WARN(
       "No pose has arrived on %s for %.0f s after one was published on %s; check that amcl gets "

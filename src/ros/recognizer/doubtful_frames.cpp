@@ -151,7 +151,7 @@ void DoubtfulFrames::keep(const std::string& topic, const ImageMessage& image,
     bytes_ += ros::serialization::serializationLength(message);
   });
   ++images_;
-  if (bytes_ > bytesOf(options_) / kBagsOfLimit || last_ - begin_ > ros::Duration(kLongestBag))
+  if (bytes_ > bytesOf(options_) / kBagsOfLimit || last_ > begin_ + ros::Duration(kLongestBag))
     finishBag();
 }
 
