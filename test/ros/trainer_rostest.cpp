@@ -118,6 +118,32 @@ TEST_F(Trainers, CancelLeavesNothingBehind) {
   }
 }
 
+/// The trainer's threads handle a goal and its cancel at the same time; few rounds meet the moment
+/// between them. A SimpleActionClient cannot cancel a goal that the server may not know yet.
+TEST_F(Trainers, CancelBehindItsGoalStopsTheTraining) {
+  using actionlib_msgs::GoalStatus;
+  Inbox<TrainActionResult> results(node_, "/trainer/train/result");
+  ros::Publisher goals = node_.advertise<TrainActionGoal>("/trainer/train/goal", 1);
+  ros::Publisher cancels = node_.advertise<actionlib_msgs::GoalID>("/trainer/train/cancel", 1);
+  ASSERT_TRUE(eventually([&] {
+    return goals.getNumSubscribers() > 0 && cancels.getNumSubscribers() > 0 && results.connected();
+  }));
+  for (int i = 0; i < 10; ++i) {
+    TrainActionGoal wanted;
+    wanted.goal = goal("cancelled");
+    wanted.goal_id.id = "overtaken " + std::to_string(i);
+    goals.publish(wanted);
+    cancels.publish(wanted.goal_id);
+    const auto result = results.find([&](const TrainActionResult& message) {
+      return message.status.goal_id.id == wanted.goal_id.id;
+    });
+    ASSERT_TRUE(result) << i;
+    EXPECT_TRUE(result->status.status == GoalStatus::PREEMPTED ||
+                result->status.status == GoalStatus::RECALLED)
+        << result->status;
+  }
+}
+
 TEST_F(Trainers, RefuseASecondTrainingMeanwhile) {
   startLong();
   Client second("/trainer/train", false);

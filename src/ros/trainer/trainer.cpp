@@ -107,6 +107,8 @@ void Trainer::onGoal(GoalHandle handle) {
   const std::lock_guard<std::mutex> lock(mutex_);
   goal_ = handle;
   handle.setAccepted();
+  // A cancel that came before this lock did not find the goal here, but actionlib recorded it.
+  if (handle.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING) job->cancel();
   worker_ = std::thread([this, handle, job] { work(handle, job); });
 }
 
