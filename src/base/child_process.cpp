@@ -20,6 +20,8 @@
 namespace place_recognition {
 namespace {
 
+constexpr int kNotStarted = 127;  // as shells and the dynamic loader say it
+
 /// Both ends of a pipe, closed by the destructor unless taken.
 struct Pipe {
   int read_end = -1;
@@ -63,7 +65,7 @@ void closeOtherDescriptors() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int number : {SIGPIPE, SIGINT, SIGTERM}) signal(number, SIG_DFL);
   execv(arguments[0], arguments);
-  _exit(127);
+  _exit(kNotStarted);
 }
 
 constexpr std::size_t kMaxLine = 1 << 20;
@@ -158,6 +160,12 @@ std::string describeExit(int status) {
     return "signal " + std::to_string(number) + " (" + strsignal(number) + ")";
   }
   return "exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+void requireStarted(const std::string& program, int status) {
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != kNotStarted) return;
+  throw Error("The program " + program +
+              " of place_recognition cannot be started; build or install the whole package again.");
 }
 
 std::string findExecutable(const std::string& name) {

@@ -51,6 +51,10 @@ class ChildProcess {
 /// "exit code 3" or "signal 11 (Segmentation fault)".
 std::string describeExit(int status);
 
+/// Throws Error if `program`, of this package, ended with a status that means that it could not be
+/// started: exec failed, or a library is missing.
+void requireStarted(const std::string& program, int status);
+
 /// The path of an executable of this package. It is searched for in the folder that the environment
 /// variable PLACE_RECOGNITION_LIBEXEC names, beside the running program, and in
 /// lib/place_recognition of the same tree. Throws Error if it is in none of them.

@@ -70,6 +70,7 @@ std::string runTrial(const std::vector<std::string>& arguments, const std::strin
   }
   const int status = trial.wait();
   if (status == 0) return output;
+  requireStarted("place_tool", status);
   const std::string own_name = "place_tool network try: ";
   if (complaint.compare(0, own_name.size(), own_name) == 0) {
     throw Error(complaint.substr(own_name.size()));

@@ -44,6 +44,15 @@ class SurroundingsTest(FieldCase):
         self.assertEqual(result.returncode, 1)
         self.assert_names(result.stderr, "HOME is not set; set ROS_HOME or HOME.")
 
+    def test_a_bag_reader_that_cannot_be_started_is_no_damage_of_the_bag(self):
+        self.write_bag("run.bag", [("kitchen", "kitchen")])
+        (self.folder / "bag_reader").write_text("")
+        (self.folder / "bag_reader").chmod(0o755)
+        self.extra_environment = {"PLACE_RECOGNITION_LIBEXEC": str(self.folder)}
+        self.assertEqual(self.refuse("info", "run.bag"),
+                         "place_tool info: The program bag_reader of place_recognition cannot be "
+                         "started; build or install the whole package again.")
+
     def test_names_in_any_script(self):
         names = ["\U0001f373 kitchen", "\U0001f469\u200d\U0001f373", "\u5eca\u4e0b", "\u063a\u0631\u0641\u0629"]
         for i, name in enumerate(names):

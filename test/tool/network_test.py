@@ -65,13 +65,22 @@ class NetworkTest(ToolCase):
         self.assertIn("layer 'pooled'", line)
         self.assertRegex(line, r"OpenCV \d+\.\d+\.\d+")
 
-    def test_a_network_that_ends_the_process_that_tries_it_is_refused(self):
-        self.write_run("monday")
+    def replace_the_program_that_tries_it(self, text):
         tools = self.folder / "libexec"
         tools.mkdir()
-        (tools / "place_tool").write_text("#!/bin/sh\nkill -SEGV $$\n")
+        (tools / "place_tool").write_text(text)
         (tools / "place_tool").chmod(0o755)
         self.extra_environment = {"PLACE_RECOGNITION_LIBEXEC": str(tools)}
+
+    def test_a_program_that_cannot_be_started_is_no_fault_of_the_network(self):
+        self.write_run("monday")
+        self.replace_the_program_that_tries_it("")
+        self.assertIn("The program place_tool of place_recognition cannot be started; build or install",
+                      self.refuse("train", "monday", "--model", "./home.places", "--config", "embedding"))
+
+    def test_a_network_that_ends_the_process_that_tries_it_is_refused(self):
+        self.write_run("monday")
+        self.replace_the_program_that_tries_it("#!/bin/sh\nkill -SEGV $$\n")
         line = self.refuse("train", "monday", "--model", "./home.places", "--config", "embedding")
         self.assertIn("mobilenet.onnx", line)
         self.assertIn("Segmentation fault", line)

@@ -85,9 +85,10 @@ class BagRecords {
 
   [[noreturn]] void throwCrash(const std::optional<BagRecord>& crash) {
     if (!crash) reader_.kill();  // it may still run; else it ends by its own signal
-    const std::string how = describeExit(reader_.wait());
+    const int status = reader_.wait();
+    requireStarted("bag_reader", status);
     throw Error("Cannot read " + path_ +
-                ": it is damaged (the library that reads bags ended with " + how +
+                ": it is damaged (the library that reads bags ended with " + describeExit(status) +
                 position(crash ? crash->number : 0) + "); try: rosbag reindex " + path_ +
                 ", or record it again.");
   }
