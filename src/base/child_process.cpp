@@ -97,6 +97,12 @@ void closeOnce(int& fd) {
 
 }  // namespace
 
+void reserveStandardStreams() {
+  int fd = 0;
+  while (fd >= 0 && fd <= STDERR_FILENO) fd = open("/dev/null", O_RDONLY);
+  if (fd >= 0) close(fd);
+}
+
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, Stderr stderr_use) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) {

@@ -9,9 +9,13 @@
 
 namespace place_recognition {
 
+/// Opens /dev/null for each standard stream that is closed, so that no file or pipe gets its
+/// number; to be called first in main(). Writing to these streams still fails.
+void reserveStandardStreams();
+
 /// A program that runs in a child process, with its standard output (and, on request, its standard
-/// error) in pipes. It is started without a shell and inherits no other descriptor. Not
-/// thread-safe.
+/// error) in pipes. It is started without a shell and inherits no other descriptor.
+/// Requires open standard streams, see reserveStandardStreams(). Not thread-safe.
 class ChildProcess {
  public:
   enum class Stderr { kDiscard, kPipe };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/child_process.h"
 #include "place_recognition/error.h"
 #include "place_recognition/network.h"
 #include "place_recognition/progress.h"
@@ -57,6 +58,7 @@ int run(CommandLine& tool, const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  place_recognition::reserveStandardStreams();
   // The code that reads an image reports problems that OpenCV and libpng find with it.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   place_recognition::limitOpenCvToOneThread();

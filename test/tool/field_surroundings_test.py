@@ -53,6 +53,20 @@ class SurroundingsTest(FieldCase):
                          "place_tool info: The program bag_reader of place_recognition cannot be "
                          "started; build or install the whole package again.")
 
+    def test_closed_streams(self):
+        self.write_bag("run.bag", [("kitchen", "kitchen"), ("office", "office")] * 12)
+        for closed in ("<&- >&-", ">&-", "<&- >&- 2>&-"):
+            with self.subTest(closed):
+                result = subprocess.run(
+                    ["sh", "-c", f'"$@" {closed}', "sh", PLACE_TOOL, "train", "run.bag", *MODEL],
+                    cwd=self.folder, env=self.environment(), text=True, capture_output=True,
+                    timeout=120)
+                said = self.without_progress(result.stderr)
+                self.assertEqual(said, [] if "2" in closed else [
+                    "place_tool train: cannot write to the standard output; make room, or redirect it."])
+                self.assertIn("office", self.succeed("info", "./home.places"))
+                (self.folder / "home.places").unlink()
+
     def test_names_in_any_script(self):
         names = ["\U0001f373 kitchen", "\U0001f469\u200d\U0001f373", "\u5eca\u4e0b", "\u063a\u0631\u0641\u0629"]
         for i, name in enumerate(names):

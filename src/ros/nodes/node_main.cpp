@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/child_process.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -148,6 +149,7 @@ std::vector<std::string> initialize(int argc, char** argv, const char* name) {
 }  // namespace
 
 int runNode(int argc, char** argv, const char* name, const std::function<void()>& work) {
+  reserveStandardStreams();
   // Names of rooms are UTF-8; without this, log4cxx writes '?' for all non-ASCII characters.
   std::setlocale(LC_CTYPE, "C.UTF-8");
   std::vector<std::string> strange;
