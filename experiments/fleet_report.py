@@ -36,9 +36,9 @@ def read(out):
     test come last, by name."""
     buildings = []
     for path in sorted(out.glob("*/training.json")):
-        training = json.loads(path.read_text())
+        training = json.loads(path.read_text(encoding="utf-8"))
         tested = path.with_name("evaluation.json")
-        evaluation = json.loads(tested.read_text()) if tested.is_file() else None
+        evaluation = json.loads(tested.read_text(encoding="utf-8")) if tested.is_file() else None
         rate = evaluation["average_rate"] if evaluation else 2
         warnings = training["warnings"] + (evaluation or {}).get("warnings", [])
         buildings.append((rate, row(path.parent.name, training, evaluation), warnings,
@@ -81,8 +81,8 @@ def main():
     buildings = read(out)
     if not buildings:
         sys.exit(f"fleet_report.py: {out} contains no BUILDING/training.json")
-    (out / "report.md").write_text(markdown(buildings))
-    (out / "report.html").write_text(page(buildings))
+    for name, text in (("report.md", markdown(buildings)), ("report.html", page(buildings))):
+        (out / name).write_text(text, encoding="utf-8", errors="surrogateescape")
 
 
 if __name__ == "__main__":

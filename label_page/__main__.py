@@ -51,6 +51,7 @@ def make_server(options):
 
 def show(server, options):
     """Prints the page's address, and opens the page if there is a display."""
+    sys.stdout.reconfigure(errors="surrogateescape")  # names of bags are any bytes
     print(f"Labels of {', '.join(os.path.basename(bag) for bag in options.bags)}: "
           f"{server.address()}", flush=True)
     if options.no_browser:

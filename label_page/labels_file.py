@@ -18,6 +18,8 @@ MAX_NAME_BYTES = 128
 UNKNOWN = "unknown"
 INVISIBLE = set("\u00ad\u200b\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2060\u2061\u2062\u2063\u2064"
                 "\u2066\u2067\u2068\u2069\ufeff")
+# How subprocess reads place_tool's output: it is UTF-8 in every locale, except for names of files.
+TOOL_TEXT = {"encoding": "utf-8", "errors": "replace"}
 HEADER = "# Written by `place_tool label`. Seconds since the bag's start, see doc/nodes.md.\n"
 
 
@@ -116,7 +118,7 @@ class BagLabels:
     def ask(self, *options):
         """Returns the output of `place_tool info` for the bag."""
         result = subprocess.run([self.tool, "info", "--json", "-", *options, "--", self.bag.path],
-                                capture_output=True, text=True)
+                                capture_output=True, **TOOL_TEXT)
         if result.returncode != 0:
             raise Problem(result.stderr.strip().split(": ", 1)[-1] or "place_tool info failed.")
         return json.loads(result.stdout)

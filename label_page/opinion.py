@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import threading
 
-from labels_file import file_text
+from labels_file import TOOL_TEXT, file_text
 
 # The page is not sent probabilities below this.
 LEAST = 0.005
@@ -75,8 +75,8 @@ class Opinion:
                     continue
                 bags.append(os.path.join(folder, f"{i}.bag"))
                 os.symlink(os.path.abspath(bag.path), bags[-1])
-                with open(os.path.join(folder, f"{i}.labels.yaml"), "w") as file:
-                    file.write(file_text(of_bag))
+                with open(os.path.join(folder, f"{i}.labels.yaml"), "wb") as file:
+                    file.write(file_text(of_bag).encode())
             model = os.path.join(folder, "labels.places")
             command = ["train", *bags, "--image-topic", self.topic, "--model", model,
                        "--set", "sampling.rate=5", "--progress", "json"]
@@ -135,7 +135,8 @@ class Opinion:
             if number != self.number:
                 return False
             child = subprocess.Popen([self.tool, *arguments], stdout=subprocess.PIPE,
-                                     stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
+                                     stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
+                                     **TOOL_TEXT)
             self.child = child
         errors = []
         reader = threading.Thread(target=lambda: errors.extend(child.stderr), daemon=True)

@@ -287,7 +287,7 @@ class Handler(BaseHTTPRequestHandler):
         self.wfile.write(data)
 
     def send_json(self, value, status=HTTPStatus.OK):
-        data = json.dumps(value, ensure_ascii=False).encode()
+        data = json.dumps(value, ensure_ascii=False).encode(errors="replace")  # names of files
         self.send(data, "application/json; charset=utf-8", status)
 
     def log_message(self, *_):

@@ -31,7 +31,7 @@ def has_its_network(path):
     """Returns whether the networks that a configuration names are installed; prints one that is
     missing."""
     home = pathlib.Path(os.environ.get("ROS_HOME") or pathlib.Path.home() / ".ros")
-    for name in re.findall(r"^\s*network: *([\w-]+)", path.read_text(), re.MULTILINE):
+    for name in re.findall(r"^\s*network: *([\w-]+)", path.read_text(encoding="utf-8"), re.MULTILINE):
         if not (home / "place_recognition/networks" / f"{name}.onnx").exists():
             print(f"Skipping {path.stem}: the network '{name}' is not installed (doc/networks.md).",
                   file=sys.stderr)
@@ -53,7 +53,7 @@ class PlaceTool:
         """Returns the JSON output of a verb."""
         result = subprocess.run([*self.command, *map(str, words), "--json", "-", "--progress",
                                  "none"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                universal_newlines=True)
+                                encoding="utf-8", errors="replace")
         if result.returncode:
             sys.exit(result.stderr)
         out = result.stdout

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """experiments/fleet.smk on painted buildings, and the report on all of them."""
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -28,11 +29,13 @@ class ReportTest(ToolCase):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(content))
 
-    def report(self):
+    def report(self, **environment):
         result = subprocess.run([sys.executable, str(SOURCE / "experiments/fleet_report.py"), "out"],
-                                cwd=self.folder, capture_output=True, text=True, check=False)
+                                cwd=self.folder, capture_output=True, text=True, check=False,
+                                env=dict(os.environ, **environment))
         self.assertEqual(result.returncode, 0, result.stderr)
-        return [(self.folder / "out" / name).read_text() for name in ("report.md", "report.html")]
+        return [(self.folder / "out" / name).read_text(encoding="utf-8")
+                for name in ("report.md", "report.html")]
 
     def test_the_worst_building_comes_first_and_one_without_a_test_last(self):
         self.write("annex/training.json", training())
@@ -54,6 +57,12 @@ class ReportTest(ToolCase):
         self.assertIn("- 'a' and <b> look alike", markdown)
         self.assertIn("B &amp; &lt;C&gt;", page)
         self.assertIn("&#x27;a&#x27; and &lt;b&gt; look alike", page)
+
+    def test_names_in_a_locale_without_utf_8(self):
+        self.write("K\u00fcche/training.json", training(warnings=["\u5eca\u4e0b"]))
+        for text in self.report(LC_ALL="POSIX", PYTHONCOERCECLOCALE="0", PYTHONUTF8="0"):
+            self.assertIn("K\u00fcche", text)
+            self.assertIn("\u5eca\u4e0b", text)
 
 
 @unittest.skipUnless(shutil.which("snakemake"), "snakemake is not installed")

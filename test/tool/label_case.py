@@ -38,8 +38,8 @@ class Page:
 
     def __init__(self, folder, environment, *arguments):
         self.process = subprocess.Popen(
-            [PLACE_TOOL, "label", "--no-browser", *map(str, arguments)], cwd=folder, text=True,
-            env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            [PLACE_TOOL, "label", "--no-browser", *map(str, arguments)], cwd=folder,
+            errors="surrogateescape", env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         line = self.process.stdout.readline()
         self.address = line.split(" ")[-1].strip()
         parts = urllib.parse.urlsplit(self.address)

@@ -2,6 +2,7 @@
 """Tests place_tool label without a browser: what its server sends, refuses and writes."""
 import http.client
 import json
+import os
 import pathlib
 import tempfile
 import time
@@ -13,6 +14,9 @@ import rospy
 from label_case import START, TOPIC, LabelCase, Page, span
 from sensor_msgs.msg import CompressedImage
 from std_msgs.msg import String
+
+# A locale that is not UTF-8, as an 8-bit one is; every system has this one.
+IN_ASCII = {"LC_ALL": "POSIX", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
 
 
 class AddressTest(LabelCase):
@@ -251,6 +255,26 @@ class SavingTest(LabelCase):
         self.assertEqual([stretch[0] for stretch in self.stretches("run.bag")],
                          ["K\u00fcche", "the hall"])
 
+    def test_names_in_a_locale_without_utf_8(self):
+        self.record("K\u00fcche.bag", labels=[(0, "K\u00fcche")])
+        self.extra_environment = IN_ASCII
+        page = self.page("K\u00fcche.bag")
+        spans = page.get("recording")["spans"]
+        self.assertEqual([label["place"] for label in spans], ["K\u00fcche"])
+        self.save(page, span(0, 2, "K\u00fcche"), span(2, 4, "\u5eca\u4e0b"))
+        self.assertEqual([stretch[0] for stretch in self.stretches("K\u00fcche.bag")],
+                         ["K\u00fcche", "\u5eca\u4e0b"])
+
+    def test_a_bag_whose_name_is_not_utf_8(self):
+        name = os.fsdecode(b"K\xfcche.bag")
+        self.record("run.bag")
+        os.rename(self.folder / "run.bag", self.folder / name)
+        self.extra_environment = {"PYTHONIOENCODING": "utf-8:strict"}
+        page = self.page(name)
+        self.assertEqual(page.get("recording")["bags"][0]["name"], "K?che.bag")
+        self.save(page, span(0, 2, "attic"))
+        self.assertEqual(self.stretches(name)[0][0], "attic")
+
 
 class OpinionTest(LabelCase):
     def setUp(self):
@@ -301,6 +325,14 @@ class OpinionTest(LabelCase):
         places = [answer[1] for answer in self.answers(page)]
         self.assertGreaterEqual(sum(a == b for a, b in zip(places, self.rooms * 2)), 32)
         self.assertEqual(self.files(), before)
+
+    def test_it_learns_names_in_a_locale_without_utf_8(self):
+        self.write_bag("run.bag", [(room, None) for room in self.rooms])
+        self.extra_environment = IN_ASCII
+        page = self.page("run.bag")
+        spans = [span(0, 5.5, "K\u00fcche"), span(5.5, 11.5, "corridor")]
+        self.assertEqual(page.post("learn", {"spans": spans})[0], 200)
+        self.assertIn("K\u00fcche", [answer[1] for answer in self.answers(page)])
 
     def test_failures_are_reported(self):
         self.write_bag("run.bag", [(room, None) for room in self.rooms])

@@ -45,6 +45,17 @@ class ReproduceTest(ToolCase):
         self.assertIn("| night | 9 |", report)
         self.assertNotIn("sunny |", report.split("## indecs-global")[0])
 
+    def test_names_in_a_locale_without_utf_8(self):
+        for view in range(2):
+            for condition in CONDITIONS[:2]:
+                self.write_image(f"data/{condition}/K\u00fcche_{view:03d}.png",
+                                 paint("kitchen", view))
+        self.extra_environment = {"LC_ALL": "POSIX", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
+        result = self.reproduce("indecs", "data", "--out", "out", "--experiments", "bins")
+        self.assertNotIn("Error", result.stderr)
+        self.assertIn("| K\u00fcche |",
+                      (self.folder / "out/report.md").read_text(encoding="utf-8"))
+
     def test_idol(self):
         for seed, sequence in enumerate(("dum_cloudy1", "dum_night2", "min_sunny1")):
             for i, room in enumerate(sorted(ROOMS) * 3):
