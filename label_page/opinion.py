@@ -71,12 +71,16 @@ class Opinion:
             # place_tool finds labels beside a bag; links keep the user's folder untouched.
             bags = []
             for i, (bag, of_bag) in enumerate(zip(self.recording.bags, labels)):
-                if not of_bag:
+                if not of_bag or self.topic not in bag.entries:
                     continue
                 bags.append(os.path.join(folder, f"{i}.bag"))
                 os.symlink(os.path.abspath(bag.path), bags[-1])
                 with open(os.path.join(folder, f"{i}.labels.yaml"), "wb") as file:
                     file.write(file_text(of_bag).encode())
+            if not bags:
+                self.tell(number, stage="", problem="place_tool train: no labelled bag has images on "
+                                                    f"{self.topic}; show another topic.")
+                return
             model = os.path.join(folder, "labels.places")
             command = ["train", *bags, "--image-topic", self.topic, "--model", model,
                        "--set", "sampling.rate=5", "--progress", "json"]

@@ -291,6 +291,15 @@ class OpinionTest(LabelCase):
             time.sleep(.1)
         self.fail(f"no answers: {status}")
 
+    def problem(self, page):
+        """Waits for a failure and returns it."""
+        for _ in range(300):
+            problem = page.get("recording")["opinion"]["problem"]
+            if problem:
+                return problem
+            time.sleep(.1)
+        self.fail("no problem is reported")
+
     def test_a_model_answers_each_frame(self):
         self.write_bag("monday.bag", [(room, room) for room in self.rooms])
         self.write_bag("tuesday.bag", [(room, None) for room in self.rooms])
@@ -334,16 +343,24 @@ class OpinionTest(LabelCase):
         self.assertEqual(page.post("learn", {"spans": spans})[0], 200)
         self.assertIn("K\u00fcche", [answer[1] for answer in self.answers(page)])
 
+    def test_it_learns_from_the_bags_that_have_the_topic_shown(self):
+        self.write_bag("run.bag", [(room, None) for room in self.rooms])
+        self.record("rear.bag", topics=("/rear/compressed",))
+        page = self.page("run.bag", "rear.bag", "--image-topic", TOPIC)
+        start = next(bag["offset"] for bag in page.get("recording")["bags"]
+                     if bag["name"] == "rear.bag")
+        spans = [span(0, 5.5, "kitchen"), span(5.5, 11.5, "corridor"),
+                 span(start, start + 1, "attic")]
+        self.assertEqual(page.post("learn", {"spans": spans})[0], 200)
+        self.assertEqual([answer[1] for answer in self.answers(page)][:12], self.rooms[:12])
+        page.post("learn", {"spans": spans[2:]})
+        self.assertIn("no labelled bag has images on " + TOPIC, self.problem(page))
+
     def test_failures_are_reported(self):
         self.write_bag("run.bag", [(room, None) for room in self.rooms])
         page = self.page("run.bag")
         page.post("learn", {"spans": [span(0, 5, "kitchen")]})
-        for _ in range(300):
-            problem = page.get("recording")["opinion"]["problem"]
-            if problem:
-                break
-            time.sleep(.1)
-        self.assertIn("place", problem)
+        self.assertIn("place", self.problem(page))
 
 
 if __name__ == "__main__":
