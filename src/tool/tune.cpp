@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -130,12 +131,20 @@ std::string finalTable(const Tuning& tuning) {
                [](const TuningTrial& trial) { return trial.stage.find("round") != 0; });
 }
 
+/// Number of images of the trial with the most.
+std::uint64_t mostImages(const std::vector<TuningTrial>& trials) {
+  std::uint64_t most = 0;
+  for (const TuningTrial& trial : trials) most = std::max(most, trial.images);
+  return most;
+}
+
 void printBest(const Tuning& tuning, const std::string& path, std::ostream& out) {
   out << "\nBest" << (tuning.complete ? "" : " so far") << ": " << namesOf(tuning.best.cues)
       << ", C " << tuning.best.c << "\n"
-      << tuning.trials.size() << " configurations tried on " << tuning.images << " images in "
-      << fixed(tuning.seconds, 0) << " s. Configuration: " << path << " (place_tool train --config "
-      << path << ")" << std::endl;
+      << tuning.trials.size() << " configurations tried on at most " << mostImages(tuning.trials)
+      << " of " << tuning.images << " images in " << fixed(tuning.seconds, 0)
+      << " s. Configuration: " << path << " (place_tool train --config " << path << ")"
+      << std::endl;
 }
 
 /// What a search goes by.

@@ -33,6 +33,11 @@ class TuneTest(ToolCase):
         self.assertGreaterEqual(figures["best"]["rate"], 0.9)
         self.succeed("train", "monday", "--model", "./office.places", "--config", "office.yaml")
 
+    def test_it_tells_how_many_images_it_used(self):
+        (self.folder / "space.yaml").write_text(SMALL_SPACE + "max_pictures: 12\n")
+        said = self.succeed("tune", "monday", "--space", "space.yaml", "--out", "office.yaml")
+        self.assertIn(" configurations tried on at most 12 of 24 images in ", said)
+
     def test_same_runs_give_the_same_configuration(self):
         for name, threads in (("a", 1), ("b", 2)):
             self.succeed("tune", "monday", "--space", "space.yaml", "--out", f"{name}.yaml",
