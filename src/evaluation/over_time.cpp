@@ -41,8 +41,9 @@ class Followed {
   void add(const FrameResult& frame, bool learned) {
     if (frame.truth != room_) {
       if (waiting_) ++result_.missed;
-      waiting_ = room_ >= 0 && learned;
+      waiting_ = was_learned_ && learned;
       room_ = frame.truth;
+      was_learned_ = learned;
       since_ = frame.stamp;
     }
     if (!waiting_ || frame.place_over_time != frame.truth) return;
@@ -57,6 +58,7 @@ class Followed {
  private:
   OverTime& result_;
   int room_ = -1;
+  bool was_learned_ = false;  // room_
   double since_ = 0;
   bool waiting_ = false;
 };

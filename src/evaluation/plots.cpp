@@ -58,6 +58,7 @@ std::string confidencePlot(const Evaluation& evaluation) {
   constexpr int kBins = 20;
   std::array<double, kBins> right{}, wrong{};
   for (const FrameResult& frame : evaluation.frames) {
+    if (!evaluation.learned(frame)) continue;
     const int bin = std::clamp(static_cast<int>(frame.confidence * kBins), 0, kBins - 1);
     (frame.correct() ? right : wrong)[static_cast<std::size_t>(bin)] += 1;
   }

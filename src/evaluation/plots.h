@@ -15,7 +15,7 @@ std::string ratesPlot(const Summary& summary);
 /// Fraction of correct answers against confidence.
 std::string reliabilityPlot(const Summary& summary);
 
-/// Histogram of confidence, for correct and wrong answers.
+/// Histogram of confidence in learned places, for correct and wrong answers.
 std::string confidencePlot(const Evaluation& evaluation);
 
 /// Fraction of wrong answers if only the most confident ones are given.

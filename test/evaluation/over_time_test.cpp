@@ -58,6 +58,15 @@ TEST(OverTime, CountsTheDoorwaysApart) {
   EXPECT_EQ(result->settled.smoothed.wrong, 6u);
 }
 
+TEST(OverTime, CountsOnlyChangesBetweenLearnedRooms) {
+  Evaluation drive = driveOf("00112200", "00112200", "00110000", "00110000");
+  drive.model_places = 2;
+  const auto result = overTime(drive);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->delays, (std::vector<double>{0}));  // from the hall to the kitchen
+  EXPECT_EQ(result->missed, 0u);
+}
+
 TEST(OverTime, ImagesSortedByRoomAreNotADrive) {
   EXPECT_FALSE(overTime(driveOf("000111222", "000111222", "000111222", "000111222")));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evaluation/made_up_evaluation.h"
+#include "evaluation/plots.h"
 #include "evaluation/result_json.h"
 #include "evaluation/result_table.h"
 #include "evaluation/timeline.h"
@@ -81,6 +82,19 @@ TEST(Report, IsOneWellFormedPage) {
   EXPECT_NE(html.find("data:image/jpeg;base64,anBlZw=="), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org/2000/svg"));
   EXPECT_EQ(html.find("nan"), std::string::npos);
+}
+
+TEST(Report, CountsImagesByConfidenceInLearnedPlacesOnly) {
+  const std::string plot = confidencePlot(madeUpEvaluation());
+  const auto images = [&plot](const std::string& kind) {
+    int sum = 0;
+    for (std::size_t at = 0; (at = plot.find(" " + kind, at)) != std::string::npos; ++at) {
+      sum += plot[at - 1] - '0';
+    }
+    return sum;
+  };
+  EXPECT_EQ(images("right"), 4);
+  EXPECT_EQ(images("wrong"), 2);  // not those of the lift, which the model has not learned
 }
 
 TEST(Report, ShowsUnknownPlacesIfAny) {
