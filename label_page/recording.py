@@ -28,6 +28,12 @@ rosbag.bag._message_types.update({message._md5sum: message for message in IMAGE_
 HEIGHTS = {"thumb": 96, "view": 600}
 QUALITY = {"thumb": 80, "view": 88}
 
+# Encodings, beside those that every release of cv_bridge knows: YUYV, and other names of a layout.
+# Keep in step with src/ros/messages, which decodes the images that are learned.
+YUY2 = "yuv422_yuy2"
+SAME_PIXELS = {"8UC1": "mono8", "8UC3": "bgr8", "16UC1": "mono16"}
+BAYER = ("bayer_rggb", "bayer_bggr", "bayer_gbrg", "bayer_grbg")
+
 # Duration of a bag's last frame in page time, s.
 LAST_FRAME = 0.01
 
@@ -181,22 +187,38 @@ def decode(message, height):
 
 
 def decode_compressed(message, height):
-    data = np.frombuffer(message.data, np.uint8)
-    if not message.data.startswith((b"\xff\xd8\xff", b"\x89PNG\r\n\x1a\n")):
-        raise Problem("it is neither JPEG nor PNG.")
+    data = message.data
+    is_webp = data.startswith(b"RIFF") and data[8:12] == b"WEBP"
+    if not is_webp and not data.startswith((b"\xff\xd8\xff", b"\x89PNG\r\n\x1a\n")):
+        raise Problem("it is not a JPEG, PNG or WebP image.")
+    bayer, is_rgb = pixels_of(message.format)
     # JPEG decodes much faster at half, a quarter or an eighth of its size.
-    rows = jpeg_rows(message.data)
-    for divisor, flag in ((8, cv2.IMREAD_REDUCED_COLOR_8), (4, cv2.IMREAD_REDUCED_COLOR_4),
-                          (2, cv2.IMREAD_REDUCED_COLOR_2)):
+    rows = 0 if bayer else jpeg_rows(data)
+    for divisor, flag in ((8, cv2.IMREAD_REDUCED_GRAYSCALE_8), (4, cv2.IMREAD_REDUCED_GRAYSCALE_4),
+                          (2, cv2.IMREAD_REDUCED_GRAYSCALE_2)):
         if rows >= divisor * height:
             break
     else:
-        flag = cv2.IMREAD_COLOR
-    image = in_eight_bits(cv2.imdecode(data, flag | cv2.IMREAD_ANYDEPTH))
-    # image_transport's convention: in a JPEG of format "compressed rgb8", red and blue are swapped.
-    if image is not None and message.format.strip().endswith("compressed rgb8"):
-        image = cv2.cvtColor(image, cv2.COLOR_RGB2BGR)
-    return image
+        flag = cv2.IMREAD_GRAYSCALE
+    flag |= cv2.IMREAD_ANYCOLOR | cv2.IMREAD_ANYDEPTH
+    image = in_eight_bits(cv2.imdecode(np.frombuffer(data, np.uint8), flag))
+    if image is None:
+        return None
+    encoding = (bayer or "mono8") if image.ndim == 2 else "rgb8" if is_rgb else "bgr8"
+    return in_bgr(CvBridge().cv2_to_imgmsg(image, encoding))
+
+
+def pixels_of(image_format):
+    """Returns the Bayer encoding, or "", of a compressed image that is grey, and whether one in
+    colour is RGB, as encodingOf() in src/ros/messages/compressed_conversions.cpp."""
+    before, semicolon, stored = image_format.lstrip(" ").lower().partition(";")
+    bayer = before[:10] + "8" if semicolon and before.startswith(BAYER) else ""
+    has_colour = semicolon and before.startswith(("rgb", "bgr"))
+    return bayer, bool(has_colour) and "compressed bgr" not in stored
+
+
+def in_bgr(message):
+    return CvBridge().imgmsg_to_cv2(message, "bgr8")
 
 
 def in_eight_bits(image):
@@ -222,8 +244,11 @@ def jpeg_rows(data):
 def decode_raw(message):
     if not (0 < message.width <= MAX_SIDE and 0 < message.height <= MAX_SIDE):
         raise Problem(f"it claims {message.width} x {message.height} pixels.")
-    bridge = CvBridge()
-    dtype, channels = bridge.encoding_to_dtype_with_channels(message.encoding)
+    message.encoding = SAME_PIXELS.get(message.encoding, message.encoding)
+    dtype, channels = ("uint8", 2) if message.encoding == YUY2 \
+        else CvBridge().encoding_to_dtype_with_channels(message.encoding)
+    if channels == 2 and message.width % 2:  # OpenCV would write behind the end of the image
+        raise Problem("it has an odd width, although two pixels share their colour.")
     row = message.width * channels * np.dtype(dtype).itemsize
     if message.step < row or len(message.data) < message.step * (message.height - 1) + row:
         raise Problem("it has fewer bytes than it claims.")
@@ -231,9 +256,10 @@ def decode_raw(message):
         data = np.frombuffer(message.data, np.uint8)
         data = np.lib.stride_tricks.as_strided(data, (message.height, row), (message.step, 1))
         message.data, message.step = data.tobytes(), row
+    if message.encoding == YUY2:
+        image = np.ndarray((message.height, message.width, 2), np.uint8, message.data)
+        return cv2.cvtColor(image, cv2.COLOR_YUV2BGR_YUY2)
     if dtype == "uint16":
-        image = in_eight_bits(bridge.imgmsg_to_cv2(message))
-        message = bridge.cv2_to_imgmsg(image, message.encoding.replace("16UC", "8UC").replace("16", "8"))
-    if message.encoding == "8UC1":
-        message.encoding = "mono8"
-    return bridge.imgmsg_to_cv2(message, "bgr8")
+        image = in_eight_bits(CvBridge().imgmsg_to_cv2(message))
+        message = CvBridge().cv2_to_imgmsg(image, message.encoding.replace("16", "8"))
+    return in_bgr(message)

@@ -117,6 +117,8 @@ class RecordingTest(LabelCase):
         bayer[0::2, 0::2], bayer[1::2, 1::2] = 50, 200  # rggb
         bayer[0::2, 1::2] = bayer[1::2, 0::2] = 100
         uyvy = np.full((32, 48, 2), 128, np.uint8)
+        yuyv = np.zeros((32, 48, 2), np.uint8)
+        yuyv[..., 0], yuyv[:, 0::2, 1], yuyv[:, 1::2, 1] = 100, 178, 93  # Y, U, V
         messages = {"/bgr8": (raw(colour, "bgr8"), (200, 100, 50)),
                     "/padded": (raw(colour, "bgr8", 7), (200, 100, 50)),
                     "/rgb8": (raw(colour[..., ::-1].copy(), "rgb8"), (200, 100, 50)),
@@ -125,8 +127,15 @@ class RecordingTest(LabelCase):
                     "/mono16": (raw(full_range(grey.astype("<u2") * 257), "mono16", 2), (90, 90, 90)),
                     "/infrared": (raw(full_range(grey.astype("<u2") * 4, 1023), "16UC1"),
                                   (90, 90, 90)),
+                    "/big_endian": (raw(full_range(grey.astype(">u2") * 257), "mono16"),
+                                    (90, 90, 90)),
                     "/bayer": (raw(bayer, "bayer_rggb8"), (200, 100, 50)),
-                    "/yuv": (raw(uyvy, "yuv422"), (128, 128, 128))}
+                    "/deep_bayer": (raw(bayer.astype("<u2") * 16, "bayer_rggb16"), (200, 100, 50)),
+                    "/yuv": (raw(uyvy, "yuv422"), (128, 128, 128)),
+                    "/yuy2": (raw(yuyv, "yuv422_yuy2", 4), (199, 107, 42)),
+                    "/8UC1": (raw(grey, "8UC1"), (90, 90, 90)),
+                    "/8UC3": (raw(colour, "8UC3", 5), (200, 100, 50))}
+        messages["/big_endian"][0].is_bigendian = True
         with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
             for topic, (message, _) in messages.items():
                 bag.write(topic, message, rospy.Time.from_sec(START))
@@ -144,7 +153,7 @@ class RecordingTest(LabelCase):
         huge.width = huge.height = huge.step = 65536
         bad = {"/empty": CompressedImage(), "/gif": CompressedImage(data=b"GIF89a"),
                "/cut": CompressedImage(data=jpeg(0).data[:40]), "/short": short, "/huge": huge,
-               "/strange": raw(good, "hologram")}
+               "/strange": raw(good, "hologram"), "/odd": raw(good[:, :47, :2].copy(), "yuv422_yuy2")}
         with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
             for topic, message in bad.items():
                 bag.write(topic, message, rospy.Time.from_sec(START))
@@ -152,18 +161,38 @@ class RecordingTest(LabelCase):
         for topic in bad:
             self.assertIn("cannot be decoded", page.picture(topic, 0)["problem"], topic)
 
-    def test_red_and_blue(self):
+    def test_formats_of_compressed_images(self):
         image = np.zeros((32, 48, 3), np.uint8)
         image[:] = (200, 100, 50)
-        data = cv2.imencode(".png", image)[1].tobytes()
+        mosaic = np.zeros((32, 48), np.uint8)
+        mosaic[0::2, 0::2], mosaic[1::2, 1::2] = 50, 200  # rggb
+        mosaic[0::2, 1::2] = mosaic[1::2, 0::2] = 100
+        large = np.tile(mosaic, (30, 1))  # 960 rows, which a JPEG could be reduced from
+        as_is, exchanged, grey = (200, 100, 50), (50, 100, 200), (90, 90, 90)
+        formats = [("rgb8; png compressed bgr8", ".png", image, as_is),
+                   ("rgb8; png compressed rgb8", ".png", image, exchanged),
+                   ("rgb8; png compressed", ".png", image, exchanged),
+                   ("RGB8; jpeg compressed ", ".jpg", image, exchanged),
+                   ("bgr16; png compressed", ".png", image.astype(np.uint16) * 16, exchanged),
+                   ("compressed rgb8", ".jpg", image, as_is),
+                   ("jpeg", ".jpg", image, as_is), ("", ".webp", image, as_is),
+                   ("bgr8; webp compressed bgr8", ".webp", image, as_is),
+                   ("mono8; jpeg compressed ", ".jpg", np.full((32, 48), 90, np.uint8), grey),
+                   ("bayer_rggb8; png compressed", ".png", mosaic, as_is),
+                   ("bayer_rggb8; jpeg compressed ", ".jpg", large, as_is),
+                   ("bayer_rggb16; png", ".png", mosaic.astype(np.uint16) * 256, as_is),
+                   ("bayer_rggb8; jpeg compressed bgr8", ".png", image, as_is)]
         with rosbag.Bag(str(self.folder / "run.bag"), "w") as bag:
-            for topic, name in (("/bgr", "rgb8; png compressed bgr8"),
-                                ("/rgb", "rgb8; png compressed rgb8")):
-                bag.write(topic, CompressedImage(format=name, data=data),
-                          rospy.Time.from_sec(START))
-        page = self.page("run.bag", "--image-topic", "/bgr")
-        np.testing.assert_allclose(page.picture("/bgr", 0)[16, 24], (200, 100, 50), atol=4)
-        np.testing.assert_allclose(page.picture("/rgb", 0)[16, 24], (50, 100, 200), atol=4)
+            for i, (name, kind, pixels, _) in enumerate(formats):
+                data = cv2.imencode(kind, pixels)[1].tobytes()
+                bag.write("/camera", CompressedImage(format=name, data=data),
+                          rospy.Time.from_sec(START + i))
+        page = self.page("run.bag")
+        for i, (name, _, _, pixel) in enumerate(formats):
+            picture = page.picture("/camera", i)
+            self.assertIsInstance(picture, np.ndarray, (name, picture))
+            middle = picture[picture.shape[0] // 2, picture.shape[1] // 2]
+            np.testing.assert_allclose(middle, pixel, atol=6, err_msg=name)
 
     def test_two_bags_with_one_labels_file_are_refused(self):
         for names in (("plain.1", "plain.2"), ("tue.bag", "tue.BAG")):
