@@ -12,8 +12,10 @@
 #include "base/process_limits.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
+#include "place_recognition/progress.h"
 #include "recognition/model/embeddings.h"
 #include "tool/output.h"
+#include "tool/signals.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -67,9 +69,11 @@ std::string runTrial(const std::vector<std::string>& arguments, const std::strin
   while (trial.readLines(
       std::chrono::seconds(1), [&](const std::string& line) { output += line; },
       [&](const std::string& line) { complaint = line; })) {
+    if (stopRequested()) throw Cancelled();
   }
   const int status = trial.wait();
   if (status == 0) return output;
+  if (stopRequested()) throw Cancelled();  // Ctrl-C ends the trial, too
   requireStarted("place_tool", status);
   const std::string own_name = "place_tool network try: ";
   if (complaint.compare(0, own_name.size(), own_name) == 0) {

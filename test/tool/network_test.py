@@ -4,10 +4,14 @@ import functools
 import hashlib
 import http.server
 import shutil
+import signal
+import socket
+import subprocess
 import threading
+import time
 import unittest
 
-from tool_case import ToolCase
+from tool_case import PLACE_TOOL, ToolCase
 
 
 class QuietHandler(http.server.SimpleHTTPRequestHandler):
@@ -127,6 +131,47 @@ class InstallTest(ToolCase):
         line = self.refuse("network", "add", f"{address}/absent.onnx", "--name", "other")
         self.assertIn(f"{address}/absent.onnx", line)
         self.assertIn("404", line)
+
+    def start_adding(self, source):
+        process = subprocess.Popen([PLACE_TOOL, "network", "add", source, "--name", "small"],
+                                   cwd=self.folder, env=self.environment(), text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def check_that_it_stops(self, process):
+        process.send_signal(signal.SIGTERM)
+        process.wait(timeout=10)
+        self.assertEqual(process.returncode, 130)
+        self.assertFalse((self.network.parent / "small.onnx").exists())
+
+    @unittest.skipUnless(shutil.which("curl"), "curl is not installed")
+    def test_a_download_that_stalls_can_be_stopped(self):
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            process = self.start_adding(f"http://127.0.0.1:{server.getsockname()[1]}/x.onnx")
+            server.settimeout(30)
+            connection, _ = server.accept()
+            with connection:
+                connection.recv(1 << 16)
+                connection.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 9000\r\n\r\n" + bytes(100))
+                self.check_that_it_stops(process)
+                connection.settimeout(10)
+                try:
+                    self.assertEqual(connection.recv(1), b"")  # curl has ended, too
+                except ConnectionResetError:
+                    pass  # before it had read all
+
+    def test_a_trial_can_be_stopped(self):
+        trial = self.folder / "libexec/place_tool"
+        trial.parent.mkdir()
+        trial.write_text(f"#!/bin/sh\ntouch {self.folder}/started\nexec sleep 30\n")
+        trial.chmod(0o755)
+        self.extra_environment = {"PLACE_RECOGNITION_LIBEXEC": str(trial.parent)}
+        process = self.start_adding("given.onnx")
+        while not (self.folder / "started").exists():
+            time.sleep(.05)
+        self.check_that_it_stops(process)
 
     def test_unintended_and_invalid_files_are_not_installed(self):
         line = self.refuse("network", "add", "given.onnx", "--name", "small", "--sha256", "0" * 64)
