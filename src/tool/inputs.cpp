@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -157,6 +158,20 @@ std::vector<std::string> withoutRepetitions(const std::vector<std::string>& reco
   return distinct;
 }
 
+/// Warns of bags with one file of labels, such as run.1 and run.2 with run.labels.yaml.
+void warnOfSharedLabels(const std::vector<std::string>& recordings) {
+  std::map<std::string, std::string> bags;  // by file of labels
+  for (const std::string& recording : recordings) {
+    const std::string labels =
+        isBag(recording) ? ownLabelsFile(fs::absolute(recording).lexically_normal()) : "";
+    if (labels.empty()) continue;
+    const auto [bag, is_new] = bags.emplace(labels, recording);
+    if (is_new) continue;
+    std::cerr << "warning: " << labels << " labels both " << bag->second << " and " << recording
+              << "; if it describes only one of them, rename the other.\n";
+  }
+}
+
 /// Without links and a final slash; empty for what cannot be found, which is reported when it is
 /// opened.
 fs::path canonical(const std::string& path) {
@@ -210,6 +225,7 @@ std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string
         "--labels " + bag.labels_file +
         " applies to a single bag; for several bags, put a file RUN.labels.yaml beside each.");
   }
+  if (bag.labels_file.empty() && bag.label.empty()) warnOfSharedLabels(recordings);
   const std::vector<std::string> carried = carriedLabels(recordings, bag);
   std::vector<RecordingOpener> openers;
   for (std::size_t i = 0; i < recordings.size(); ++i) {

@@ -59,6 +59,19 @@ class TrainTest(ToolCase):
                                "./a.places")
         self.assertEqual(list(figures["rooms"]), ["kitchen"])
 
+    def test_bags_that_share_a_file_of_labels_are_named(self):
+        for name in ("plain.1", "plain.2"):
+            self.write_bag(name, [(room, room) for room in ROOMS for _ in range(4)])
+        train = ("train", "plain.1", "plain.2", "--model", "./home.places", *COLOUR)
+        self.assertNotIn("plain.labels.yaml", self.run_tool(*train).stderr)
+        (self.folder / "plain.labels.yaml").write_text(
+            "labels: [{from: 0, to: 5.5, place: kitchen}, {from: 5.5, place: corridor}]")
+        result = self.run_tool(*train)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr,
+                         "warning: .*plain.labels.yaml labels both plain.1 and plain.2; .* rename")
+        self.assertNotIn("labels both", self.run_tool(*train, "--label", "kitchen").stderr)
+
 
     def test_it_learns_on_from_a_model_within_a_limit(self):
         self.write_run("monday", rooms=("kitchen", "corridor"))
