@@ -68,13 +68,16 @@ std::string runTable(const Summary& summary) {
          "</p>\n";
 }
 
-/// A cell of the confusion matrix; the larger its fraction of the row, the darker it is.
-std::string confusionCell(std::uint64_t count, std::uint64_t row_sum, bool diagonal) {
+/// A cell of the confusion matrix; the larger its fraction of the row, the darker it is. The mouse
+/// shows `what` it counts.
+std::string confusionCell(std::uint64_t count, std::uint64_t row_sum, bool diagonal,
+                          const std::string& what) {
+  if (count == 0) return "<td></td>";
   const double fraction =
       row_sum == 0 ? 0 : static_cast<double>(count) / static_cast<double>(row_sum);
   const std::string colour = diagonal ? "59,110,165," : "192,80,77,";
-  return "<td style=\"background:rgba(" + colour + fixed(0.75 * fraction, 3) + ")\">" +
-         (count == 0 ? "" : std::to_string(count)) + "</td>";
+  return "<td title=\"" + escapeMarkup(what) + "\" style=\"background:rgba(" + colour +
+         fixed(0.75 * fraction, 3) + ")\">" + std::to_string(count) + "</td>";
 }
 
 std::string confusionTable(const Summary& summary) {
@@ -89,8 +92,13 @@ std::string confusionTable(const Summary& summary) {
     std::uint64_t sum = summary.confusion.none[row];
     for (const std::uint64_t count : counts) sum += count;
     html += "<tr><th>" + columnName(row) + "&ensp;" + escapeMarkup(summary.places[row]) + "</th>";
-    for (std::size_t k = 0; k < places; ++k) html += confusionCell(counts[k], sum, k == row);
-    html += confusionCell(summary.confusion.none[row], sum, false) + "</tr>\n";
+    const std::string& truth = summary.places[row];
+    for (std::size_t k = 0; k < places; ++k) {
+      const std::string what = k == row ? truth : truth + ", answered " + summary.places[k];
+      html += confusionCell(counts[k], sum, k == row, what);
+    }
+    html +=
+        confusionCell(summary.confusion.none[row], sum, false, truth + ", no answer") + "</tr>\n";
   }
   return html + "</table>\n";
 }

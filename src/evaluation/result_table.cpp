@@ -9,8 +9,12 @@
 namespace place_recognition {
 namespace {
 
+// What a terminal can show; the report shows all.
+constexpr std::size_t kMostPlaces = 30;  // in the confusion matrix
+constexpr std::size_t kMostRuns = 8;     // with a column each
+
 std::string ratesTable(const Summary& summary) {
-  const bool several = summary.recordings.size() > 1;
+  const bool several = summary.recordings.size() > 1 && summary.recordings.size() <= kMostRuns;
   TextRows rows{{"room", "images", "right", "'unknown'"}};
   if (several) {
     for (const RecordingSummary& recording : summary.recordings)
@@ -43,6 +47,10 @@ std::string camerasTable(const Summary& summary) {
 }
 
 std::string confusionTable(const Summary& summary) {
+  if (summary.places.size() > kMostPlaces) {
+    return "The confusion matrix of " + std::to_string(summary.places.size()) +
+           " places is in the outputs of --report and --json.\n";
+  }
   const Confusion& confusion = summary.confusion;
   const bool some_none = std::any_of(confusion.none.begin(), confusion.none.end(),
                                      [](std::uint64_t count) { return count > 0; });
@@ -61,11 +69,11 @@ std::string confusionTable(const Summary& summary) {
 
 /// The most confused pairs of places; empty if there are none.
 std::string confusedTable(const Summary& summary) {
-  constexpr std::size_t kMax = 5;
+  const std::size_t most = summary.places.size() > kMostPlaces ? 20 : 5;
   if (summary.confused.empty()) return "";
   TextRows rows{{"taken for one another", "of the images of both"}};
   for (const ConfusedPair& pair : summary.confused) {
-    if (rows.size() > kMax) break;
+    if (rows.size() > most) break;
     rows.push_back({summary.places[static_cast<std::size_t>(pair.a)] + ", " +
                         summary.places[static_cast<std::size_t>(pair.b)],
                     percent(pair.rate)});

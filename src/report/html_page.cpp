@@ -14,9 +14,9 @@ h1 { font-size: 1.6em; margin-bottom: 0 }
 h2 { font-size: 1.2em; margin: 2em 0 0.5em; border-bottom: 1px solid #ddd }
 table { border-collapse: collapse }
 th, td { padding: 3px 10px; text-align: right; font-weight: normal }
-th:first-child { text-align: left }
+th:first-child { text-align: left; white-space: nowrap; position: sticky; left: 0; background: #fff }
 td { font-variant-numeric: tabular-nums }
-thead th { border-bottom: 1px solid #999; color: #666 }
+thead th { border-bottom: 1px solid #999; color: #666; position: sticky; top: 0; background: #fff }
 .figures { display: flex; flex-wrap: wrap; gap: 1em 3em; margin: 1em 0 }
 .figures b { display: block; font-size: 1.8em; font-weight: normal; color: #3b6ea5 }
 .row { display: flex; flex-wrap: wrap; gap: 1em }

@@ -114,7 +114,13 @@ std::string Svg::str() const {
 void Svg::add(const std::string& element) { elements_ += element + "\n"; }
 
 std::string placeColour(std::size_t k, std::size_t n) {
-  return "hsl(" + std::to_string(360 * k / (n == 0 ? 1 : n)) + ",55%,55%)";
+  constexpr std::size_t kDistinctHues = 12;
+  if (n <= kDistinctHues) {
+    return "hsl(" + std::to_string(360 * k / (n == 0 ? 1 : n)) + ",55%,55%)";
+  }
+  constexpr std::size_t kGoldenAngle = 13751;  // hundredths of a degree
+  return "hsl(" + std::to_string(kGoldenAngle * k % 36000 / 100) + ",55%," +
+         std::to_string(45 + 12 * (k % 3)) + "%)";
 }
 
 }  // namespace place_recognition

@@ -38,7 +38,8 @@ class Svg {
   std::string elements_;
 };
 
-/// The colour of the k-th of n places: evenly spaced hues.
+/// The colour of the k-th of n places: evenly spaced hues; for many places, neighbours in the list
+/// differ in hue and lightness.
 std::string placeColour(std::size_t k, std::size_t n);
 
 }  // namespace place_recognition

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <vector>
 
 #include "evaluation/made_up_evaluation.h"
@@ -74,6 +76,16 @@ bool isWellFormed(const std::string& html) {
   return open.empty();
 }
 
+TEST(ResultTable, OfManyPlacesAndRunsFitsATerminal) {
+  Evaluation evaluation = madeUpEvaluation();
+  for (int k = 3; k < 40; ++k) evaluation.places.push_back("room" + std::to_string(k));
+  for (int r = 2; r < 20; ++r) evaluation.recordings.push_back("run" + std::to_string(r) + ".bag");
+  const std::string table = resultTable(evaluation, summarize(evaluation));
+  EXPECT_NE(table.find("confusion matrix of 40 places is in"), std::string::npos);
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+}
+
 TEST(Report, IsOneWellFormedPage) {
   Evaluation evaluation = madeUpEvaluation();
   evaluation.wrong.push_back({2, "jpeg"});
@@ -82,6 +94,21 @@ TEST(Report, IsOneWellFormedPage) {
   EXPECT_NE(html.find("data:image/jpeg;base64,anBlZw=="), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org/2000/svg"));
   EXPECT_EQ(html.find("nan"), std::string::npos);
+}
+
+TEST(Report, NamesThePlacesOfACellOfTheConfusionMatrix) {
+  const Evaluation evaluation = madeUpEvaluation();
+  const std::string page = htmlReport(evaluation, summarize(evaluation));
+  EXPECT_NE(page.find("title=\"kitchen, answered office\""), std::string::npos);
+  EXPECT_NE(page.find("title=\"kitchen, no answer\""), std::string::npos);
+}
+
+TEST(PlaceColour, DiffersBetweenManyPlaces) {
+  std::set<std::string> colours;
+  for (std::size_t k = 0; k < 200; ++k) colours.insert(placeColour(k, 200));
+  EXPECT_EQ(colours.size(), 200u);
+  EXPECT_EQ(placeColour(1, 200), "hsl(137,55%,57%)");
+  EXPECT_EQ(placeColour(1, 4), "hsl(90,55%,55%)");
 }
 
 TEST(Report, CountsImagesByConfidenceInLearnedPlacesOnly) {
