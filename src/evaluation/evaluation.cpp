@@ -73,6 +73,7 @@ class Evaluator {
     }
     recognizer_.smoother().finish();
     takeSmoothed();
+    evaluation_.continues.push_back(recognizer_.continues());
     evaluation_.warnings.insert(evaluation_.warnings.end(), recording.warnings().begin(),
                                 recording.warnings().end());
     for (const std::string& sentence : left_out.sentences(recording.name())) {

@@ -12,6 +12,9 @@
 
 namespace place_recognition {
 
+/// Largest gap between two parts of a split recording, s: a message or two.
+constexpr double kMaxGapOfParts = 2;
+
 /// Delay of the smoothed answer, s.
 constexpr double kSmoothingLag = 1;
 
@@ -21,8 +24,13 @@ class RecordingRecognizer {
  public:
   explicit RecordingRecognizer(std::shared_ptr<const Model> model);
 
-  /// Begins `recording`, which has not been read from; discards everything about the previous one.
+  /// Begins `recording`, which has not been read from. Its first frame discards everything about
+  /// the previous recording, unless it continues that one.
   void begin(Recording& recording);
+
+  /// Whether the recording, of which a frame was judged or recognized, has the cameras of the
+  /// previous one and starts less than kMaxGapOfParts after its end.
+  bool continues() const { return continues_; }
 
   /// New remarks about the image of `frame`, see ImageGuard.
   std::vector<std::string> judge(const Frame& frame);
@@ -43,6 +51,8 @@ class RecordingRecognizer {
   const Model& model() const { return *model_; }
 
  private:
+  void beginAt(double stamp);
+
   std::shared_ptr<const Model> model_;
   std::vector<std::string> cameras_{""};  // of the recording
   std::vector<Recognizer>
@@ -50,6 +60,10 @@ class RecordingRecognizer {
   std::vector<ImageGuard> guards_;  // one per camera
   TemporalFilter filter_;           // of the recording
   FixedLagSmoother smoother_;
+  bool starts_ = false;  // no frame of the recording has come
+  bool may_continue_ = false;
+  bool continues_ = false;
+  double last_stamp_ = 0;
 };
 
 }  // namespace place_recognition

@@ -7,14 +7,12 @@
 #include <numeric>
 #include <regex>
 
+#include "evaluation/recording_recognizer.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 
 namespace place_recognition::tool {
 namespace {
-
-/// s; consecutive parts of a recording are only a message or two apart.
-constexpr double kMaxGap = 2;
 
 /// The contents of a bag; empty if it cannot be read, which its reader will report.
 BagInfo infoOf(const std::string& recording, const BagRecordingOptions& options) {
@@ -41,7 +39,7 @@ int partBefore(const std::vector<BagInfo>& bags, int i) {
   int nearest = -1;
   for (int j = 0; j < static_cast<int>(bags.size()); ++j) {
     const bool may_be = j != i && !bags[static_cast<std::size_t>(j)].topics.empty();
-    if (!may_be || gapBehind(j) > kMaxGap) continue;
+    if (!may_be || gapBehind(j) > kMaxGapOfParts) continue;
     if (j == i - 1) return j;
     if (nearest < 0 || gapBehind(j) < gapBehind(nearest)) nearest = j;
   }

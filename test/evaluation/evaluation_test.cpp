@@ -108,6 +108,39 @@ TEST(Evaluate, KeepsSeveralCamerasApart) {
   EXPECT_NE(resultTable(evaluation, summary).find("/front"), std::string::npos);
 }
 
+TEST(Evaluate, PartsOfARecordingAreAnsweredAsTheWhole) {
+  std::vector<Frame> whole;
+  for (int lap = 0; lap < 3; ++lap) {
+    for (Frame frame : drawFrames(3, 20, 400 + 20 * static_cast<unsigned>(lap))) {
+      frame.stamp = 0.5 * static_cast<double>(whole.size());
+      if (lap == 1) frame.image = drawRoom(4, static_cast<unsigned>(whole.size()));
+      whole.push_back(frame);
+    }
+  }
+  const std::vector<Frame> one(whole.begin(), whole.begin() + 70);
+  std::vector<Frame> two(whole.begin() + 70, whole.end());
+  const Evaluation expected = evaluate(model(), {opener(whole, "run.bag")});
+  const Evaluation parts = evaluate(model(), {opener(one, "run_0.bag"), opener(two, "run_1.bag")});
+  EXPECT_EQ(parts.continues, (std::vector<bool>{false, true}));
+  ASSERT_EQ(parts.frames.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(parts.frames[i].evidence, expected.frames[i].evidence) << i;
+    EXPECT_EQ(parts.frames[i].place_over_time, expected.frames[i].place_over_time) << i;
+  }
+  ASSERT_TRUE(overTime(parts));
+  EXPECT_EQ(overTime(parts)->all.frames, overTime(expected)->all.frames);
+  EXPECT_EQ(overTime(parts)->delays, overTime(expected)->delays);
+
+  for (Frame& frame : two) frame.stamp += 10;  // another drive
+  const Evaluation drives = evaluate(model(), {opener(one, "1.bag"), opener(two, "2.bag")});
+  EXPECT_EQ(drives.continues, (std::vector<bool>{false, false}));
+  bool differs = false;
+  for (std::size_t i = 70; i < whole.size(); ++i) {
+    differs = differs || drives.frames[i].evidence != expected.frames[i].evidence;
+  }
+  EXPECT_TRUE(differs);
+}
+
 TEST(Evaluate, KeepsTheMostConfidentMistakes) {
   std::vector<Frame> frames = drawFrames(3, 6, 200);
   for (Frame& frame : frames) frame.place = frame.place == "room0" ? "room1" : "room0";
