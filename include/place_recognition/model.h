@@ -24,7 +24,7 @@ struct Provenance {
   std::string package_version;
 };
 
-/// Quality on held-out blocks of the training runs.
+/// Quality on held-out blocks of the training runs; zeros if it was not validated.
 struct Validation {
   double average_rate = 0;       ///< 0..1, mean of the rooms' rates
   double calibration_error = 0;  ///< expected calibration error, 0..1

@@ -25,6 +25,18 @@ struct InfoOptions {
   OutputOptions output;
 };
 
+/// Whether the machines of the model were judged by held-out images.
+bool isValidated(const Model& model) {
+  return model.validation.average_rate > 0 || model.validation.calibration_error > 0;
+}
+
+Json validationJson(const Model& model) {
+  if (!isValidated(model)) return nullptr;
+  return {{"average_rate", model.validation.average_rate},
+          {"calibration_error", model.validation.calibration_error},
+          {"rooms", model.validatedPlaces()}};
+}
+
 void printModel(const Model& model, const std::string& path, std::uint64_t bytes,
                 std::ostream& out) {
   const Provenance& origin = model.provenance;
@@ -47,7 +59,7 @@ void printModel(const Model& model, const std::string& path, std::uint64_t bytes
   out << "\nskipped images   " << origin.skipped_images << "\n"
       << "support vectors  " << model.supportVectorCount() << "\n"
       << std::fixed << std::setprecision(3) << "validation       ";
-  if (model.validation.average_rate == 0 && model.held_out.places.empty()) {
+  if (!isValidated(model)) {
     out << "none\n";
   } else {
     out << "average rate " << model.validation.average_rate << ", calibration error "
@@ -111,10 +123,7 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
           {"support_vectors", model.supportVectorCount()},
           {"model_bytes", bytes},
           {"unknown_threshold", model.unknown_threshold},
-          {"validation",
-           {{"average_rate", model.validation.average_rate},
-            {"calibration_error", model.validation.calibration_error},
-            {"rooms", model.validatedPlaces()}}},
+          {"validation", validationJson(model)},
           {"image_size", {model.images.width, model.images.height}},
           {"image_depth", {model.images.depth.low, model.images.depth.high}},
           {"options", writeOptions(model.options)},

@@ -206,6 +206,12 @@ class ReduceTest(TrainedCase):
         self.assertTrue(0 < figures["mean_margin_change"] <= figures["max_margin_change"])
         self.assertEqual(figures["model_bytes"], (self.folder / "small.places").stat().st_size)
 
+    def test_the_result_is_not_validated(self):
+        self.assertGreater(self.figures("info", "./home.places")["validation"]["average_rate"], 0.5)
+        self.reduce("--share", 0.3)
+        self.assertIsNone(self.figures("info", "./small.places")["validation"])
+        self.assertRegex(self.succeed("info", "./small.places"), "validation +none")
+
     def test_number_of_vectors(self):
         for method in ("shared-qr", "shared-greedy"):
             figures = self.reduce("--method", method, "--support-vectors", 5)

@@ -173,6 +173,7 @@ std::vector<BinarySvms> machinesOf(const Model& model) {
 
 Model withMachines(Model model, std::vector<BinarySvms> machines, const ReductionOptions& options) {
   model.options.reduction = options;
+  model.validation = {};  // was of other machines
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     model.calibration.weights.offset += model.calibration.weights.familiarity *
                                         model.cue_weights[c] *

@@ -59,8 +59,9 @@ class RateOnSamples {
 std::vector<BinarySvms> machinesOf(const Model& model);
 
 /// `model` with `machines`, one set per cue, instead of its own, and with `options` among its
-/// options. Calibration and threshold stay as they were fitted. Since frames look less familiar to
-/// fewer vectors, the evidence is shifted by what the support vectors themselves lose on average.
+/// options. It is not validated. Calibration and threshold stay as they were fitted. Since frames
+/// look less familiar to fewer vectors, the evidence is shifted by what the support vectors
+/// themselves lose on average.
 Model withMachines(Model model, std::vector<BinarySvms> machines, const ReductionOptions& options);
 
 /// Milliseconds to compare the features of one image with all support vectors of all cues: the
