@@ -37,11 +37,6 @@ struct InputOptions {
   void requireBag(const std::vector<std::string>& paths) const;
 };
 
-/// Throws UsageError if one of the runs to validate on is among the `learned` ones, in one of them,
-/// or contains one.
-void requireOtherRuns(const std::vector<std::string>& validate,
-                      const std::vector<std::string>& learned);
-
 /// The option --threads of a verb.
 void addThreads(Verb& verb, unsigned& threads);
 

@@ -6,6 +6,7 @@
 #include "recognition/training/model_reduction.h"
 #include "recognition/training/reduction_sweep.h"
 #include "tool/inputs.h"
+#include "tool/other_runs.h"
 #include "tool/output.h"
 #include "tool/reduction_report.h"
 #include "tool/verbs.h"

@@ -12,6 +12,7 @@
 #include "place_recognition/training.h"
 #include "tool/configuration.h"
 #include "tool/inputs.h"
+#include "tool/other_runs.h"
 #include "tool/output.h"
 #include "tool/replacement.h"
 #include "tool/verbs.h"

@@ -14,6 +14,7 @@
 #include "tool/configuration.h"
 #include "tool/inputs.h"
 #include "tool/network_trial.h"
+#include "tool/other_runs.h"
 #include "tool/output.h"
 #include "tool/part_option.h"
 #include "tool/verbs.h"

@@ -65,6 +65,15 @@ inline std::vector<Frame> drawFrames(int rooms, int count, unsigned first_frame 
   return frames;
 }
 
+/// Returns `count` frames of one of four drawn rooms.
+inline std::vector<Frame> framesOf(const std::string& room, unsigned first_frame, int count = 15) {
+  std::vector<Frame> frames;
+  for (const Frame& frame : drawFrames(4, count, first_frame)) {
+    if (frame.place == room) frames.push_back(frame);
+  }
+  return frames;
+}
+
 inline RecordingOpener opener(const std::vector<Frame>& frames, const std::string& name = "drawn",
                               const std::vector<std::string>& cameras = {""}) {
   return [frames, name, cameras] { return std::make_unique<FrameList>(name, frames, cameras); };
