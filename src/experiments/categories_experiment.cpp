@@ -1,4 +1,4 @@
-#include "experiments/categories_experiment.h"
+#include "experiments/experiments.h"
 
 #include <map>
 #include <memory>
@@ -46,69 +46,81 @@ Table categoryTable(PlaceFeatures features, const std::vector<ImageSet>& buildin
   return table;
 }
 
+class CategoriesExperiment : public Experiment {
+ public:
+  CategoriesExperiment(std::vector<ImageSet> buildings, unsigned threads)
+      : buildings_(std::move(buildings)), threads_(threads) {
+    if (buildings_.size() >= 3) return;
+    throw Error(
+        "There are fewer than three buildings; give a folder of BUILDING/CONDITION/ROOM/IMAGE with "
+        "three buildings or more.");
+  }
+
+  std::vector<Json> cells() const override {
+    std::vector<Json> cells;
+    for (const PlaceFeatures features : kFeatures) {
+      for (const ImageSet& building : buildings_) {
+        cells.push_back({{"categories", writeOptions(trainingOptions(features))},
+                         {"features", name(features)},
+                         {"tested", building.name}});
+      }
+    }
+    return cells;
+  }
+
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override {
+    std::size_t next = 0;  // cells are in the order of cells()
+    for (const PlaceFeatures features : kFeatures) {
+      std::unique_ptr<PlaceSamples> samples;  // only if needed
+      for (std::size_t b = 0; b < buildings_.size() && next < cells.size(); ++b) {
+        const Json& cell = cells[next];
+        if (cell.at("features") != name(features)) break;
+        if (cell.at("tested") != buildings_[b].name) continue;
+        if (!samples) {
+          samples = std::make_unique<PlaceSamples>(buildings_, features, threads_, progress);
+          warn(samples->warnings());
+        }
+        Fold split = samples->samples().split(static_cast<int>(b));
+        std::swap(split.train, split.test);
+        const PlaceTraining training = samples->train(split, progress);
+        const auto counts = testCounts(samples->samples(), training.test,
+                                       answersOf(training.machines, training.test_values));
+        Json result = {
+            {"gamma", training.gamma}, {"rate", meanRate(counts)}, {"counts", Json::array()}};
+        for (const TestCount& count : counts) {
+          result["counts"].push_back(
+              {{"place", samples->places()[static_cast<std::size_t>(count.place)]},
+               {"rate", static_cast<double>(count.right) / count.total},
+               {"total", count.total}});
+        }
+        finished(cell, result);
+        ++next;
+      }
+    }
+  }
+
+  Findings findings(const std::vector<Json>& results) const override {
+    Findings findings;
+    std::size_t next = 0;
+    for (const PlaceFeatures features : kFeatures) {
+      std::vector<const Json*> of_features;
+      for (std::size_t b = 0; b < buildings_.size(); ++b) of_features.push_back(&results[next++]);
+      findings.tables.push_back(categoryTable(features, buildings_, of_features));
+    }
+    return findings;
+  }
+
+ private:
+  std::vector<ImageSet> buildings_;
+  unsigned threads_;
+};
+
 }  // namespace
 
-CategoriesExperiment::CategoriesExperiment(std::vector<ImageSet> buildings, unsigned threads)
-    : buildings_(std::move(buildings)), threads_(threads) {
-  if (buildings_.size() >= 3) return;
-  throw Error(
-      "There are fewer than three buildings; give a folder of BUILDING/CONDITION/ROOM/IMAGE with "
-      "three buildings or more.");
-}
-
-std::vector<Json> CategoriesExperiment::cells() const {
-  std::vector<Json> cells;
-  for (const PlaceFeatures features : kFeatures) {
-    for (const ImageSet& building : buildings_) {
-      cells.push_back({{"categories", writeOptions(trainingOptions(features))},
-                       {"features", name(features)},
-                       {"tested", building.name}});
-    }
-  }
-  return cells;
-}
-
-void CategoriesExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
-                                   const Progress& progress) {
-  std::size_t next = 0;  // cells are in the order of cells()
-  for (const PlaceFeatures features : kFeatures) {
-    std::unique_ptr<PlaceSamples> samples;  // only if needed
-    for (std::size_t b = 0; b < buildings_.size() && next < cells.size(); ++b) {
-      const Json& cell = cells[next];
-      if (cell.at("features") != name(features)) break;
-      if (cell.at("tested") != buildings_[b].name) continue;
-      if (!samples) {
-        samples = std::make_unique<PlaceSamples>(buildings_, features, threads_, progress);
-        warn(samples->warnings());
-      }
-      Fold split = samples->samples().split(static_cast<int>(b));
-      std::swap(split.train, split.test);
-      const PlaceTraining training = samples->train(split, progress);
-      const auto counts = testCounts(samples->samples(), training.test,
-                                     answersOf(training.machines, training.test_values));
-      Json result = {
-          {"gamma", training.gamma}, {"rate", meanRate(counts)}, {"counts", Json::array()}};
-      for (const TestCount& count : counts) {
-        result["counts"].push_back(
-            {{"place", samples->places()[static_cast<std::size_t>(count.place)]},
-             {"rate", static_cast<double>(count.right) / count.total},
-             {"total", count.total}});
-      }
-      finished(cell, result);
-      ++next;
-    }
-  }
-}
-
-Findings CategoriesExperiment::findings(const std::vector<Json>& results) const {
-  Findings findings;
-  std::size_t next = 0;
-  for (const PlaceFeatures features : kFeatures) {
-    std::vector<const Json*> of_features;
-    for (std::size_t b = 0; b < buildings_.size(); ++b) of_features.push_back(&results[next++]);
-    findings.tables.push_back(categoryTable(features, buildings_, of_features));
-  }
-  return findings;
+std::unique_ptr<Experiment> categoriesExperiment(std::vector<ImageSet> buildings,
+                                                 unsigned threads) {
+  return std::make_unique<CategoriesExperiment>(std::move(buildings), threads);
 }
 
 }  // namespace place_recognition

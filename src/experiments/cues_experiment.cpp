@@ -1,4 +1,4 @@
-#include "experiments/cues_experiment.h"
+#include "experiments/experiments.h"
 
 #include <algorithm>
 #include <memory>
@@ -185,69 +185,81 @@ std::vector<double> ratesOf(const Model& model, const std::vector<std::vector<Te
           svmRate("gaussian", vectors, threads)};
 }
 
-}  // namespace
+class CuesExperiment : public Experiment {
+ public:
+  CuesExperiment(std::vector<ImageSet> sets, unsigned threads)
+      : sets_(std::move(sets)), threads_(threads) {}
 
-CuesExperiment::CuesExperiment(std::vector<ImageSet> sets, unsigned threads)
-    : sets_(std::move(sets)), threads_(threads) {}
-
-std::vector<Json> CuesExperiment::cells() const {
-  std::vector<Json> cells;
-  for (const char* cue_set : kCueSets) {
-    for (const ImageSet& set : sets_) {
-      cells.push_back({{"cues", writeOptions(optionsOf(cue_set))},
-                       {"cue_set", cue_set},
-                       {"training_set", set.name}});
-    }
-  }
-  return cells;
-}
-
-void CuesExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
-                             const Progress& progress) {
-  for (const Json& cell : cells) {
-    const auto trained = std::find_if(sets_.begin(), sets_.end(), [&](const ImageSet& set) {
-      return cell.at("training_set") == set.name;
-    });
-    Training training = train({[&] { return recordingOf(trained->name, trained->images); }},
-                              optionsOf(cell.at("cue_set")), threads_, progress);
-    warn(training.warnings);
-    const auto model = std::make_shared<const Model>(std::move(training.model));
-    std::vector<std::vector<Tested>> tested;
-    for (const ImageSet& set : sets_) {
-      report(progress, "Testing", 0);
-      if (&set == &*trained) continue;
-      std::vector<Tested>& images = tested.emplace_back(testAll(model, set, threads_));
-      images.erase(std::remove_if(images.begin(), images.end(),
-                                  [](const Tested& image) { return image.place < 0; }),
-                   images.end());
-    }
-    finished(cell, {{"weights", model->cue_weights}, {"rates", ratesOf(*model, tested, threads_)}});
-  }
-}
-
-Findings CuesExperiment::findings(const std::vector<Json>& results) const {
-  Table table{"cues",
-              "Rate on the other sets, %, of the best cue by itself (in hindsight), the weighted "
-              "mean of the cues' decision values, and SVMs over these decision values",
-              {{"cues", "trained on"}}};
-  table.rows[0].insert(table.rows[0].end(), std::begin(kWays), std::end(kWays));
-  std::size_t next = 0;
-  for (const char* cue_set : kCueSets) {
-    std::vector<std::vector<double>> rates(std::size(kWays));
-    for (const ImageSet& set : sets_) {
-      std::vector<std::string>& row = table.rows.emplace_back();
-      row = {cue_set, set.name};
-      const Json& result = results[next++];
-      for (std::size_t way = 0; way < rates.size(); ++way) {
-        rates[way].push_back(100 * result.at("rates").at(way).get<double>());
-        row.push_back(fixed(rates[way].back(), 1));
+  std::vector<Json> cells() const override {
+    std::vector<Json> cells;
+    for (const char* cue_set : kCueSets) {
+      for (const ImageSet& set : sets_) {
+        cells.push_back({{"cues", writeOptions(optionsOf(cue_set))},
+                         {"cue_set", cue_set},
+                         {"training_set", set.name}});
       }
     }
-    std::vector<std::string>& mean = table.rows.emplace_back();
-    mean = {cue_set, "mean"};
-    for (const std::vector<double>& way : rates) mean.push_back(fixed(spreadOf(way).mean, 1));
+    return cells;
   }
-  return {{table}, {}};
+
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override {
+    for (const Json& cell : cells) {
+      const auto trained = std::find_if(sets_.begin(), sets_.end(), [&](const ImageSet& set) {
+        return cell.at("training_set") == set.name;
+      });
+      Training training = train({[&] { return recordingOf(trained->name, trained->images); }},
+                                optionsOf(cell.at("cue_set")), threads_, progress);
+      warn(training.warnings);
+      const auto model = std::make_shared<const Model>(std::move(training.model));
+      std::vector<std::vector<Tested>> tested;
+      for (const ImageSet& set : sets_) {
+        report(progress, "Testing", 0);
+        if (&set == &*trained) continue;
+        std::vector<Tested>& images = tested.emplace_back(testAll(model, set, threads_));
+        images.erase(std::remove_if(images.begin(), images.end(),
+                                    [](const Tested& image) { return image.place < 0; }),
+                     images.end());
+      }
+      finished(cell,
+               {{"weights", model->cue_weights}, {"rates", ratesOf(*model, tested, threads_)}});
+    }
+  }
+
+  Findings findings(const std::vector<Json>& results) const override {
+    Table table{"cues",
+                "Rate on the other sets, %, of the best cue by itself (in hindsight), the weighted "
+                "mean of the cues' decision values, and SVMs over these decision values",
+                {{"cues", "trained on"}}};
+    table.rows[0].insert(table.rows[0].end(), std::begin(kWays), std::end(kWays));
+    std::size_t next = 0;
+    for (const char* cue_set : kCueSets) {
+      std::vector<std::vector<double>> rates(std::size(kWays));
+      for (const ImageSet& set : sets_) {
+        std::vector<std::string>& row = table.rows.emplace_back();
+        row = {cue_set, set.name};
+        const Json& result = results[next++];
+        for (std::size_t way = 0; way < rates.size(); ++way) {
+          rates[way].push_back(100 * result.at("rates").at(way).get<double>());
+          row.push_back(fixed(rates[way].back(), 1));
+        }
+      }
+      std::vector<std::string>& mean = table.rows.emplace_back();
+      mean = {cue_set, "mean"};
+      for (const std::vector<double>& way : rates) mean.push_back(fixed(spreadOf(way).mean, 1));
+    }
+    return {{table}, {}};
+  }
+
+ private:
+  std::vector<ImageSet> sets_;
+  unsigned threads_;
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> cuesExperiment(std::vector<ImageSet> sets, unsigned threads) {
+  return std::make_unique<CuesExperiment>(std::move(sets), threads);
 }
 
 }  // namespace place_recognition

@@ -1,4 +1,4 @@
-#include "experiments/figures_experiment.h"
+#include "experiments/experiments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,48 +147,53 @@ PlanePanel panelFromJson(const std::string& title, const PlanePoints& points, co
   return panel;
 }
 
+class FiguresExperiment : public Experiment {
+ public:
+  std::vector<Json> cells() const override {
+    std::vector<Json> cells;
+    for (const FigurePlan& figure : figurePlans()) {
+      for (const Panel& panel : figure.panels) cells.push_back(cellOf(figure, panel));
+    }
+    return cells;
+  }
+
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override {
+    std::size_t next = 0;  // cells are in the order of cells()
+    for (const FigurePlan& figure : figurePlans()) {
+      for (const Panel& panel : figure.panels) {
+        if (next == cells.size() || cellOf(figure, panel) != cells[next]) continue;
+        report(progress, "Drawing", static_cast<double>(next) / static_cast<double>(cells.size()));
+        finished(cells[next++], evaluate(figure.border, panel));
+      }
+    }
+  }
+
+  Findings findings(const std::vector<Json>& results) const override {
+    Findings findings;
+    std::size_t next = 0;
+    for (const FigurePlan& figure : figurePlans()) {
+      const PlanePoints points = planePoints(figure.border);
+      Table table{figure.name,
+                  figure.title,
+                  {{"panel", "C", "tau", "support vectors", "kept", "largest change of f"}}};
+      std::vector<PlanePanel> panels;
+      for (const Panel& panel : figure.panels) {
+        const Json& result = results[next++];
+        panels.push_back(panelFromJson(panel.title, points, result));
+        table.rows.push_back(
+            {panel.title, number(panel.c), number(panel.tau), result.at("before").dump(),
+             std::to_string(result.at("vectors").size()), number(result.at("change"))});
+      }
+      findings.tables.push_back(table);
+      findings.figures.push_back({figure.name, drawPanels(panels, figure.columns)});
+    }
+    return findings;
+  }
+};
+
 }  // namespace
 
-std::vector<Json> FiguresExperiment::cells() const {
-  std::vector<Json> cells;
-  for (const FigurePlan& figure : figurePlans()) {
-    for (const Panel& panel : figure.panels) cells.push_back(cellOf(figure, panel));
-  }
-  return cells;
-}
-
-void FiguresExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
-                                const Progress& progress) {
-  std::size_t next = 0;  // cells are in the order of cells()
-  for (const FigurePlan& figure : figurePlans()) {
-    for (const Panel& panel : figure.panels) {
-      if (next == cells.size() || cellOf(figure, panel) != cells[next]) continue;
-      report(progress, "Drawing", static_cast<double>(next) / static_cast<double>(cells.size()));
-      finished(cells[next++], evaluate(figure.border, panel));
-    }
-  }
-}
-
-Findings FiguresExperiment::findings(const std::vector<Json>& results) const {
-  Findings findings;
-  std::size_t next = 0;
-  for (const FigurePlan& figure : figurePlans()) {
-    const PlanePoints points = planePoints(figure.border);
-    Table table{figure.name,
-                figure.title,
-                {{"panel", "C", "tau", "support vectors", "kept", "largest change of f"}}};
-    std::vector<PlanePanel> panels;
-    for (const Panel& panel : figure.panels) {
-      const Json& result = results[next++];
-      panels.push_back(panelFromJson(panel.title, points, result));
-      table.rows.push_back({panel.title, number(panel.c), number(panel.tau),
-                            result.at("before").dump(), std::to_string(result.at("vectors").size()),
-                            number(result.at("change"))});
-    }
-    findings.tables.push_back(table);
-    findings.figures.push_back({figure.name, drawPanels(panels, figure.columns)});
-  }
-  return findings;
-}
+std::unique_ptr<Experiment> figuresExperiment() { return std::make_unique<FiguresExperiment>(); }
 
 }  // namespace place_recognition

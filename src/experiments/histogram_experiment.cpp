@@ -1,4 +1,4 @@
-#include "experiments/histogram_experiment.h"
+#include "experiments/experiments.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,6 +8,8 @@
 #include "datasets/image_file.h"
 #include "experiments/crfh_bank.h"
 #include "experiments/histogram_tables.h"
+#include "experiments/table_8_4.h"
+#include "experiments/test_sets.h"
 #include "learning/gram.h"
 #include "place_recognition/error.h"
 #include "recognition/frames/cue_extraction.h"
@@ -77,159 +79,202 @@ double bytesOf(const Feature& feature) {
   return histogram ? kBytesOfBin * static_cast<double>(histogram->size()) : 0;
 }
 
+/// A histogram to compare.
+struct Candidate {
+  std::size_t row;  ///< of the thesis' table
+  CrfhOptions options;
+};
+
+std::vector<Candidate> candidatesOfTable84(int max_dimensions) {
+  std::vector<Candidate> candidates;
+  for (std::size_t row = 0; row < table84().size(); ++row) {
+    for (const std::vector<double>& scales : scaleCombinations()) {
+      const auto dimensions = table84()[row].descriptors.size() * scales.size();
+      if (static_cast<int>(dimensions) > max_dimensions) continue;
+      candidates.push_back({row, histogram(table84()[row], scales, kBinsOfTable84)});
+    }
+  }
+  return candidates;
+}
+
+std::vector<Candidate> candidatesOfTable85() {
+  std::vector<Candidate> candidates;
+  for (std::size_t row = 0; row < table85().size(); ++row) {
+    for (int bins = 5; bins <= 40; ++bins) {
+      candidates.push_back({row, histogram(table85()[row], table85()[row].scales, bins)});
+    }
+  }
+  return candidates;
+}
+
+class HistogramExperiment : public Experiment {
+ public:
+  /// Compares those of `candidates` that are possible.
+  HistogramExperiment(HistogramSweep sweep, std::vector<Candidate> candidates,
+                      std::vector<ImageSet> sets, unsigned threads)
+      : sweep_(sweep),
+        sets_(std::move(sets)),
+        samples_(samplesOf(sets_)),
+        threads_(threads),
+        candidates_(std::move(candidates)) {
+    for (const ImageSet& set : sets_) {
+      for (const LabelledImage& image : set.images) images_.push_back(&image);
+    }
+    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
+                                     [](const Candidate& c) { return !isPossible(c.options); }),
+                      candidates_.end());
+  }
+
+  std::vector<Json> cells() const override {
+    std::vector<Json> cells;
+    for (const Candidate& candidate : candidates_) cells.push_back(cellOf(candidate));
+    return cells;
+  }
+
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override {
+    std::size_t done = 0;
+    // Progress of a part of the work that reports from 0 to 1.
+    const auto fraction = [&](double parts) -> Progress {
+      return [&, parts](const std::string& stage, double fraction) {
+        const double all = (static_cast<double>(done) + parts * fraction) / cells.size();
+        return !progress || progress("Histograms, " + stage, all);
+      };
+    };
+    while (done < cells.size()) {
+      // Histograms of the same descriptors have the same responses.
+      const Candidate& first = candidateOf(cells[done]);
+      Batch batch;
+      double bytes = 0;
+      for (std::size_t i = done; i < cells.size(); ++i) {
+        const Candidate& candidate = candidateOf(cells[i]);
+        if (candidate.row != first.row) break;
+        CrfhBank bank({candidate.options});
+        const auto sample = bank.extract(readImage(*images_[images_.size() / 2]));
+        bytes += bytesOf(sample[0]) * static_cast<double>(images_.size());
+        if (!batch.empty() && bytes > kBatchBytes) break;
+        batch.push_back(&candidate);
+      }
+      std::vector<std::vector<Feature>> features = extract(batch, fraction(0));
+      for (std::vector<Feature>& histograms : features) {
+        finished(cells[done], rates(histograms, fraction(1)));
+        ++done;
+        std::vector<Feature>().swap(histograms);
+      }
+    }
+  }
+
+  Findings findings(const std::vector<Json>& results) const override {
+    std::vector<HistogramResult> histograms;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      HistogramResult& histogram = histograms.emplace_back();
+      histogram.row = candidates_[i].row;
+      histogram.options = candidates_[i].options;
+      for (const ImageSet& set : sets_) {
+        histogram.rates.push_back(results[i].at("rates").at(set.name).get<std::vector<double>>());
+      }
+    }
+    std::vector<std::string> names;
+    for (const ImageSet& set : sets_) names.push_back(set.name);
+    return {{histogramTable(sweep_, names, gammas(), histograms)}, {}};
+  }
+
+ private:
+  /// Histograms extracted together; their number bounds the memory for the features of all images.
+  using Batch = std::vector<const Candidate*>;
+
+  Json cellOf(const Candidate& candidate) const {
+    return {{"histogram",
+             {{"descriptors", candidate.options.descriptors},
+              {"scales", candidate.options.scales},
+              {"bins", candidate.options.bins}}},
+            {"width", kWidth},
+            {"c", kC},
+            {"gammas", gammas()}};
+  }
+
+  const Candidate& candidateOf(const Json& cell) const {
+    return *std::find_if(candidates_.begin(), candidates_.end(),
+                         [&](const Candidate& candidate) { return cellOf(candidate) == cell; });
+  }
+
+  std::vector<std::vector<Feature>> extract(const Batch& batch, const Progress& progress) const {
+    std::vector<CrfhOptions> options;
+    for (const Candidate* candidate : batch) options.push_back(candidate->options);
+    std::vector<CrfhBank> banks(threadCount(threads_), CrfhBank(options));
+    std::vector<std::vector<Feature>> features(batch.size(), std::vector<Feature>(images_.size()));
+    std::atomic<std::size_t> done{0};
+    parallelFor(images_.size(), threads_, [&](std::size_t i, unsigned thread) {
+      std::vector<Feature> histograms = banks[thread].extract(readImage(*images_[i]));
+      for (std::size_t h = 0; h < batch.size(); ++h) {
+        if (isMissing(histograms[h])) {
+          throw Error("The image " + images_[i]->path +
+                      " is too small for these histograms; give larger ones.");
+        }
+        features[h][i] = std::move(histograms[h]);
+      }
+      ++done;
+      if (thread == 0) {
+        report(progress, "counting", static_cast<double>(done) / images_.size());
+      }
+    });
+    return features;
+  }
+
+  Json rates(const std::vector<Feature>& features, const Progress& progress) const {
+    const auto kernelOf = [](double gamma) {
+      KernelOptions options;
+      options.type = "chi-squared";
+      options.gamma = gamma;
+      return Kernel(options);
+    };
+    const Eigen::MatrixXd measures = measureMatrix(kernelOf(1), features, threads_, progress);
+    SvmOptions svm;
+    svm.c = kC;
+
+    const std::vector<double> all_gammas = gammas();
+    std::vector<std::vector<double>> rates(sets_.size(), std::vector<double>(all_gammas.size()));
+    parallelFor(sets_.size() * all_gammas.size(), threads_, [&](std::size_t task, unsigned thread) {
+      const std::size_t set = task / all_gammas.size(), g = task % all_gammas.size();
+      if (thread == 0) report(progress, "comparing", 1);
+      const Fold split = samples_.split(static_cast<int>(set));
+      const Kernel kernel = kernelOf(all_gammas[g]);
+      const Eigen::MatrixXd gram =
+          gramMatrix(kernel, submatrix(measures, split.train, split.train));
+      const BinarySvms machines =
+          trainMachines(gram, pick(samples_.places, split.train),
+                        static_cast<std::size_t>(samples_.place_count), svm);
+      const Eigen::MatrixXd values =
+          gramMatrix(kernel, submatrix(measures, split.test, split.train));
+      rates[set][g] = meanRate(testCounts(samples_, split.test, answersOf(machines, values)));
+    });
+
+    double bins = 0;
+    for (const Feature& feature : features) bins += std::get<SparseVector>(feature).size();
+    Json by_set = Json::object();
+    for (std::size_t set = 0; set < sets_.size(); ++set) by_set[sets_[set].name] = rates[set];
+    return {{"rates", by_set}, {"bins_hit", bins / static_cast<double>(features.size())}};
+  }
+
+  HistogramSweep sweep_;
+  std::vector<ImageSet> sets_;
+  std::vector<const LabelledImage*> images_;  // of all sets, one after another
+  SetSamples samples_;
+  unsigned threads_;
+  std::vector<Candidate> candidates_;
+};
+
 }  // namespace
 
-HistogramExperiment::HistogramExperiment(HistogramSweep sweep, std::vector<ImageSet> sets,
-                                         int max_dimensions, unsigned threads)
-    : sweep_(sweep), sets_(std::move(sets)), threads_(threads) {
-  samples_ = samplesOf(sets_);
-  for (const ImageSet& set : sets_) {
-    for (const LabelledImage& image : set.images) images_.push_back(&image);
-  }
-  if (sweep == HistogramSweep::kBins) {
-    for (std::size_t row = 0; row < table85().size(); ++row) {
-      for (int bins = 5; bins <= 40; ++bins) {
-        candidates_.push_back({row, histogram(table85()[row], table85()[row].scales, bins)});
-      }
-    }
-  } else {
-    for (std::size_t row = 0; row < table84().size(); ++row) {
-      for (const std::vector<double>& scales : scaleCombinations()) {
-        const auto dimensions = table84()[row].descriptors.size() * scales.size();
-        if (static_cast<int>(dimensions) > max_dimensions) continue;
-        candidates_.push_back({row, histogram(table84()[row], scales, kBinsOfTable84)});
-      }
-    }
-  }
-  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
-                                   [](const Candidate& c) { return !isPossible(c.options); }),
-                    candidates_.end());
+std::unique_ptr<Experiment> descriptorsExperiment(std::vector<ImageSet> sets, int max_dimensions,
+                                                  unsigned threads) {
+  return std::make_unique<HistogramExperiment>(
+      HistogramSweep::kDescriptors, candidatesOfTable84(max_dimensions), std::move(sets), threads);
 }
 
-Json HistogramExperiment::cellOf(const Candidate& candidate) const {
-  return {{"histogram",
-           {{"descriptors", candidate.options.descriptors},
-            {"scales", candidate.options.scales},
-            {"bins", candidate.options.bins}}},
-          {"width", kWidth},
-          {"c", kC},
-          {"gammas", gammas()}};
-}
-
-std::vector<Json> HistogramExperiment::cells() const {
-  std::vector<Json> cells;
-  for (const Candidate& candidate : candidates_) cells.push_back(cellOf(candidate));
-  return cells;
-}
-
-const HistogramExperiment::Candidate& HistogramExperiment::candidateOf(const Json& cell) const {
-  return *std::find_if(candidates_.begin(), candidates_.end(),
-                       [&](const Candidate& candidate) { return cellOf(candidate) == cell; });
-}
-
-void HistogramExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
-                                  const Progress& progress) {
-  std::size_t done = 0;
-  // Progress of a part of the work that reports from 0 to 1.
-  const auto fraction = [&](double parts) -> Progress {
-    return [&, parts](const std::string& stage, double fraction) {
-      const double all = (static_cast<double>(done) + parts * fraction) / cells.size();
-      return !progress || progress("Histograms, " + stage, all);
-    };
-  };
-  while (done < cells.size()) {
-    // Histograms of the same descriptors have the same responses.
-    const Candidate& first = candidateOf(cells[done]);
-    Batch batch;
-    double bytes = 0;
-    for (std::size_t i = done; i < cells.size(); ++i) {
-      const Candidate& candidate = candidateOf(cells[i]);
-      if (candidate.row != first.row) break;
-      CrfhBank bank({candidate.options});
-      const auto sample = bank.extract(readImage(*images_[images_.size() / 2]));
-      bytes += bytesOf(sample[0]) * static_cast<double>(images_.size());
-      if (!batch.empty() && bytes > kBatchBytes) break;
-      batch.push_back(&candidate);
-    }
-    std::vector<std::vector<Feature>> features = extract(batch, fraction(0));
-    for (std::vector<Feature>& histograms : features) {
-      finished(cells[done], rates(histograms, fraction(1)));
-      ++done;
-      std::vector<Feature>().swap(histograms);
-    }
-  }
-}
-
-std::vector<std::vector<Feature>> HistogramExperiment::extract(const Batch& batch,
-                                                               const Progress& progress) const {
-  std::vector<CrfhOptions> options;
-  for (const Candidate* candidate : batch) options.push_back(candidate->options);
-  std::vector<CrfhBank> banks(threadCount(threads_), CrfhBank(options));
-  std::vector<std::vector<Feature>> features(batch.size(), std::vector<Feature>(images_.size()));
-  std::atomic<std::size_t> done{0};
-  parallelFor(images_.size(), threads_, [&](std::size_t i, unsigned thread) {
-    std::vector<Feature> histograms = banks[thread].extract(readImage(*images_[i]));
-    for (std::size_t h = 0; h < batch.size(); ++h) {
-      if (isMissing(histograms[h])) {
-        throw Error("The image " + images_[i]->path +
-                    " is too small for these histograms; give larger ones.");
-      }
-      features[h][i] = std::move(histograms[h]);
-    }
-    ++done;
-    if (thread == 0) {
-      report(progress, "counting", static_cast<double>(done) / images_.size());
-    }
-  });
-  return features;
-}
-
-Json HistogramExperiment::rates(const std::vector<Feature>& features,
-                                const Progress& progress) const {
-  const auto kernelOf = [](double gamma) {
-    KernelOptions options;
-    options.type = "chi-squared";
-    options.gamma = gamma;
-    return Kernel(options);
-  };
-  const Eigen::MatrixXd measures = measureMatrix(kernelOf(1), features, threads_, progress);
-  SvmOptions svm;
-  svm.c = kC;
-
-  const std::vector<double> all_gammas = gammas();
-  std::vector<std::vector<double>> rates(sets_.size(), std::vector<double>(all_gammas.size()));
-  parallelFor(sets_.size() * all_gammas.size(), threads_, [&](std::size_t task, unsigned thread) {
-    const std::size_t set = task / all_gammas.size(), g = task % all_gammas.size();
-    if (thread == 0) report(progress, "comparing", 1);
-    const Fold split = samples_.split(static_cast<int>(set));
-    const Kernel kernel = kernelOf(all_gammas[g]);
-    const Eigen::MatrixXd gram = gramMatrix(kernel, submatrix(measures, split.train, split.train));
-    const BinarySvms machines = trainMachines(gram, pick(samples_.places, split.train),
-                                              static_cast<std::size_t>(samples_.place_count), svm);
-    const Eigen::MatrixXd values = gramMatrix(kernel, submatrix(measures, split.test, split.train));
-    rates[set][g] = meanRate(testCounts(samples_, split.test, answersOf(machines, values)));
-  });
-
-  double bins = 0;
-  for (const Feature& feature : features) bins += std::get<SparseVector>(feature).size();
-  Json by_set = Json::object();
-  for (std::size_t set = 0; set < sets_.size(); ++set) by_set[sets_[set].name] = rates[set];
-  return {{"rates", by_set}, {"bins_hit", bins / static_cast<double>(features.size())}};
-}
-
-Findings HistogramExperiment::findings(const std::vector<Json>& results) const {
-  std::vector<HistogramResult> histograms;
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    HistogramResult& histogram = histograms.emplace_back();
-    histogram.row = candidates_[i].row;
-    histogram.options = candidates_[i].options;
-    for (const ImageSet& set : sets_) {
-      histogram.rates.push_back(results[i].at("rates").at(set.name).get<std::vector<double>>());
-    }
-  }
-  std::vector<std::string> names;
-  for (const ImageSet& set : sets_) names.push_back(set.name);
-  return {{histogramTable(sweep_, names, gammas(), histograms)}, {}};
+std::unique_ptr<Experiment> binsExperiment(std::vector<ImageSet> sets, unsigned threads) {
+  return std::make_unique<HistogramExperiment>(HistogramSweep::kBins, candidatesOfTable85(),
+                                               std::move(sets), threads);
 }
 
 }  // namespace place_recognition

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/text.h"
+#include "experiments/table_8_4.h"
 #include "experiments/test_sets.h"
 
 namespace place_recognition {

@@ -4,9 +4,15 @@
 #include <vector>
 
 #include "experiments/experiment.h"
-#include "experiments/histogram_experiment.h"
+#include "place_recognition/feature_options.h"
 
 namespace place_recognition {
+
+/// The histograms to compare, and the corresponding table of the thesis.
+enum class HistogramSweep {
+  kDescriptors,  ///< Table 8.4: descriptors x combinations of one to four of the scales 1..5
+  kBins,         ///< Table 8.5: 5 to 40 bins for seven combinations at the thesis' scales
+};
 
 /// The rates of one histogram.
 struct HistogramResult {

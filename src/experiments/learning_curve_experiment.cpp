@@ -1,4 +1,4 @@
-#include "experiments/learning_curve_experiment.h"
+#include "experiments/experiments.h"
 
 #include <algorithm>
 #include <memory>
@@ -50,99 +50,113 @@ std::vector<Json> salient(const Json& result) {
   return viewpoints;
 }
 
-}  // namespace
+class LearningCurveExperiment : public Experiment {
+ public:
+  LearningCurveExperiment(std::vector<ImageSet> sets, unsigned threads)
+      : sets_(std::move(sets)), threads_(threads) {}
 
-LearningCurveExperiment::LearningCurveExperiment(std::vector<ImageSet> sets, unsigned threads)
-    : sets_(std::move(sets)), threads_(threads) {}
-
-std::vector<Json> LearningCurveExperiment::cells() const {
-  std::vector<Json> cells;
-  for (const ImageSet& set : sets_) {
-    cells.push_back({{"learning_curve", writeOptions(trainingOptions(PlaceFeatures::kGlobal))},
-                     {"training_set", set.name}});
+  std::vector<Json> cells() const override {
+    std::vector<Json> cells;
+    for (const ImageSet& set : sets_) {
+      cells.push_back({{"learning_curve", writeOptions(trainingOptions(PlaceFeatures::kGlobal))},
+                       {"training_set", set.name}});
+    }
+    return cells;
   }
-  return cells;
-}
 
-void LearningCurveExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
-                                      const Progress& progress) {
-  const PlaceSamples places(sets_, PlaceFeatures::kGlobal, threads_, progress);
-  warn(places.warnings());
-  const SetSamples& samples = places.samples();
-  const SvmOptions svm = trainingOptions(PlaceFeatures::kGlobal).svm;
-  const Eigen::MatrixXd measures = places.measures(progress);
-  std::size_t next = 0;  // cells are in the order of cells()
-  for (std::size_t set = 0; set < sets_.size() && next < cells.size(); ++set) {
-    if (cells[next].at("training_set") != sets_[set].name) continue;
-    const Fold split = samples.split(static_cast<int>(set));
-    const double gamma = places.train(split, progress).gamma;
-    const Eigen::MatrixXd gram = places.gramMatrix(measures, gamma);
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override {
+    const PlaceSamples places(sets_, PlaceFeatures::kGlobal, threads_, progress);
+    warn(places.warnings());
+    const SetSamples& samples = places.samples();
+    const SvmOptions svm = trainingOptions(PlaceFeatures::kGlobal).svm;
+    const Eigen::MatrixXd measures = places.measures(progress);
+    std::size_t next = 0;  // cells are in the order of cells()
+    for (std::size_t set = 0; set < sets_.size() && next < cells.size(); ++set) {
+      if (cells[next].at("training_set") != sets_[set].name) continue;
+      const Fold split = samples.split(static_cast<int>(set));
+      const double gamma = places.train(split, progress).gamma;
+      const Eigen::MatrixXd gram = places.gramMatrix(measures, gamma);
 
-    std::vector<std::vector<int>> subsets = {split.train};
-    for (const SubsetKind kind : {SubsetKind::kSpread, SubsetKind::kNeighbours}) {
-      for (const int count : kCounts) {
-        subsets.push_back(subsetOf(split.train, samples, count, kind));
+      std::vector<std::vector<int>> subsets = {split.train};
+      for (const SubsetKind kind : {SubsetKind::kSpread, SubsetKind::kNeighbours}) {
+        for (const int count : kCounts) {
+          subsets.push_back(subsetOf(split.train, samples, count, kind));
+        }
+      }
+      const std::vector<Viewpoint> viewpoints = viewpointsOf(split.train, samples);
+      for (const Viewpoint& view : viewpoints) {
+        subsets.push_back(without(split.train, view.samples));
+      }
+      const std::vector<double> rates =
+          ratesOf(subsets, gram, samples, split.test, svm, threads_, progress);
+
+      Json result = {{"gamma", gamma}, {"all", rates[0]}, {"viewpoints", Json::array()}};
+      std::size_t i = 1;
+      for (const char* column : kColumns) {
+        for ([[maybe_unused]] const int count : kCounts) result[column].push_back(rates[i++]);
+      }
+      for (const Viewpoint& view : viewpoints) {
+        result["viewpoints"].push_back(
+            {{"place", places.places()[static_cast<std::size_t>(view.place)]},
+             {"number", view.number},
+             {"rate", rates[i++]}});
+      }
+      finished(cells[next++], result);
+    }
+  }
+
+  Findings findings(const std::vector<Json>& results) const override {
+    Table curve{
+        "learning_curve",
+        "Rate on the other sets by images per room that are learned, spread over the room or "
+        "neighbours; mean +- standard deviation over the training sets",
+        {{"images per room", "spread, %", "neighbours, %"}}};
+    const auto cell = [&](const auto& rateIn) {
+      std::vector<double> rates;
+      for (const Json& result : results) rates.push_back(100 * rateIn(result));
+      const Spread spread = spreadOf(rates);
+      return fixed(spread.mean, 1) + " +- " + fixed(spread.deviation, 1);
+    };
+    for (std::size_t i = 0; i < std::size(kCounts); ++i) {
+      curve.rows.push_back({std::to_string(kCounts[i])});
+      for (const char* column : kColumns) {
+        curve.rows.back().push_back(
+            cell([&](const Json& r) { return r.at(column).at(i).get<double>(); }));
       }
     }
-    const std::vector<Viewpoint> viewpoints = viewpointsOf(split.train, samples);
-    for (const Viewpoint& view : viewpoints) {
-      subsets.push_back(without(split.train, view.samples));
-    }
-    const std::vector<double> rates =
-        ratesOf(subsets, gram, samples, split.test, svm, threads_, progress);
+    curve.rows.push_back(
+        {"all", cell([](const Json& r) { return r.at("all").get<double>(); }), ""});
 
-    Json result = {{"gamma", gamma}, {"all", rates[0]}, {"viewpoints", Json::array()}};
-    std::size_t i = 1;
-    for (const char* column : kColumns) {
-      for ([[maybe_unused]] const int count : kCounts) result[column].push_back(rates[i++]);
+    Table viewpoints{
+        "viewpoints",
+        "Viewpoints (twelve successive images of a room) without which the rate on the "
+        "other sets falls most",
+        {{"trained on", "room", "viewpoint", "rate, %", "change, points"}}};
+    std::vector<ShownViewpoint> shown;
+    for (std::size_t set = 0; set < results.size(); ++set) {
+      const double all = results[set].at("all");
+      for (const Json& view : salient(results[set])) {
+        const double rate = view.at("rate");
+        viewpoints.rows.push_back({sets_[set].name, view.at("place").get<std::string>(),
+                                   view.at("number").dump(), fixed(100 * rate, 1),
+                                   fixed(100 * (rate - all), 1)});
+        shown.push_back({sets_[set].name, view.at("place"), view.at("number"), all, rate,
+                         imagesOf(sets_[set], view.at("place"), view.at("number"))});
+      }
     }
-    for (const Viewpoint& view : viewpoints) {
-      result["viewpoints"].push_back(
-          {{"place", places.places()[static_cast<std::size_t>(view.place)]},
-           {"number", view.number},
-           {"rate", rates[i++]}});
-    }
-    finished(cells[next++], result);
+    return {{curve, viewpoints}, {}, {{"viewpoints", viewpointPage(shown)}}};
   }
-}
 
-Findings LearningCurveExperiment::findings(const std::vector<Json>& results) const {
-  Table curve{"learning_curve",
-              "Rate on the other sets by images per room that are learned, spread over the room or "
-              "neighbours; mean +- standard deviation over the training sets",
-              {{"images per room", "spread, %", "neighbours, %"}}};
-  const auto cell = [&](const auto& rateIn) {
-    std::vector<double> rates;
-    for (const Json& result : results) rates.push_back(100 * rateIn(result));
-    const Spread spread = spreadOf(rates);
-    return fixed(spread.mean, 1) + " +- " + fixed(spread.deviation, 1);
-  };
-  for (std::size_t i = 0; i < std::size(kCounts); ++i) {
-    curve.rows.push_back({std::to_string(kCounts[i])});
-    for (const char* column : kColumns) {
-      curve.rows.back().push_back(
-          cell([&](const Json& r) { return r.at(column).at(i).get<double>(); }));
-    }
-  }
-  curve.rows.push_back({"all", cell([](const Json& r) { return r.at("all").get<double>(); }), ""});
+ private:
+  std::vector<ImageSet> sets_;
+  unsigned threads_;
+};
 
-  Table viewpoints{"viewpoints",
-                   "Viewpoints (twelve successive images of a room) without which the rate on the "
-                   "other sets falls most",
-                   {{"trained on", "room", "viewpoint", "rate, %", "change, points"}}};
-  std::vector<ShownViewpoint> shown;
-  for (std::size_t set = 0; set < results.size(); ++set) {
-    const double all = results[set].at("all");
-    for (const Json& view : salient(results[set])) {
-      const double rate = view.at("rate");
-      viewpoints.rows.push_back({sets_[set].name, view.at("place").get<std::string>(),
-                                 view.at("number").dump(), fixed(100 * rate, 1),
-                                 fixed(100 * (rate - all), 1)});
-      shown.push_back({sets_[set].name, view.at("place"), view.at("number"), all, rate,
-                       imagesOf(sets_[set], view.at("place"), view.at("number"))});
-    }
-  }
-  return {{curve, viewpoints}, {}, {{"viewpoints", viewpointPage(shown)}}};
+}  // namespace
+
+std::unique_ptr<Experiment> learningCurveExperiment(std::vector<ImageSet> sets, unsigned threads) {
+  return std::make_unique<LearningCurveExperiment>(std::move(sets), threads);
 }
 
 }  // namespace place_recognition

@@ -1,4 +1,4 @@
-#include "experiments/materials_experiment.h"
+#include "experiments/experiments.h"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,9 @@
 #include "base/options.h"
 #include "base/parallel.h"
 #include "experiments/material_features.h"
+#include "experiments/material_grid.h"
 #include "experiments/materials_tables.h"
+#include "experiments/test_sets.h"
 #include "experiments/thesis_materials.h"
 #include "learning/gram.h"
 #include "learning/reduction.h"
@@ -122,120 +124,135 @@ MaterialOutcome outcomeFrom(const Json& json) {
   return outcome;
 }
 
-}  // namespace
-
-MaterialsExperiment::MaterialsExperiment(std::vector<ImageSet> samples, unsigned threads)
-    : sets_(std::move(samples)), threads_(threads) {
-  if (sets_.size() < 3) {
-    throw Error(
-        "There are fewer than three samples of the materials; give a folder of "
-        "MATERIAL/SAMPLE/IMAGE with three samples or more.");
+class MaterialsExperiment : public Experiment {
+ public:
+  MaterialsExperiment(std::vector<ImageSet> samples, unsigned threads)
+      : sets_(std::move(samples)), threads_(threads) {
+    if (sets_.size() < 3) {
+      throw Error(
+          "There are fewer than three samples of the materials; give a folder of "
+          "MATERIAL/SAMPLE/IMAGE with three samples or more.");
+    }
+    splits_ = materialSplits(static_cast<int>(sets_.size()));
   }
-  splits_ = materialSplits(static_cast<int>(sets_.size()));
-}
 
-Json MaterialsExperiment::cellOf(const std::string& feature, const TrainingSamples& split,
-                                 const KernelOptions& kernel) const {
-  Json cell = {{"material", describeFeature(feature)},
-               {"feature", feature},
-               {"kernel", writeOptions(kernel)},
-               {"trained_on", Json::array()}};
-  for (const int set : split) {
-    cell["trained_on"].push_back(sets_[static_cast<std::size_t>(set)].name);
+  std::vector<Json> cells() const override {
+    std::vector<Json> cells;
+    for (const char* feature : kMaterialFeatures) {
+      for (const TrainingSamples& split : splits_) {
+        for (const KernelOptions& kernel : materialKernels()) {
+          cells.push_back(cellOf(feature, split, kernel));
+        }
+      }
+    }
+    return cells;
   }
-  return cell;
-}
 
-std::vector<Json> MaterialsExperiment::cells() const {
-  std::vector<Json> cells;
-  for (const char* feature : kMaterialFeatures) {
-    for (const TrainingSamples& split : splits_) {
-      for (const KernelOptions& kernel : materialKernels()) {
-        cells.push_back(cellOf(feature, split, kernel));
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override {
+    std::size_t next = 0;  // cells are in the order of cells()
+    for (const char* feature : kMaterialFeatures) {
+      std::vector<TrainingSamples> splits;  // the requested ones
+      std::vector<std::vector<const Json*>> wanted;
+      for (const TrainingSamples& split : splits_) {
+        std::vector<const Json*> of_split;
+        for (const KernelOptions& kernel : materialKernels()) {
+          const bool is_wanted =
+              next < cells.size() && cellOf(feature, split, kernel) == cells[next];
+          of_split.push_back(is_wanted ? &cells[next++] : nullptr);
+        }
+        if (std::all_of(of_split.begin(), of_split.end(), [](auto* cell) { return !cell; }))
+          continue;
+        splits.push_back(split);
+        wanted.push_back(of_split);
+      }
+      if (splits.empty()) continue;
+      const MaterialFeatures features =
+          extractMaterials(feature, sets_, splits, threads_, progress);
+      for (std::size_t i = 0; i < splits.size(); ++i) {
+        report(progress, "Training and reducing", static_cast<double>(i) / splits.size());
+        computeSplit(splits[i], wanted[i], features.samples, features.ofSplit(i), finished,
+                     progress);
       }
     }
   }
-  return cells;
-}
 
-void MaterialsExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
-                                  const Progress& progress) {
-  std::size_t next = 0;  // cells are in the order of cells()
-  for (const char* feature : kMaterialFeatures) {
-    std::vector<TrainingSamples> splits;  // the requested ones
-    std::vector<std::vector<const Json*>> wanted;
-    for (const TrainingSamples& split : splits_) {
-      std::vector<const Json*> of_split;
-      for (const KernelOptions& kernel : materialKernels()) {
-        const bool is_wanted = next < cells.size() && cellOf(feature, split, kernel) == cells[next];
-        of_split.push_back(is_wanted ? &cells[next++] : nullptr);
-      }
-      if (std::all_of(of_split.begin(), of_split.end(), [](auto* cell) { return !cell; })) continue;
-      splits.push_back(split);
-      wanted.push_back(of_split);
+  Findings findings(const std::vector<Json>& results) const override {
+    const std::vector<KernelOptions> kernels = materialKernels();
+    const std::vector<SvmOptions> svms = materialSvms();
+    std::vector<MaterialResult> classifiers;
+    std::map<int, std::vector<std::size_t>> splits_of;  // by the number of training samples
+    for (std::size_t s = 0; s < splits_.size(); ++s) {
+      splits_of[static_cast<int>(splits_[s].size())].push_back(s);
     }
-    if (splits.empty()) continue;
-    const MaterialFeatures features = extractMaterials(feature, sets_, splits, threads_, progress);
-    for (std::size_t i = 0; i < splits.size(); ++i) {
-      report(progress, "Training and reducing", static_cast<double>(i) / splits.size());
-      computeSplit(splits[i], wanted[i], features.samples, features.ofSplit(i), finished, progress);
-    }
-  }
-}
-
-void MaterialsExperiment::computeSplit(const TrainingSamples& split,
-                                       const std::vector<const Json*>& cells,
-                                       const SetSamples& samples,
-                                       const std::vector<Feature>& features,
-                                       const CellSink& finished, const Progress& progress) const {
-  const Fold fold = foldOf(samples, split);
-  const std::vector<KernelOptions> kernels = materialKernels();
-  const std::vector<SvmOptions> svms = materialSvms();
-  const bool with_curve = split.size() + 1 == sets_.size();  // as in the thesis' tables
-  std::string measured;
-  Eigen::MatrixXd measures;
-  for (std::size_t k = 0; k < kernels.size(); ++k) {
-    if (!cells[k]) continue;
-    if (measured != kernels[k].type) {
-      measures = measureMatrix(Kernel(kernels[k]), features, threads_, {});
-      measured = kernels[k].type;
-    }
-    report(progress, "Training and reducing", static_cast<double>(k) / kernels.size());
-    const Eigen::MatrixXd gram = gramMatrix(Kernel(kernels[k]), measures);
-    std::vector<Json> results(svms.size());
-    parallelFor(svms.size(), threads_, [&](std::size_t i, unsigned) {
-      const bool in_figure_7_2 = with_curve && svms[i].c == 100 &&
-                                 svms[i].multiclass == "one-against-one" &&
-                                 kernels[k].type != "gaussian";
-      results[i] = evaluate(gram, samples, fold, svms[i], with_curve, in_figure_7_2);
-    });
-    finished(*cells[k], results);
-  }
-}
-
-Findings MaterialsExperiment::findings(const std::vector<Json>& results) const {
-  const std::vector<KernelOptions> kernels = materialKernels();
-  const std::vector<SvmOptions> svms = materialSvms();
-  std::vector<MaterialResult> classifiers;
-  std::map<int, std::vector<std::size_t>> splits_of;  // by the number of training samples
-  for (std::size_t s = 0; s < splits_.size(); ++s) {
-    splits_of[static_cast<int>(splits_[s].size())].push_back(s);
-  }
-  for (std::size_t f = 0; f < std::size(kMaterialFeatures); ++f) {
-    for (const auto& [size, splits] : splits_of) {
-      for (std::size_t k = 0; k < kernels.size(); ++k) {
-        for (std::size_t i = 0; i < svms.size(); ++i) {
-          MaterialResult& classifier = classifiers.emplace_back();
-          classifier.classifier = {kMaterialFeatures[f], size, kernels[k], svms[i]};
-          for (const std::size_t s : splits) {
-            const Json& cell = results[(f * splits_.size() + s) * kernels.size() + k];
-            classifier.outcomes.push_back(outcomeFrom(cell.at(i)));
+    for (std::size_t f = 0; f < std::size(kMaterialFeatures); ++f) {
+      for (const auto& [size, splits] : splits_of) {
+        for (std::size_t k = 0; k < kernels.size(); ++k) {
+          for (std::size_t i = 0; i < svms.size(); ++i) {
+            MaterialResult& classifier = classifiers.emplace_back();
+            classifier.classifier = {kMaterialFeatures[f], size, kernels[k], svms[i]};
+            for (const std::size_t s : splits) {
+              const Json& cell = results[(f * splits_.size() + s) * kernels.size() + k];
+              classifier.outcomes.push_back(outcomeFrom(cell.at(i)));
+            }
           }
         }
       }
     }
+    return materialFindings(classifiers);
   }
-  return materialFindings(classifiers);
+
+ private:
+  Json cellOf(const std::string& feature, const TrainingSamples& split,
+              const KernelOptions& kernel) const {
+    Json cell = {{"material", describeFeature(feature)},
+                 {"feature", feature},
+                 {"kernel", writeOptions(kernel)},
+                 {"trained_on", Json::array()}};
+    for (const int set : split) {
+      cell["trained_on"].push_back(sets_[static_cast<std::size_t>(set)].name);
+    }
+    return cell;
+  }
+
+  /// `cells`: one per kernel; null if it is not requested.
+  void computeSplit(const TrainingSamples& split, const std::vector<const Json*>& cells,
+                    const SetSamples& samples, const std::vector<Feature>& features,
+                    const CellSink& finished, const Progress& progress) const {
+    const Fold fold = foldOf(samples, split);
+    const std::vector<KernelOptions> kernels = materialKernels();
+    const std::vector<SvmOptions> svms = materialSvms();
+    const bool with_curve = split.size() + 1 == sets_.size();  // as in the thesis' tables
+    std::string measured;
+    Eigen::MatrixXd measures;
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+      if (!cells[k]) continue;
+      if (measured != kernels[k].type) {
+        measures = measureMatrix(Kernel(kernels[k]), features, threads_, {});
+        measured = kernels[k].type;
+      }
+      report(progress, "Training and reducing", static_cast<double>(k) / kernels.size());
+      const Eigen::MatrixXd gram = gramMatrix(Kernel(kernels[k]), measures);
+      std::vector<Json> results(svms.size());
+      parallelFor(svms.size(), threads_, [&](std::size_t i, unsigned) {
+        const bool in_figure_7_2 = with_curve && svms[i].c == 100 &&
+                                   svms[i].multiclass == "one-against-one" &&
+                                   kernels[k].type != "gaussian";
+        results[i] = evaluate(gram, samples, fold, svms[i], with_curve, in_figure_7_2);
+      });
+      finished(*cells[k], results);
+    }
+  }
+
+  std::vector<ImageSet> sets_;
+  unsigned threads_;
+  std::vector<TrainingSamples> splits_;
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> materialsExperiment(std::vector<ImageSet> samples, unsigned threads) {
+  return std::make_unique<MaterialsExperiment>(std::move(samples), threads);
 }
 
 }  // namespace place_recognition

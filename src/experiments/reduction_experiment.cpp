@@ -1,4 +1,4 @@
-#include "experiments/reduction_experiment.h"
+#include "experiments/experiments.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -125,77 +125,88 @@ Figure reductionFigure(PlaceFeatures features, const Curves& curves) {
   return {std::string("reduction_") + name(features), fractionsPlot("vectors left", "rate", lines)};
 }
 
+class ReductionExperiment : public Experiment {
+ public:
+  ReductionExperiment(std::vector<ImageSet> sets, unsigned threads)
+      : sets_(std::move(sets)), threads_(threads) {}
+
+  std::vector<Json> cells() const override {
+    std::vector<Json> cells;
+    for (const PlaceFeatures features : kFeatures) {
+      for (const ImageSet& set : sets_) {
+        for (const Way& way : kWays) {
+          cells.push_back({{"reduction", writeOptions(trainingOptions(features))},
+                           {"features", name(features)},
+                           {"training_set", set.name},
+                           {"method", kMethods[way.method]},
+                           {"normalise", way.normalize}});
+        }
+      }
+    }
+    return cells;
+  }
+
+  void compute(const std::vector<Json>& cells, const CellSink& finished,
+               const Progress& progress) override {
+    for (const PlaceFeatures features : kFeatures) {
+      std::unique_ptr<PlaceSamples> samples;  // only if needed
+      for (std::size_t set = 0; set < sets_.size(); ++set) {
+        std::vector<const Json*> wanted;
+        for (const Json& cell : cells) {
+          const bool here =
+              cell.at("features") == name(features) && cell.at("training_set") == sets_[set].name;
+          if (here) wanted.push_back(&cell);
+        }
+        if (wanted.empty()) continue;
+        if (!samples) {
+          samples = std::make_unique<PlaceSamples>(sets_, features, threads_, progress);
+          warn(samples->warnings());
+        }
+        const PlaceTraining training =
+            samples->train(samples->samples().split(static_cast<int>(set)), progress);
+        const RateOf rate = [&](const BinarySvms& machines) {
+          return training.rate(machines, samples->samples());
+        };
+        std::vector<ReductionCurve> curves(wanted.size());
+        parallelFor(wanted.size(), threads_, [&](std::size_t i, unsigned thread) {
+          if (thread == 0) report(progress, "Reducing", static_cast<double>(i) / wanted.size());
+          const Json& cell = *wanted[i];
+          curves[i] = reductionCurve(training.machines, training.training_values, cell.at("method"),
+                                     cell.at("normalise"), rate);
+        });
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+          finished(*wanted[i], {{"curve", toJson(curves[i])}, {"gamma", training.gamma}});
+        }
+      }
+    }
+  }
+
+  Findings findings(const std::vector<Json>& results) const override {
+    Findings findings;
+    std::size_t next = 0;
+    for (const PlaceFeatures features : kFeatures) {
+      Curves curves(std::size(kMethods), std::vector<std::vector<ReductionCurve>>(sets_.size()));
+      for (std::size_t set = 0; set < sets_.size(); ++set) {
+        for (const Way& way : kWays) {
+          curves[way.method][set].push_back(curveFromJson(results[next++].at("curve")));
+        }
+      }
+      findings.tables.push_back(reductionTable(features, curves));
+      findings.tables.push_back(tauTable(features, curves[0]));
+      findings.figures.push_back(reductionFigure(features, curves));
+    }
+    return findings;
+  }
+
+ private:
+  std::vector<ImageSet> sets_;
+  unsigned threads_;
+};
+
 }  // namespace
 
-ReductionExperiment::ReductionExperiment(std::vector<ImageSet> sets, unsigned threads)
-    : sets_(std::move(sets)), threads_(threads) {}
-
-std::vector<Json> ReductionExperiment::cells() const {
-  std::vector<Json> cells;
-  for (const PlaceFeatures features : kFeatures) {
-    for (const ImageSet& set : sets_) {
-      for (const Way& way : kWays) {
-        cells.push_back({{"reduction", writeOptions(trainingOptions(features))},
-                         {"features", name(features)},
-                         {"training_set", set.name},
-                         {"method", kMethods[way.method]},
-                         {"normalise", way.normalize}});
-      }
-    }
-  }
-  return cells;
-}
-
-void ReductionExperiment::compute(const std::vector<Json>& cells, const CellSink& finished,
-                                  const Progress& progress) {
-  for (const PlaceFeatures features : kFeatures) {
-    std::unique_ptr<PlaceSamples> samples;  // only if needed
-    for (std::size_t set = 0; set < sets_.size(); ++set) {
-      std::vector<const Json*> wanted;
-      for (const Json& cell : cells) {
-        const bool here =
-            cell.at("features") == name(features) && cell.at("training_set") == sets_[set].name;
-        if (here) wanted.push_back(&cell);
-      }
-      if (wanted.empty()) continue;
-      if (!samples) {
-        samples = std::make_unique<PlaceSamples>(sets_, features, threads_, progress);
-        warn(samples->warnings());
-      }
-      const PlaceTraining training =
-          samples->train(samples->samples().split(static_cast<int>(set)), progress);
-      const RateOf rate = [&](const BinarySvms& machines) {
-        return training.rate(machines, samples->samples());
-      };
-      std::vector<ReductionCurve> curves(wanted.size());
-      parallelFor(wanted.size(), threads_, [&](std::size_t i, unsigned thread) {
-        if (thread == 0) report(progress, "Reducing", static_cast<double>(i) / wanted.size());
-        const Json& cell = *wanted[i];
-        curves[i] = reductionCurve(training.machines, training.training_values, cell.at("method"),
-                                   cell.at("normalise"), rate);
-      });
-      for (std::size_t i = 0; i < wanted.size(); ++i) {
-        finished(*wanted[i], {{"curve", toJson(curves[i])}, {"gamma", training.gamma}});
-      }
-    }
-  }
-}
-
-Findings ReductionExperiment::findings(const std::vector<Json>& results) const {
-  Findings findings;
-  std::size_t next = 0;
-  for (const PlaceFeatures features : kFeatures) {
-    Curves curves(std::size(kMethods), std::vector<std::vector<ReductionCurve>>(sets_.size()));
-    for (std::size_t set = 0; set < sets_.size(); ++set) {
-      for (const Way& way : kWays) {
-        curves[way.method][set].push_back(curveFromJson(results[next++].at("curve")));
-      }
-    }
-    findings.tables.push_back(reductionTable(features, curves));
-    findings.tables.push_back(tauTable(features, curves[0]));
-    findings.figures.push_back(reductionFigure(features, curves));
-  }
-  return findings;
+std::unique_ptr<Experiment> reductionExperiment(std::vector<ImageSet> sets, unsigned threads) {
+  return std::make_unique<ReductionExperiment>(std::move(sets), threads);
 }
 
 }  // namespace place_recognition

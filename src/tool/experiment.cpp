@@ -4,15 +4,8 @@
 #include "base/parallel.h"
 #include "datasets/image_file.h"
 #include "datasets/layout_sets.h"
-#include "experiments/categories_experiment.h"
-#include "experiments/cues_experiment.h"
 #include "experiments/experiment_run.h"
-#include "experiments/figures_experiment.h"
-#include "experiments/final_experiment.h"
-#include "experiments/histogram_experiment.h"
-#include "experiments/learning_curve_experiment.h"
-#include "experiments/materials_experiment.h"
-#include "experiments/reduction_experiment.h"
+#include "experiments/experiments.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/part_option.h"
@@ -38,28 +31,19 @@ std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
                                            std::vector<ImageSet> sets) {
   const unsigned threads = options.threads;
   if (options.name == "indecs-local") {
-    return std::make_unique<FinalExperiment>(PlaceFeatures::kLocal, std::move(sets), threads);
+    return finalExperiment(PlaceFeatures::kLocal, std::move(sets), threads);
   }
   if (options.name == "indecs-global") {
-    return std::make_unique<FinalExperiment>(PlaceFeatures::kGlobal, std::move(sets), threads);
+    return finalExperiment(PlaceFeatures::kGlobal, std::move(sets), threads);
   }
-  if (options.name == "reduction") {
-    return std::make_unique<ReductionExperiment>(std::move(sets), threads);
-  }
-  if (options.name == "materials") {
-    return std::make_unique<MaterialsExperiment>(std::move(sets), threads);
-  }
-  if (options.name == "learning-curve") {
-    return std::make_unique<LearningCurveExperiment>(std::move(sets), threads);
-  }
-  if (options.name == "categories") {
-    return std::make_unique<CategoriesExperiment>(std::move(sets), threads);
-  }
-  if (options.name == "cues") return std::make_unique<CuesExperiment>(std::move(sets), threads);
-  if (options.name == "figures") return std::make_unique<FiguresExperiment>();
-  const auto sweep = options.name == "bins" ? HistogramSweep::kBins : HistogramSweep::kDescriptors;
-  return std::make_unique<HistogramExperiment>(sweep, std::move(sets), options.max_dimensions,
-                                               threads);
+  if (options.name == "reduction") return reductionExperiment(std::move(sets), threads);
+  if (options.name == "materials") return materialsExperiment(std::move(sets), threads);
+  if (options.name == "learning-curve") return learningCurveExperiment(std::move(sets), threads);
+  if (options.name == "categories") return categoriesExperiment(std::move(sets), threads);
+  if (options.name == "cues") return cuesExperiment(std::move(sets), threads);
+  if (options.name == "figures") return figuresExperiment();
+  if (options.name == "bins") return binsExperiment(std::move(sets), threads);
+  return descriptorsExperiment(std::move(sets), options.max_dimensions, threads);
 }
 
 /// Throws UsageError for an option that this experiment does not have.
