@@ -16,6 +16,7 @@
 #include "place_recognition/recognizer.h"
 #include "place_recognition/training.h"
 #include "recognition/frames/cue_extraction.h"
+#include "recognition/model/place_index.h"
 #include "recognition/model/scores.h"
 
 namespace place_recognition {
@@ -50,10 +51,10 @@ class Tester {
 
   void test(const LabelledImage& image, Tested& tested) {
     const Model& model = recognizer_.model();
-    const auto place = std::lower_bound(model.places.begin(), model.places.end(), image.place);
+    const int place = placeIndex(image.place, model.places);
     const DecodedImage read = readImageFile(image.path);
-    if (read.image.empty() || place == model.places.end() || *place != image.place) return;
-    tested.place = static_cast<int>(place - model.places.begin());
+    if (read.image.empty() || place < 0) return;
+    tested.place = place;
     tested.answer = recognizer_.recognize(read.image).place;
     extraction_.extract(read.image, features_);
     for (std::size_t c = 0; c < features_.size(); ++c) {

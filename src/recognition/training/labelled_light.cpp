@@ -1,8 +1,7 @@
 #include "recognition/training/labelled_light.h"
 
-#include <algorithm>
-
 #include "recognition/frames/colour_normalization.h"
+#include "recognition/model/place_index.h"
 
 namespace place_recognition {
 
@@ -14,10 +13,10 @@ Light LabelledLight::next(const Frame& frame) {
   estimate_.beginFrame(frame.stamp);
   const Light light = estimate_.correction();
   const auto& places = model_->places;
-  const auto place = std::lower_bound(places.begin(), places.end(), frame.place);
-  if (place != places.end() && *place == frame.place) {
+  const int place = placeIndex(frame.place, places);
+  if (place >= 0) {
     certain_.setZero(static_cast<Eigen::Index>(places.size()));
-    certain_[place - places.begin()] = 1;
+    certain_[place] = 1;
     estimate_.add(logColour(frame.image), certain_);
   }
   return light;

@@ -8,6 +8,7 @@
 #include "base/quantile.h"
 #include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
+#include "recognition/model/place_index.h"
 #include "recognition/model/scores.h"
 #include "recognition/training/combination.h"
 
@@ -122,12 +123,11 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
     : model_(model) {
   std::vector<int> index_in_model;
   for (const std::string& place : samples.places) {
-    const auto found = std::lower_bound(model.places.begin(), model.places.end(), place);
-    if (found == model.places.end() || *found != place) {
+    index_in_model.push_back(placeIndex(place, model.places));
+    if (index_in_model.back() < 0) {
       throw Error("The model does not know the place '" + place +
                   "' in the runs for --validate; give runs of the places that it knows.");
     }
-    index_in_model.push_back(static_cast<int>(found - model.places.begin()));
   }
   for (const SampleOrigin& origin : samples.origins) truth_.push_back(index_in_model[origin.place]);
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {

@@ -8,6 +8,7 @@
 #include "base/quantile.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
+#include "recognition/model/place_index.h"
 #include "recognition/model/scores.h"
 #include "recognition/recognizer/evidence_shift.h"
 #include "recognition/training/calibration_set.h"
@@ -31,11 +32,8 @@ struct KnownFrames {
 KnownFrames knownFrames(const Model& model, Samples samples, std::vector<std::string>& warnings) {
   std::vector<int> place_of;
   for (std::size_t k = 0; k < samples.places.size(); ++k) {
-    const auto place =
-        std::lower_bound(model.places.begin(), model.places.end(), samples.places[k]);
-    const bool known = place != model.places.end() && *place == samples.places[k];
-    place_of.push_back(known ? static_cast<int>(place - model.places.begin()) : -1);
-    if (known) continue;
+    place_of.push_back(placeIndex(samples.places[k], model.places));
+    if (place_of.back() >= 0) continue;
     warnings.push_back("The model does not know the place '" + samples.places[k] +
                        "': " + counted(samples.images[k], "image") + " left out.");
   }

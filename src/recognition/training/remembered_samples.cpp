@@ -13,23 +13,15 @@
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/image_scaling.h"
 #include "recognition/model/embeddings.h"
+#include "recognition/model/place_index.h"
 
 namespace place_recognition {
 namespace {
 
-/// Indices of `names` in `all`, which contains them in ascending order.
-std::vector<int> positions(const std::vector<std::string>& names,
-                           const std::vector<std::string>& all) {
-  std::vector<int> found;
-  for (const std::string& name : names) {
-    found.push_back(static_cast<int>(std::lower_bound(all.begin(), all.end(), name) - all.begin()));
-  }
-  return found;
-}
-
 /// Renumbers the places and runs of `part` like those of `samples`, and appends it.
 void append(Samples part, int first_recording, Samples& samples) {
-  const std::vector<int> places = positions(part.places, samples.places);
+  std::vector<int> places;
+  for (const std::string& name : part.places) places.push_back(placeIndex(name, samples.places));
   const int first_sample = static_cast<int>(samples.origins.size());
   // Remembered samples come first and have no camera.
   if (!part.cameras.empty()) samples.cameras = part.cameras;

@@ -1,6 +1,5 @@
 #include "recognition/training/samples.h"
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -11,6 +10,7 @@
 #include "base/text.h"
 #include "place_recognition/error.h"
 #include "recognition/frames/image_profile.h"
+#include "recognition/model/place_index.h"
 #include "recognition/training/frame_collection.h"
 #include "recognition/training/sampling.h"
 
@@ -81,12 +81,6 @@ std::vector<std::string> placesOf(const FrameCollection& collected, std::size_t 
   return {places.begin(), places.end()};
 }
 
-/// Index of a name among `places`; -1 if it is not one of them.
-int indexOf(const std::string& name, const std::vector<std::string>& places) {
-  const auto found = std::lower_bound(places.begin(), places.end(), name);
-  return found != places.end() && *found == name ? static_cast<int>(found - places.begin()) : -1;
-}
-
 /// The frames to learn: the same fraction of each place's frames, including those dropped during
 /// reading, and `most` in total.
 std::vector<bool> choose(const FrameCollection& collected, const std::vector<std::string>& places,
@@ -95,7 +89,7 @@ std::vector<bool> choose(const FrameCollection& collected, const std::vector<std
   for (const std::string& place : places) frames.push_back(collected.sample.leftOut(place));
   std::vector<int> rooms;
   for (const CollectedFrame& frame : collected.frames) {
-    rooms.push_back(indexOf(frame.place, places));
+    rooms.push_back(placeIndex(frame.place, places));
     ++frames[static_cast<std::size_t>(rooms.back())];
   }
   return stratifiedSample(rooms, equalShares(frames, most), seed);
@@ -136,7 +130,7 @@ void fill(FrameCollection& collected, std::size_t cues, Samples& samples) {
   samples.features.resize(cues);
   std::map<std::tuple<int, int, int>, int> next;  // the number that follows the last sample's
   for (CollectedFrame& frame : collected.frames) {
-    SampleOrigin origin{indexOf(frame.place, samples.places), frame.recording, frame.stamp,
+    SampleOrigin origin{placeIndex(frame.place, samples.places), frame.recording, frame.stamp,
                         frame.camera};
     int& expected = next[{origin.recording, origin.place, origin.camera}];
     origin.skipped = frame.number - expected;
@@ -157,7 +151,7 @@ Adjacency adjacencyOf(const FrameCollection& collected, const std::vector<std::s
   for (const std::vector<SeenLabel>& recording : collected.seen) {
     std::vector<PlaceAt> way;
     for (const SeenLabel& seen : recording)
-      way.push_back({seen.stamp, indexOf(seen.place, places)});
+      way.push_back({seen.stamp, placeIndex(seen.place, places)});
     learnAdjacency(way, adjacency);
   }
   return adjacency;
@@ -179,7 +173,7 @@ void warnOfPlaces(const FrameCollection& collected, Samples& samples) {
   }
   labelled.erase("");
   for (const auto& [place, count] : labelled) {
-    if (indexOf(place, samples.places) >= 0) continue;
+    if (placeIndex(place, samples.places) >= 0) continue;
     const std::string problem = firstProblemOf(place, collected);
     samples.warnings.push_back("'" + place + "' is not learned: its " + counted(count, "image") +
                                " cannot be used" + (problem.empty() ? "" : " (" + problem + ")") +
