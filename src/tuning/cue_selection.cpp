@@ -111,8 +111,8 @@ Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_
   }
 }
 
-double chooseC(const std::vector<CueComparison>& comparisons, const Combination& chosen,
-               const TuningSamples& samples, Search& search) {
+void chooseC(const std::vector<CueComparison>& comparisons, const Combination& chosen,
+             const TuningSamples& samples, Search& search) {
   const std::vector<double> values = nearestFirst(search.space.c, search.base.svm.c);
   const std::vector<CueOptions> cues = optionsOf(comparisons, chosen);
   const std::size_t first_trial = search.trials.size();
@@ -129,9 +129,7 @@ double chooseC(const std::vector<CueComparison>& comparisons, const Combination&
     scores.push_back(score(combined(held_out, search.base, cues), samples));
     search.trials.push_back(trialOf("C", cues, c, samples, scores.back()));
   }
-  const std::size_t index = firstNearlyAsGood(scores);
-  search.best = search.trials[first_trial + index];
-  return values[index];
+  search.best = search.trials[first_trial + firstNearlyAsGood(scores)];
 }
 
 }  // namespace place_recognition

@@ -16,9 +16,9 @@ using Combination = std::vector<std::size_t>;
 Combination chooseCues(const std::vector<CueComparison>& comparisons, std::size_t prior,
                        const TuningSamples& samples, Search& search);
 
-/// The C for the chosen cues: of those within one standard error of the best, the one closest to
-/// the base's.
-double chooseC(const std::vector<CueComparison>& comparisons, const Combination& chosen,
-               const TuningSamples& samples, Search& search);
+/// Chooses C for the chosen cues: of those within one standard error of the best, the one closest
+/// to the base's. Sets `search.best` to its trial.
+void chooseC(const std::vector<CueComparison>& comparisons, const Combination& chosen,
+             const TuningSamples& samples, Search& search);
 
 }  // namespace place_recognition
