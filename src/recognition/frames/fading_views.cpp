@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/time_jump.h"
+
 namespace place_recognition {
 namespace {
 

@@ -4,9 +4,6 @@
 
 namespace place_recognition {
 
-/// A larger step back of the stamps, s, begins a new stream.
-constexpr double kTimeJump = 1;
-
 /// Means of a few values over the frames of a stream, for each place. Older frames fade, within
 /// five minutes to 1/e. A place counts as no more than five views, however long the robot stays
 /// there. Not thread-safe: use one per stream.

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/rate_limit.h"
+#include "base/time_jump.h"
 #include "recognition/frames/cue_extraction.h"
-#include "recognition/frames/fading_views.h"
 #include "recognition/frames/image_profile.h"
 #include "recognition/frames/light_estimate.h"
 #include "recognition/model/cue_mean.h"

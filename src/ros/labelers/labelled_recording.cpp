@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kActive = StagedBag::kActive;
 constexpr double kReportPeriod = 5;    // s
 constexpr std::int64_t kTick = 1'000;  // ns, between entries at the same time of the clock
-constexpr std::int64_t kTimeJump = 500'000'000;  // ns; larger steps back are logged
+constexpr std::int64_t kLoggedStepBack = 500'000'000;  // ns; larger steps back are logged
 
 std::unique_ptr<StagedBag> openBag(std::string path) {
   if (path.empty()) return nullptr;
@@ -107,7 +107,7 @@ ros::Time LabelledRecording::nextTime() {
   if (now < ros::TIME_MIN) return {};  // a simulated clock that has not started
   const std::int64_t time = static_cast<std::int64_t>(now.toNSec()) + ahead_;
   const std::int64_t back = static_cast<std::int64_t>(last_time_.toNSec()) - time;
-  if (back > kTimeJump) {
+  if (back > kLoggedStepBack) {
     ROS_WARN("Time has jumped back by %.1f s; the recording continues as if it had not.",
              1e-9 * static_cast<double>(back));
   }

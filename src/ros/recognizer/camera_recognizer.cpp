@@ -4,7 +4,7 @@
 #include <chrono>
 #include <limits>
 
-#include "recognition/frames/fading_views.h"
+#include "base/time_jump.h"
 #include "ros/messages/conversions.h"
 #include "ros/nodes/node_names.h"
 #include "ros/recognizer/debug_image.h"

@@ -13,6 +13,7 @@
 
 #include "base/place_name.h"
 #include "base/text.h"
+#include "base/time_jump.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
@@ -131,8 +132,8 @@ bool DoubtfulFrames::isDoubtful(const std::string& topic, const Recognition& rec
 void DoubtfulFrames::keep(const std::string& topic, const ImageMessage& image,
                           const std::string& place) {
   const ros::Time now = ros::Time::now();
-  if (now < ros::TIME_MIN) return;       // a simulated clock that has not started
-  if (now + ros::Duration(1) < last_) {  // the clock has jumped back
+  if (now < ros::TIME_MIN) return;  // a simulated clock that has not started
+  if (now + ros::Duration(kTimeJump) < last_) {
     finishBag();
     due_ = {};
   }
