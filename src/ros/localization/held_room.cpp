@@ -1,7 +1,7 @@
 #include "ros/localization/held_room.h"
 
 #include "base/text.h"
-#include "ros/localization/seconds_between.h"
+#include "ros/nodes/seconds_between.h"
 
 namespace place_recognition {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "base/text.h"
-#include "ros/localization/seconds_between.h"
 #include "ros/messages/pose_conversions.h"
 #include "ros/nodes/node_names.h"
+#include "ros/nodes/seconds_between.h"
 
 namespace place_recognition {
 namespace {

@@ -6,13 +6,14 @@
 
 #include "ros/nodes/image_topics.h"
 #include "ros/nodes/node_names.h"
+#include "ros/nodes/seconds_between.h"
 
 namespace place_recognition {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-double secondsBetween(ImageStatus::Clock::time_point from, ImageStatus::Clock::time_point to) {
+double secondsElapsed(ImageStatus::Clock::time_point from, ImageStatus::Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
@@ -82,9 +83,8 @@ void ImageStatus::notCounted(const std::string& why) {
 }
 
 void ImageStatus::answered(const ros::Time& stamp, Clock::time_point arrival) {
-  const double latency = secondsBetween(arrival, Clock::now());
-  // Not a ros::Duration, which cannot represent every difference.
-  const double age = stamp.isZero() ? 0 : ros::Time::now().toSec() - stamp.toSec();
+  const double latency = secondsElapsed(arrival, Clock::now());
+  const double age = stamp.isZero() ? 0 : secondsBetween(stamp, ros::Time::now());
   const std::lock_guard<std::mutex> lock(mutex_);
   ++answers_;
   ++recent_.answers;
@@ -97,9 +97,9 @@ void ImageStatus::answered(const ros::Time& stamp, Clock::time_point arrival) {
 void ImageStatus::report(Report& report) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Clock::time_point now = Clock::now();
-  const double seconds = std::max(1e-3, secondsBetween(last_report_, now));
+  const double seconds = std::max(1e-3, secondsElapsed(last_report_, now));
   last_report_ = now;
-  summarize(recent_, secondsBetween(last_arrival_, now), report);
+  summarize(recent_, secondsElapsed(last_arrival_, now), report);
   report.add("images/s", recent_.images / seconds);
   report.add("answers/s", recent_.answers / seconds);
   report.add("mean latency, s", recent_.latency_sum / std::max(1, recent_.answers));
@@ -141,7 +141,7 @@ void ImageStatus::summarize(const Recent& recent, double silence, Report& report
 bool ImageStatus::silenceBegins() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (timeout_ == 0 || !listening_ || warned_of_silence_) return false;
-  warned_of_silence_ = secondsBetween(last_arrival_, Clock::now()) > timeout_;
+  warned_of_silence_ = secondsElapsed(last_arrival_, Clock::now()) > timeout_;
   return warned_of_silence_;
 }
 
