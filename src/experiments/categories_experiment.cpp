@@ -6,6 +6,7 @@
 
 #include "base/options.h"
 #include "base/text.h"
+#include "experiments/spread.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -41,8 +42,7 @@ Table categoryTable(PlaceFeatures features, const std::vector<ImageSet>& buildin
     rates.push_back(100 * result->at("rate").get<double>());
     mean.push_back(fixed(rates.back(), 1));
   }
-  const Spread spread = spreadOf(rates);
-  table.title += "; mean " + fixed(spread.mean, 1) + " +- " + fixed(spread.deviation, 1);
+  table.title += "; mean " + plusMinus(spreadOf(rates), 1);
   return table;
 }
 

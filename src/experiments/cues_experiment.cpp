@@ -11,6 +11,7 @@
 #include "datasets/image_file.h"
 #include "datasets/image_recording.h"
 #include "experiments/place_training.h"
+#include "experiments/spread.h"
 #include "experiments/test_sets.h"
 #include "learning/gram.h"
 #include "place_recognition/recognizer.h"

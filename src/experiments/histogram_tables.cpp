@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "base/text.h"
+#include "experiments/spread.h"
 #include "experiments/table_8_4.h"
-#include "experiments/test_sets.h"
 
 namespace place_recognition {
 namespace {

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "experiments/place_training.h"
+#include "experiments/spread.h"
 #include "experiments/training_subsets.h"
 #include "experiments/viewpoint_page.h"
 
@@ -115,8 +116,7 @@ class LearningCurveExperiment : public Experiment {
     const auto cell = [&](const auto& rateIn) {
       std::vector<double> rates;
       for (const Json& result : results) rates.push_back(100 * rateIn(result));
-      const Spread spread = spreadOf(rates);
-      return fixed(spread.mean, 1) + " +- " + fixed(spread.deviation, 1);
+      return plusMinus(spreadOf(rates), 1);
     };
     for (std::size_t i = 0; i < std::size(kCounts); ++i) {
       curve.rows.push_back({std::to_string(kCounts[i])});

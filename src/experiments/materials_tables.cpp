@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "experiments/material_grid.h"
-#include "experiments/test_sets.h"
+#include "experiments/spread.h"
 #include "experiments/thesis_materials.h"
 #include "report/fraction_plot.h"
 
@@ -17,11 +17,6 @@ namespace {
 constexpr double kLeastRate = 0.3;
 constexpr const char* kKernelTypes[] = {"chi-squared", "gaussian", "polynomial p=0",
                                         "polynomial p=1"};
-
-std::string plusMinus(const std::vector<double>& values, int decimals) {
-  const Spread spread = spreadOf(values);
-  return fixed(spread.mean, decimals) + " +- " + fixed(spread.deviation, decimals);
-}
 
 /// A number for each split.
 template <typename NumberOf>
@@ -53,18 +48,18 @@ bool isRejected(const MaterialResult& result) {
 /// Rate and vectors before reduction, and the vectors dropped at each fraction of the rate.
 std::vector<std::string> measured(const MaterialResult& result) {
   std::vector<std::string> cells = {
-      plusMinus(rates(result), 2),
-      plusMinus(each(result, [](const auto& outcome) { return outcome.vectors; }), 0)};
+      plusMinus(spreadOf(rates(result)), 2),
+      plusMinus(spreadOf(each(result, [](const auto& outcome) { return outcome.vectors; })), 0)};
   for (std::size_t fraction = 0; fraction < std::size(kMaterialFractions); ++fraction) {
-    cells.push_back(plusMinus(dropped(result, fraction), 2));
+    cells.push_back(plusMinus(spreadOf(dropped(result, fraction)), 2));
   }
   return cells;
 }
 
 std::vector<std::string> printed(const ThesisMaterial& thesis) {
-  std::vector<std::string> cells = {
-      "| " + thesis.kernel, fixed(thesis.rate, 2) + " +- " + fixed(thesis.rate_deviation, 2),
-      std::to_string(thesis.vectors)};
+  std::vector<std::string> cells = {"| " + thesis.kernel,
+                                    plusMinus({thesis.rate, thesis.rate_deviation}, 2),
+                                    std::to_string(thesis.vectors)};
   for (const double reduction : thesis.reduction) cells.push_back(fixed(reduction, 2));
   return cells;
 }
@@ -258,7 +253,8 @@ Table gridTable(const std::vector<MaterialResult>& results) {
       }
       std::vector<std::string> row = {feature, std::to_string(samples), std::to_string(count),
                                       std::to_string(rejected), fixed(best_rate, 2)};
-      for (const std::vector<double>& fraction : fractions) row.push_back(plusMinus(fraction, 2));
+      for (const std::vector<double>& fraction : fractions)
+        row.push_back(plusMinus(spreadOf(fraction), 2));
       table.rows.push_back(row);
     }
   }

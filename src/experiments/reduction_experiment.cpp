@@ -7,8 +7,8 @@
 
 #include "base/options.h"
 #include "base/parallel.h"
-#include "base/text.h"
 #include "experiments/reduction_curve.h"
+#include "experiments/spread.h"
 #include "experiments/thesis_places.h"
 #include "report/fraction_plot.h"
 
@@ -28,10 +28,6 @@ constexpr PlaceFeatures kFeatures[] = {PlaceFeatures::kLocal, PlaceFeatures::kGl
 
 /// Curves of one kind of features: [method][training set]; there may be several per method.
 using Curves = std::vector<std::vector<std::vector<ReductionCurve>>>;
-
-std::string plusMinus(const Spread& spread, int decimals) {
-  return fixed(spread.mean, decimals) + " +- " + fixed(spread.deviation, decimals);
-}
 
 /// Over the training sets: the rate, the number of vectors that retain a fraction of it, and the
 /// fraction of all vectors that this drops.

@@ -1,6 +1,5 @@
 #include "experiments/test_sets.h"
 
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -90,16 +89,6 @@ std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& in
   std::vector<int> picked;
   for (const int i : indices) picked.push_back(values[static_cast<std::size_t>(i)]);
   return picked;
-}
-
-Spread spreadOf(const std::vector<double>& values) {
-  Spread spread;
-  const auto n = static_cast<double>(values.size());
-  for (const double value : values) spread.mean += value / n;
-  double squares = 0;
-  for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
-  if (n > 1) spread.deviation = std::sqrt(squares / (n - 1));
-  return spread;
 }
 
 }  // namespace place_recognition

@@ -54,11 +54,4 @@ std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& in
 double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
               const SvmOptions& svm);
 
-/// Mean and sample standard deviation (0 for a single value), such as 75.44 ± 4.90.
-struct Spread {
-  double mean = 0;
-  double deviation = 0;
-};
-Spread spreadOf(const std::vector<double>& values);
-
 }  // namespace place_recognition

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/spread.h"
 #include "experiments/thesis_places.h"
 
 namespace place_recognition {
@@ -37,6 +38,7 @@ TEST(Spread, IsTheThesisStandardDeviation) {
   const Spread spread = spreadOf({55.26, 49.08, 52.50});
   EXPECT_NEAR(spread.mean, 52.28, 0.005);
   EXPECT_NEAR(spread.deviation, 3.10, 0.005);
+  EXPECT_EQ(plusMinus(spread, 2), "52.28 +- 3.10");
   EXPECT_EQ(spreadOf({5}).deviation, 0);
 }
 
