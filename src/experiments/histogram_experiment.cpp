@@ -11,6 +11,7 @@
 #include "experiments/table_8_4.h"
 #include "experiments/test_sets.h"
 #include "learning/gram.h"
+#include "learning/selection.h"
 #include "place_recognition/error.h"
 #include "recognition/frames/cue_extraction.h"
 

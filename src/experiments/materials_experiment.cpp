@@ -12,6 +12,7 @@
 #include "experiments/thesis_materials.h"
 #include "learning/gram.h"
 #include "learning/reduction.h"
+#include "learning/selection.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -73,24 +74,14 @@ Json tauCurve(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values) 
   return points;
 }
 
-/// Machines restricted to the vectors that they use.
-BinarySvms compacted(BinarySvms machines, const std::vector<int>& vectors) {
-  Eigen::MatrixXd weights(vectors.size(), machines.weights.cols());
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    weights.row(static_cast<Eigen::Index>(i)) = machines.weights.row(vectors[i]);
-  }
-  machines.weights = weights;
-  return machines;
-}
-
 /// Trains, tests and reduces the machines of one kernel and split.
 Json evaluate(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
               const SvmOptions& svm, bool with_curve, bool with_taus) {
-  const BinarySvms trained =
+  BinarySvms machines =
       trainMachines(submatrix(gram, fold.train, fold.train), pick(samples.places, fold.train),
                     static_cast<std::size_t>(samples.place_count), svm);
-  const std::vector<int> vectors = supportVectors(trained);
-  const BinarySvms machines = compacted(trained, vectors);
+  const std::vector<int> vectors = supportVectors(machines);
+  machines.weights = pickRows(machines.weights, vectors);
   const std::vector<int> columns = pick(fold.train, vectors);
   const Eigen::MatrixXd kernel_values = submatrix(gram, fold.train, columns);
   const Eigen::MatrixXd test_values = submatrix(gram, fold.test, columns);

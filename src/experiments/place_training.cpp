@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "datasets/image_recording.h"
 #include "learning/gram.h"
+#include "learning/selection.h"
 #include "learning/support_set.h"
 #include "recognition/training/cue_training.h"
 
@@ -61,19 +62,14 @@ PlaceSamples::PlaceSamples(const std::vector<ImageSet>& sets, PlaceFeatures feat
 
 PlaceTraining PlaceSamples::train(const Fold& split, const Progress& progress) const {
   const std::vector<Feature>& features = samples_.features[0];
-  std::vector<SampleOrigin> origins;
-  std::vector<Feature> training_features;
-  for (const int i : split.train) {
-    origins.push_back(samples_.origins[static_cast<std::size_t>(i)]);
-    training_features.push_back(features[static_cast<std::size_t>(i)]);
-  }
+  const std::vector<SampleOrigin> origins = pick(samples_.origins, split.train);
   constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // gap of one image
   const std::vector<Fold> folds = timeBlockFolds(
       origins, options_.validation.folds,
       std::vector<TimeBlocks>(static_cast<std::size_t>(set_samples_.set_count), kAFifth));
   const TrainingTask task{origins, samples_.places.size(), folds, options_.svm, threads_, progress};
   CueOptions cue = options_.cues[0];
-  TrainedCue trained = trainCue(std::move(training_features), cue, {options_.reduction}, task);
+  TrainedCue trained = trainCue(pick(features, split.train), cue, {options_.reduction}, task);
 
   cue.kernel.gamma = trained.gamma;
   const SupportSet support_set(Kernel(cue.kernel), trained.vectors);

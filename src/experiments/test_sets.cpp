@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "learning/selection.h"
 #include "recognition/model/scores.h"
 
 namespace place_recognition {
@@ -63,19 +64,6 @@ std::vector<int> answersOf(const BinarySvms& machines, const Eigen::MatrixXd& ke
   return answers;
 }
 
-Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>& rows,
-                          const std::vector<int>& columns) {
-  Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()),
-                       static_cast<Eigen::Index>(columns.size()));
-  for (Eigen::Index j = 0; j < part.cols(); ++j) {
-    const auto column = matrix.col(columns[static_cast<std::size_t>(j)]);
-    for (Eigen::Index i = 0; i < part.rows(); ++i) {
-      part(i, j) = column[rows[static_cast<std::size_t>(i)]];
-    }
-  }
-  return part;
-}
-
 double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
               const SvmOptions& svm) {
   const BinarySvms machines =
@@ -83,12 +71,6 @@ double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold
                     static_cast<std::size_t>(samples.place_count), svm);
   const auto answers = answersOf(machines, submatrix(gram, fold.test, fold.train));
   return meanRate(testCounts(samples, fold.test, answers));
-}
-
-std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& indices) {
-  std::vector<int> picked;
-  for (const int i : indices) picked.push_back(values[static_cast<std::size_t>(i)]);
-  return picked;
 }
 
 }  // namespace place_recognition

@@ -43,13 +43,6 @@ double meanRate(const std::vector<TestCount>& counts);
 /// The place with the largest decision value for each row of `kernel_values`.
 std::vector<int> answersOf(const BinarySvms& machines, const Eigen::MatrixXd& kernel_values);
 
-/// The elements of `matrix` in the given rows and columns.
-Eigen::MatrixXd submatrix(const Eigen::MatrixXd& matrix, const std::vector<int>& rows,
-                          const std::vector<int>& columns);
-
-/// Elements of `values` at `indices`.
-std::vector<int> pick(const std::vector<int>& values, const std::vector<int>& indices);
-
 /// meanRate() on `fold.test` of machines trained on `fold.train`; `gram`: of all samples.
 double rateOf(const Eigen::MatrixXd& gram, const SetSamples& samples, const Fold& fold,
               const SvmOptions& svm);

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "learning/classifier_parts.h"
+#include "learning/selection.h"
 
 namespace place_recognition {
 
@@ -18,17 +19,10 @@ Classifier ClassifierParts::assemble(const KernelOptions& kernel, BinarySvms mac
   assert(machines.weights.rows() == static_cast<Eigen::Index>(vectors.size()));
   assert(origins.size() == vectors.size());
   const std::vector<int> used = supportVectors(machines);
-  Eigen::MatrixXd weights(used.size(), machines.weights.cols());
   std::vector<Feature> kept;
-  std::vector<VectorOrigin> kept_origins;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    weights.row(static_cast<Eigen::Index>(i)) = machines.weights.row(used[i]);
-    const auto vector = static_cast<std::size_t>(used[i]);
-    kept.push_back(std::move(vectors[vector]));
-    kept_origins.push_back(origins[vector]);
-  }
-  machines.weights = std::move(weights);
-  return assemble({std::move(machines), SupportSet(Kernel(kernel), kept), std::move(kept_origins)});
+  for (const int i : used) kept.push_back(std::move(vectors[static_cast<std::size_t>(i)]));
+  machines.weights = pickRows(machines.weights, used);
+  return assemble({std::move(machines), SupportSet(Kernel(kernel), kept), pick(origins, used)});
 }
 
 Classifier::Classifier(std::unique_ptr<const ClassifierParts> parts) : parts_(std::move(parts)) {}

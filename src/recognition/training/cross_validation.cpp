@@ -5,30 +5,12 @@
 #include <numeric>
 
 #include "learning/reduction.h"
+#include "learning/selection.h"
 #include "place_recognition/calibration.h"
 #include "recognition/training/learning_on.h"
 
 namespace place_recognition {
 namespace {
-
-Eigen::MatrixXd columns(const Eigen::MatrixXd& matrix, const std::vector<int>& indices) {
-  Eigen::MatrixXd part(matrix.rows(), static_cast<Eigen::Index>(indices.size()));
-  for (std::size_t j = 0; j < indices.size(); ++j) part.col(j) = matrix.col(indices[j]);
-  return part;
-}
-
-Eigen::MatrixXd rows(const Eigen::MatrixXd& matrix, const std::vector<int>& indices) {
-  Eigen::MatrixXd part(static_cast<Eigen::Index>(indices.size()), matrix.cols());
-  for (std::size_t i = 0; i < indices.size(); ++i) part.row(i) = matrix.row(indices[i]);
-  return part;
-}
-
-/// The elements of `list` at `places`.
-std::vector<int> pick(const std::vector<int>& list, const std::vector<int>& places) {
-  std::vector<int> picked;
-  for (const int place : places) picked.push_back(list[static_cast<std::size_t>(place)]);
-  return picked;
-}
 
 /// Those of `samples` that have the cue.
 std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>& cue_rows) {
@@ -58,7 +40,7 @@ Answers answersOf(const HeldOutValues& held_out, const std::vector<SampleOrigin>
 Eigen::VectorXd largestValues(const Eigen::MatrixXd& kernel_values,
                               const std::vector<int>& vectors) {
   if (vectors.empty()) return Eigen::VectorXd::Zero(kernel_values.rows());
-  return columns(kernel_values, vectors).rowwise().maxCoeff();
+  return pickColumns(kernel_values, vectors).rowwise().maxCoeff();
 }
 
 /// Allocates the decision values of every sample.
@@ -88,7 +70,7 @@ BinarySvms extendMachines(const LearnedCue& learned, const std::vector<int>& tra
   const auto before = static_cast<std::ptrdiff_t>(learned.machines.weights.rows());
   const std::vector<int> added(samples.begin() + before, samples.end());
   BinarySvms machines =
-      learnOn(learned.machines, gram, train_rows, rows(learned.changes, added), 1 / task.svm.c);
+      learnOn(learned.machines, gram, train_rows, pickRows(learned.changes, added), 1 / task.svm.c);
   if (learned.new_places.empty()) return machines;
 
   const std::vector<int>& places = learned.new_places;
@@ -128,7 +110,7 @@ ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const std::ve
   const BinarySvms machines = trainMachinesOn(train_rows, samples, gram, task, progress);
   const std::vector<int> vectors = supportVectors(machines);
   BinarySvms supported = machines;
-  supported.weights = rows(machines.weights, vectors);
+  supported.weights = pickRows(machines.weights, vectors);
   Eigen::MatrixXd kernel_values = gram.values(train_rows, pick(train_rows, vectors));
   if (task.forgetting > 0) {
     kernel_values.array().colwise() *= importanceOf(samples, task).array();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/quantile.h"
+#include "learning/selection.h"
 #include "recognition/model/scores.h"
 
 namespace place_recognition {
@@ -10,21 +11,14 @@ namespace {
 
 Calibration fit(const CombinedValues& held_out, const CalibrationSet& set,
                 const std::vector<int>& chosen, double false_alarm_rate) {
-  const auto count = static_cast<Eigen::Index>(chosen.size());
-  Eigen::MatrixXd decision_values(count, held_out.decision_values.cols());
   std::vector<int> labels;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const int sample = chosen[static_cast<std::size_t>(i)];
-    decision_values.row(i) = held_out.decision_values.row(sample);
-    labels.push_back(set.samples[sample].place);
-  }
-  Calibration calibration = fitCalibration(decision_values, labels);
+  for (const int sample : chosen) labels.push_back(set.samples[sample].place);
+  Calibration calibration = fitCalibration(pickRows(held_out.decision_values, chosen), labels);
 
-  Eigen::VectorXd log_sums(count);
-  Eigen::VectorXd familiarity(count);
+  Eigen::VectorXd log_sums(chosen.size());
+  Eigen::VectorXd familiarity(chosen.size());
   Eigen::Index judges = 0;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const int sample = chosen[static_cast<std::size_t>(i)];
+  for (const int sample : chosen) {
     if (!set.judges_unknown[sample]) continue;
     log_sums[judges] = calibration.logSum(held_out.unlimited.row(sample));
     familiarity[judges] = held_out.familiarity[sample];
