@@ -1,7 +1,5 @@
 #include "experiments/place_training.h"
 
-#include <limits>
-
 #include "base/parallel.h"
 #include "datasets/image_recording.h"
 #include "learning/gram.h"
@@ -63,10 +61,8 @@ PlaceSamples::PlaceSamples(const std::vector<ImageSet>& sets, PlaceFeatures feat
 PlaceTraining PlaceSamples::train(const Fold& split, const Progress& progress) const {
   const std::vector<Feature>& features = samples_.features[0];
   const std::vector<SampleOrigin> origins = pick(samples_.origins, split.train);
-  constexpr TimeBlocks kAFifth{std::numeric_limits<double>::infinity(), 1};  // gap of one image
-  const std::vector<Fold> folds = timeBlockFolds(
-      origins, options_.validation.folds,
-      std::vector<TimeBlocks>(static_cast<std::size_t>(set_samples_.set_count), kAFifth));
+  constexpr double kGap = 1;  // one image
+  const std::vector<Fold> folds = longestBlockFolds(origins, options_.validation.folds, kGap);
   const TrainingTask task{origins, samples_.places.size(), folds, options_.svm, threads_, progress};
   CueOptions cue = options_.cues[0];
   TrainedCue trained = trainCue(pick(features, split.train), cue, {options_.reduction}, task);

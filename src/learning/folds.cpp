@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -173,6 +174,12 @@ std::vector<Sequence> grouped(const Samples& samples, const Key& key) {
 
 }  // namespace
 
+int recordingCount(const Samples& samples) {
+  int count = 0;
+  for (const SampleOrigin& sample : samples) count = std::max(count, sample.recording + 1);
+  return count;
+}
+
 double largestGap(double length, int folds) { return length * (0.6 * folds - 1) / 2; }
 
 std::vector<Sequence> sequencesOf(const Samples& samples) {
@@ -209,6 +216,22 @@ std::vector<Fold> timeBlockFolds(const Samples& samples, int count,
     }
   }
   return folds;
+}
+
+std::vector<Fold> longestBlockFolds(const Samples& samples, int count, double gap) {
+  const TimeBlocks longest{std::numeric_limits<double>::infinity(), gap};
+  return timeBlockFolds(
+      samples, count,
+      std::vector<TimeBlocks>(static_cast<std::size_t>(recordingCount(samples)), longest));
+}
+
+std::vector<int> testingFolds(const std::vector<Fold>& folds, std::size_t samples) {
+  std::vector<int> fold_of(samples, -1);
+  for (std::size_t f = 0; f < folds.size(); ++f) {
+    for (const int sample : folds[f].test)
+      fold_of[static_cast<std::size_t>(sample)] = static_cast<int>(f);
+  }
+  return fold_of;
 }
 
 std::vector<Fold> withCopies(std::vector<Fold> folds, const std::vector<int>& source,

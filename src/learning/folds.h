@@ -14,6 +14,9 @@ struct SampleOrigin {
   int skipped = 0;  ///< frames of its place and camera since the previous sample that are not used
 };
 
+/// The number of recordings, which are numbered from 0: one more than the largest number.
+int recordingCount(const std::vector<SampleOrigin>& samples);
+
 /// Division of a run for cross-validation.
 struct TimeBlocks {
   double length = 1;  ///< s; rounded up to whole samples
@@ -57,6 +60,13 @@ bool wholeRecordings(const std::vector<SampleOrigin>& samples, int count);
 /// the blocks instead.
 std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count,
                                  const std::vector<TimeBlocks>& blocks);
+
+/// The same with the longest blocks: each sequence is cut into `count`. `gap`: s.
+std::vector<Fold> longestBlockFolds(const std::vector<SampleOrigin>& samples, int count,
+                                    double gap);
+
+/// The fold that tests each of `samples`; -1 for those that none tests.
+std::vector<int> testingFolds(const std::vector<Fold>& folds, std::size_t samples);
 
 /// Extends `folds` of the original samples to samples that are followed by copies (`source`: index
 /// of the original of each sample; its own index for an original). A tested sample is tested in

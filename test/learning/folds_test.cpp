@@ -189,6 +189,20 @@ TEST(Folds, CountSamplesWhoseStampsTellNothing) {
   for (const Fold& fold : folds) EXPECT_NEAR(static_cast<double>(fold.train.size()), 30, 1);
 }
 
+TEST(Folds, OfTheLongestBlocksCutEveryRoomOfEveryRunIntoOneEach) {
+  std::vector<SampleOrigin> samples = roomAt(0, 1, 20);
+  for (SampleOrigin sample : roomAt(100, 1, 10, 1)) {
+    sample.recording = 1;
+    samples.push_back(sample);
+  }
+  EXPECT_EQ(recordingCount(samples), 2);
+  const std::vector<Fold> folds = longestBlockFolds(samples, 5, 1);
+  const std::vector<int> tested_in = testingFolds(folds, samples.size() + 1);
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(tested_in[i], i < 20 ? i / 4 : (i - 20) / 2) << i;
+  EXPECT_EQ(tested_in.back(), -1) << "a sample of no fold";
+  EXPECT_EQ(folds[1].train.size(), 20u - 6 + 10 - 4) << "without a neighbour on either side";
+}
+
 TEST(Folds, WorkForFewSamples) {
   for (int length = 0; length <= 6; ++length) {
     const std::vector<SampleOrigin> samples = samplesOf(1, 2, length);

@@ -204,11 +204,8 @@ std::vector<TimeBlocks> chooseBlocks(const std::vector<SampleOrigin>& samples,
                                      const std::vector<std::vector<Feature>>& features,
                                      const std::vector<CueOptions>& cues,
                                      const ValidationOptions& options, unsigned threads) {
-  int recordings = 0;
-  for (const SampleOrigin& sample : samples)
-    recordings = std::max(recordings, sample.recording + 1);
   std::vector<TimeBlocks> blocks;
-  for (int recording = 0; recording < recordings; ++recording) {
+  for (int recording = 0; recording < recordingCount(samples); ++recording) {
     double gap = options.gap;
     double shortest = 0;
     if (gap == 0) {

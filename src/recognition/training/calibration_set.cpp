@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "learning/selection.h"
 #include "recognition/training/sampling.h"
 
 namespace place_recognition {
@@ -124,15 +125,9 @@ HeldOutFrames keptFrames(const CalibrationSet& calibration_set, std::size_t redu
     if (kept[i]) samples.push_back(valid[i]);
   }
 
-  std::vector<int> fold_of(calibration_set.samples.size(), 0);
-  for (std::size_t f = 0; f < calibration_set.folds.size(); ++f) {
-    for (const int sample : calibration_set.folds[f].test) fold_of[sample] = static_cast<int>(f);
-  }
   HeldOutFrames frames;
-  for (const int sample : samples) {
-    frames.places.push_back(calibration_set.samples[sample].place);
-    frames.folds.push_back(fold_of[sample]);
-  }
+  for (const int sample : samples) frames.places.push_back(calibration_set.samples[sample].place);
+  frames.folds = pick(testingFolds(calibration_set.folds, calibration_set.samples.size()), samples);
   for (const HeldOutValues& cue : cues) keep(cue, samples, frames);
   return frames;
 }

@@ -65,10 +65,7 @@ std::vector<int> validSamples(const HeldOutValues& held_out, const std::vector<i
 Calibrated calibrate(const CombinedValues& held_out, const CalibrationSet& set,
                      double false_alarm_rate) {
   const int fold_count = static_cast<int>(set.folds.size());
-  std::vector<int> fold_of(set.samples.size(), -1);
-  for (int f = 0; f < fold_count; ++f) {
-    for (const int sample : set.folds[f].test) fold_of[sample] = f;
-  }
+  const std::vector<int> fold_of = testingFolds(set.folds, set.samples.size());
 
   Answers answers;
   for (int f = 0; f < fold_count; ++f) {

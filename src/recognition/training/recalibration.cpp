@@ -1,7 +1,6 @@
 #include "place_recognition/recalibration.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -138,13 +137,7 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   result.before =
       figuresOf(model, combine(cues, model.cue_weights, model.decision_limit), frames.origins);
 
-  int last_recording = 0;
-  for (const SampleOrigin& origin : frames.origins)
-    last_recording = std::max(last_recording, origin.recording);
-  constexpr TimeBlocks kLongest{std::numeric_limits<double>::infinity(), 0};
-  calibration_set.folds = timeBlockFolds(
-      frames.origins, options.validation.folds,
-      std::vector<TimeBlocks>(static_cast<std::size_t>(last_recording) + 1, kLongest));
+  calibration_set.folds = longestBlockFolds(frames.origins, options.validation.folds, 0);
   model.cue_weights = chooseCueWeights(cues, priorWeights(options.cues), model.decision_limit,
                                        frames.origins, model.places.size());
   const CombinedValues combined = combine(cues, model.cue_weights, model.decision_limit);

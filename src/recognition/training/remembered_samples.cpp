@@ -58,12 +58,6 @@ void append(Samples part, int first_recording, Samples& samples) {
   samples.warnings.insert(samples.warnings.end(), part.warnings.begin(), part.warnings.end());
 }
 
-int recordingCount(const Samples& samples) {
-  int count = 0;
-  for (const SampleOrigin& origin : samples.origins) count = std::max(count, origin.recording + 1);
-  return count;
-}
-
 /// Increments the age of remembered samples of places that the new ones show.
 void growOlder(Samples& samples) {
   std::set<int> seen;
@@ -142,7 +136,7 @@ Samples joinSamples(Samples remembered, Samples others) {
   all.adjacency = Adjacency(all.places.size());
   all.image_profile = remembered.image_profile;
   include(others.image_profile, all.image_profile);
-  const int recordings = recordingCount(remembered);
+  const int recordings = recordingCount(remembered.origins);
   append(std::move(remembered), 0, all);
   append(std::move(others), recordings, all);
   growOlder(all);
