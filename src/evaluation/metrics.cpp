@@ -5,15 +5,16 @@
 #include <cmath>
 #include <numeric>
 
+#include "recognition/model/scores.h"
+
 namespace place_recognition {
 
 std::vector<ReliabilityBin> reliability(const std::vector<double>& confidences,
                                         const std::vector<bool>& correct) {
   assert(confidences.size() == correct.size());
-  constexpr int kBins = 10;
-  std::vector<ReliabilityBin> bins(kBins);
+  std::vector<ReliabilityBin> bins(kConfidenceBins);
   for (std::size_t i = 0; i < confidences.size(); ++i) {
-    ReliabilityBin& bin = bins[std::clamp(static_cast<int>(confidences[i] * kBins), 0, kBins - 1)];
+    ReliabilityBin& bin = bins[confidenceBin(confidences[i])];
     ++bin.count;
     bin.confidence += confidences[i];
     bin.rate += correct[i] ? 1 : 0;

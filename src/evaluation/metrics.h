@@ -15,7 +15,7 @@ struct ReliabilityBin {
   double rate = 0;        ///< fraction of correct answers
 };
 
-/// Ten bins of confidence (0..1) and the fraction of correct answers in each.
+/// The bins of confidence (see confidenceBin()) and the fraction of correct answers in each.
 std::vector<ReliabilityBin> reliability(const std::vector<double>& confidences,
                                         const std::vector<bool>& correct);
 

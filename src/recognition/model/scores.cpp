@@ -86,13 +86,15 @@ std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
   return pairs;
 }
 
+int confidenceBin(double confidence) {
+  return std::clamp(static_cast<int>(confidence * kConfidenceBins), 0, kConfidenceBins - 1);
+}
+
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct) {
   assert(confidences.size() == correct.size());
-  constexpr int kBins = 10;
-  std::array<double, kBins> surplus{};  // correct answers minus expected ones
+  std::array<double, kConfidenceBins> surplus{};  // correct answers minus expected ones
   for (std::size_t i = 0; i < confidences.size(); ++i) {
-    const int bin = std::clamp(static_cast<int>(confidences[i] * kBins), 0, kBins - 1);
-    surplus[bin] += (correct[i] ? 1 : 0) - confidences[i];
+    surplus[confidenceBin(confidences[i])] += (correct[i] ? 1 : 0) - confidences[i];
   }
   double error = 0;
   for (const double bin : surplus) error += std::abs(bin);

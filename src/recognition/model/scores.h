@@ -45,8 +45,12 @@ struct ConfusedPair {
 std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
                                         const std::vector<int>& answers, std::size_t places);
 
-/// Expected calibration error: the mean of |fraction of correct answers - mean confidence| over ten
-/// equal bins of confidence, weighted by their frames. 0 without frames.
+/// Number of equal bins of confidence, and the bin of a confidence 0..1.
+constexpr int kConfidenceBins = 10;
+int confidenceBin(double confidence);
+
+/// Expected calibration error: the mean of |fraction of correct answers - mean confidence| over the
+/// bins of confidence, weighted by their frames. 0 without frames.
 double calibrationError(const std::vector<double>& confidences, const std::vector<bool>& correct);
 
 }  // namespace place_recognition
