@@ -10,16 +10,15 @@
 #include "experiments/reduction_curve.h"
 #include "experiments/spread.h"
 #include "experiments/thesis_places.h"
+#include "learning/reduction.h"
 #include "report/fraction_plot.h"
 
 namespace place_recognition {
 namespace {
 
-constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
-
 /// A way to reduce; the thesis' own occurs twice, because its tables use the better of both.
 struct Way {
-  std::size_t method;  ///< index into kMethods
+  std::size_t method;  ///< index into kReductionMethods
   bool normalize;
 };
 constexpr Way kWays[] = {{0, true}, {0, false}, {1, true}, {2, true}};
@@ -116,7 +115,7 @@ Figure reductionFigure(PlaceFeatures features, const Curves& curves) {
   for (std::size_t m = 0; m < curves.size(); ++m) {
     std::vector<ReductionCurve> firsts;
     for (const auto& by_set : curves[m]) firsts.push_back(by_set.front());
-    lines.push_back({kMethods[m], meanCurve(firsts)});
+    lines.push_back({kReductionMethods[m], meanCurve(firsts)});
   }
   return {std::string("reduction_") + name(features), fractionsPlot("vectors left", "rate", lines)};
 }
@@ -134,7 +133,7 @@ class ReductionExperiment : public Experiment {
           cells.push_back({{"reduction", writeOptions(trainingOptions(features))},
                            {"features", name(features)},
                            {"training_set", set.name},
-                           {"method", kMethods[way.method]},
+                           {"method", kReductionMethods[way.method]},
                            {"normalise", way.normalize}});
         }
       }
@@ -181,7 +180,8 @@ class ReductionExperiment : public Experiment {
     Findings findings;
     std::size_t next = 0;
     for (const PlaceFeatures features : kFeatures) {
-      Curves curves(std::size(kMethods), std::vector<std::vector<ReductionCurve>>(sets_.size()));
+      Curves curves(std::size(kReductionMethods),
+                    std::vector<std::vector<ReductionCurve>>(sets_.size()));
       for (std::size_t set = 0; set < sets_.size(); ++set) {
         for (const Way& way : kWays) {
           curves[way.method][set].push_back(curveFromJson(results[next++].at("curve")));

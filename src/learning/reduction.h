@@ -38,6 +38,9 @@ class Reduction {
   virtual std::vector<double> thresholds() const = 0;
 };
 
+/// The methods that leave vectors out, in the order of the table above.
+constexpr const char* kReductionMethods[] = {"qr", "shared-qr", "shared-greedy"};
+
 /// Factorizes as far as `options`, whose method is not auto, require. `kernel_values` is the n x m
 /// matrix K of eq. 6.19: K(y_i, x_j) of n training vectors and the m vectors of `machines`.
 std::unique_ptr<const Reduction> factorize(const BinarySvms& machines,

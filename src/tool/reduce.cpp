@@ -1,7 +1,9 @@
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 #include "learning/classifier_parts.h"
+#include "learning/reduction.h"
 #include "place_recognition/model_file.h"
 #include "recognition/training/model_reduction.h"
 #include "recognition/training/reduction_sweep.h"
@@ -13,8 +15,6 @@
 
 namespace place_recognition::tool {
 namespace {
-
-constexpr const char* kMethods[] = {"qr", "shared-qr", "shared-greedy"};
 
 struct ReduceOptions {
   std::string model;
@@ -139,7 +139,7 @@ void reduceModel(const ReduceOptions& options) {
   const Reducer reducer(options, progress);
   ReductionReport report{path, reducer.valuesOf(), reducer.before(), {}};
   report.methods.push_back(reducer.reduce(options.reduction.method, path));
-  for (const char* method : kMethods) {
+  for (const char* method : kReductionMethods) {
     if (options.report.empty() || method == options.reduction.method) continue;
     report.methods.push_back(reducer.reduce(method, ""));
   }
@@ -164,7 +164,7 @@ void addReduce(CommandLine& tool) {
   verb.option("--method", "NAME", options->reduction.method,
               "shared-greedy (default), shared-qr: one basis for all machines; qr: each machine "
               "separately")
-      .oneOf({"qr", "shared-qr", "shared-greedy"});
+      .oneOf({std::begin(kReductionMethods), std::end(kReductionMethods)});
   verb.flag("--normalise", options->reduction.normalize,
             "Scale the columns of the kernel matrix to norm one first (default)");
   verb.flag("--no-normalise", options->reduction.normalize, "Do not scale them", false)
