@@ -1,6 +1,5 @@
 #include "experiments/place_training.h"
 
-#include "base/parallel.h"
 #include "datasets/image_recording.h"
 #include "learning/gram.h"
 #include "learning/selection.h"
@@ -8,21 +7,6 @@
 #include "recognition/training/cue_training.h"
 
 namespace place_recognition {
-namespace {
-
-/// Kernel values of some features (rows) and support vectors (columns).
-Eigen::MatrixXd kernelValues(const std::vector<Feature>& features, const std::vector<int>& rows,
-                             const SupportSet& support_set, unsigned threads) {
-  Eigen::MatrixXd transposed(static_cast<Eigen::Index>(support_set.size()),
-                             static_cast<Eigen::Index>(rows.size()));
-  parallelFor(rows.size(), threads, [&](std::size_t i, unsigned) {
-    support_set.kernelValues(features[static_cast<std::size_t>(rows[i])],
-                             transposed.col(static_cast<Eigen::Index>(i)));
-  });
-  return transposed.transpose();
-}
-
-}  // namespace
 
 const char* name(PlaceFeatures features) {
   return features == PlaceFeatures::kLocal ? "local" : "global";

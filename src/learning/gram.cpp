@@ -86,4 +86,21 @@ Eigen::MatrixXd gramMatrix(const Kernel& kernel, const Eigen::MatrixXd& measures
   return measures.unaryExpr([&](double measure) { return kernel.value(measure); });
 }
 
+Eigen::MatrixXd kernelValues(const std::vector<Feature>& features, const std::vector<int>& chosen,
+                             const SupportSet& support_set, unsigned threads,
+                             const Progress& progress) {
+  Eigen::MatrixXd transposed(support_set.size(), chosen.size());
+  constexpr std::size_t kReportPeriod = 64;  // features
+  for (std::size_t begin = 0; begin < chosen.size(); begin += kReportPeriod) {
+    report(progress, "Comparing vectors", static_cast<double>(begin) / chosen.size());
+    const std::size_t count = std::min(kReportPeriod, chosen.size() - begin);
+    parallelFor(count, threads, [&](std::size_t i, unsigned) {
+      const auto feature = static_cast<std::size_t>(chosen[begin + i]);
+      support_set.kernelValues(features[feature],
+                               transposed.col(static_cast<Eigen::Index>(begin + i)));
+    });
+  }
+  return transposed.transpose();
+}
+
 }  // namespace place_recognition

@@ -9,6 +9,8 @@
 
 namespace place_recognition {
 
+class SupportSet;
+
 /// The symmetric n x n matrix of kernel.measure() of n features of one kind. Uses `threads` threads
 /// (0: one per core); the result is the same for any number.
 Eigen::MatrixXd measureMatrix(const Kernel& kernel, const std::vector<Feature>& features,
@@ -20,5 +22,11 @@ Eigen::MatrixXd measureColumns(const Kernel& kernel, const std::vector<Feature>&
 
 /// The Gram matrix (eq. 5.33): kernel.value() of every element.
 Eigen::MatrixXd gramMatrix(const Kernel& kernel, const Eigen::MatrixXd& measures);
+
+/// The kernel values of the `chosen` features (rows), none of which is missing, and the vectors of
+/// a support set (columns). `threads`: 0 means one per core; changes no result.
+Eigen::MatrixXd kernelValues(const std::vector<Feature>& features, const std::vector<int>& chosen,
+                             const SupportSet& support_set, unsigned threads,
+                             const Progress& progress = {});
 
 }  // namespace place_recognition

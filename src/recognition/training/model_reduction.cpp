@@ -4,9 +4,9 @@
 #include <chrono>
 #include <utility>
 
-#include "base/parallel.h"
 #include "base/quantile.h"
 #include "learning/classifier_parts.h"
+#include "learning/gram.h"
 #include "place_recognition/error.h"
 #include "recognition/model/place_index.h"
 #include "recognition/model/scores.h"
@@ -15,36 +15,18 @@
 namespace place_recognition {
 namespace {
 
-/// Kernel values of features (rows) and support vectors (columns).
-Eigen::MatrixXd kernelValues(const std::vector<const Feature*>& features,
-                             const SupportSet& support_set, const Progress& progress) {
-  Eigen::MatrixXd transposed(support_set.size(), features.size());
-  constexpr std::size_t kBlock = 64;  // between two reports of progress
-  for (std::size_t begin = 0; begin < features.size(); begin += kBlock) {
-    report(progress, "Comparing vectors", static_cast<double>(begin) / features.size());
-    const std::size_t count = std::min(kBlock, features.size() - begin);
-    parallelFor(count, 0, [&](std::size_t i, unsigned) {
-      support_set.kernelValues(*features[begin + i],
-                               transposed.col(static_cast<Eigen::Index>(begin + i)));
-    });
-  }
-  return transposed.transpose();
-}
-
-std::vector<const Feature*> pointers(const std::vector<Feature>& features) {
-  std::vector<const Feature*> pointers;
-  for (const Feature& feature : features) {
-    if (!isMissing(feature)) pointers.push_back(&feature);
-  }
-  return pointers;
-}
-
 std::vector<int> rowsWithFeature(const std::vector<Feature>& features) {
   std::vector<int> rows;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (!isMissing(features[i])) rows.push_back(static_cast<int>(i));
   }
   return rows;
+}
+
+/// Kernel values of all features that are not missing (rows) and the vectors (columns).
+Eigen::MatrixXd kernelValuesOfAll(const std::vector<Feature>& features,
+                                  const SupportSet& support_set, const Progress& progress) {
+  return kernelValues(features, rowsWithFeature(features), support_set, 0, progress);
 }
 
 /// Mean over all support vectors of the largest kernel value against another one in `kept`.
@@ -63,8 +45,7 @@ double meanFamiliarity(const Eigen::MatrixXd& kernel_values, const std::vector<i
 /// By how much frames look less familiar to the vectors that `machines` use than to all vectors.
 double familiarityLost(const Classifier& classifier, const BinarySvms& machines) {
   const auto& [used, support_set, origins] = ClassifierParts::of(classifier);
-  const Eigen::MatrixXd values =
-      kernelValues(pointers(support_set.vectors()), support_set, Progress());
+  const Eigen::MatrixXd values = kernelValuesOfAll(support_set.vectors(), support_set, {});
   return meanFamiliarity(values, supportVectors(used)) -
          meanFamiliarity(values, supportVectors(machines));
 }
@@ -78,7 +59,7 @@ ModelReduction::ModelReduction(const Model& model, const Samples* training,
     const SupportSet& support_set = ClassifierParts::of(model.classifiers[c]).support_set;
     const std::vector<Feature> own = training ? std::vector<Feature>() : support_set.vectors();
     const std::vector<Feature>& rows = training ? training->features[c] : own;
-    kernel_values_.push_back(kernelValues(pointers(rows), support_set, progress));
+    kernel_values_.push_back(kernelValuesOfAll(rows, support_set, progress));
   }
 }
 
@@ -132,8 +113,8 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
   for (const SampleOrigin& origin : samples.origins) truth_.push_back(index_in_model[origin.place]);
   for (std::size_t c = 0; c < model.classifiers.size(); ++c) {
     rows_.push_back(rowsWithFeature(samples.features[c]));
-    kernel_values_.push_back(kernelValues(pointers(samples.features[c]),
-                                          ClassifierParts::of(model.classifiers[c]).support_set,
+    kernel_values_.push_back(kernelValues(samples.features[c], rows_[c],
+                                          ClassifierParts::of(model.classifiers[c]).support_set, 0,
                                           progress));
   }
 }
