@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "learning/gram.h"
+#include "recognition/training/cross_validation.h"
 #include "recognition/training/gamma_choice.h"
 
 namespace place_recognition {

@@ -1,7 +1,6 @@
 #include "tuning/score.h"
 
 #include "recognition/model/scores.h"
-#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "recognition/training/cross_validation.h"
+#include "recognition/training/held_out_values.h"
 #include "tuning/tuning_samples.h"
 
 namespace place_recognition {

@@ -5,7 +5,7 @@
 
 #include "learning/folds.h"
 #include "place_recognition/model.h"
-#include "recognition/training/cross_validation.h"
+#include "recognition/training/held_out_values.h"
 
 namespace place_recognition {
 

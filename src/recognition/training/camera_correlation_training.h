@@ -6,7 +6,7 @@
 #include "learning/folds.h"
 #include "place_recognition/calibration.h"
 #include "place_recognition/camera_correlation.h"
-#include "recognition/training/cross_validation.h"
+#include "recognition/training/held_out_values.h"
 
 namespace place_recognition {
 

@@ -97,9 +97,7 @@ CombinedValues combine(const std::vector<HeldOutValues>& cues, const std::vector
     mean.begin(places);
     for (std::size_t c = 0; c < cues.size(); ++c) {
       if (!cues[c].valid[i]) continue;
-      const bool has_familiarity = cues[c].familiarity.size() > 0;
-      mean.add(weights[c], cues[c].decision_values.row(row),
-               has_familiarity ? cues[c].familiarity[row] : 0);
+      mean.add(weights[c], cues[c].decision_values.row(row), cues[c].familiarity[row]);
     }
     combined.valid[i] = mean.finish();
     combined.decision_values.row(row) = mean.decisionValues();

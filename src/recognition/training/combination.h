@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "place_recognition/training_options.h"
-#include "recognition/training/cross_validation.h"
+#include "recognition/training/held_out_values.h"
 
 namespace place_recognition {
 

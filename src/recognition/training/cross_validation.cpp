@@ -6,7 +6,6 @@
 
 #include "learning/reduction.h"
 #include "learning/selection.h"
-#include "place_recognition/calibration.h"
 #include "recognition/training/learning_on.h"
 
 namespace place_recognition {
@@ -21,34 +20,11 @@ std::vector<int> withCue(const std::vector<int>& samples, const std::vector<int>
   return kept;
 }
 
-/// True places of the valid samples, and the places with their largest decision values.
-struct Answers {
-  std::vector<int> truth, places;
-};
-
-Answers answersOf(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples) {
-  Answers answers;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!held_out.valid[i]) continue;
-    answers.truth.push_back(samples[i].place);
-    answers.places.push_back(largest(held_out.decision_values.row(static_cast<Eigen::Index>(i))));
-  }
-  return answers;
-}
-
 /// The largest value of each row in the columns `vectors`; 0 if there are none.
 Eigen::VectorXd largestValues(const Eigen::MatrixXd& kernel_values,
                               const std::vector<int>& vectors) {
   if (vectors.empty()) return Eigen::VectorXd::Zero(kernel_values.rows());
   return pickColumns(kernel_values, vectors).rowwise().maxCoeff();
-}
-
-/// Allocates the decision values of every sample.
-HeldOutValues noneHeldOut(const TrainingTask& task) {
-  return {Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(task.samples.size()),
-                                static_cast<Eigen::Index>(task.places)),
-          std::vector<bool>(task.samples.size(), false),
-          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.samples.size()))};
 }
 
 /// Weights of the samples' decision values in a reduction: they decrease each time a sample's place
@@ -118,21 +94,6 @@ ReducedMachines trainReducedOn(const std::vector<int>& train_rows, const std::ve
   return {vectors, reduceEach(supported, kernel_values, reductions, task.threads)};
 }
 
-constexpr double kSmallestProbability = 1e-3;
-
-Calibration calibrationOf(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
-                          const std::vector<int>& chosen) {
-  std::vector<int> labels;
-  Eigen::MatrixXd decision_values(static_cast<Eigen::Index>(chosen.size()),
-                                  held_out.decision_values.cols());
-  for (const int i : chosen) {
-    if (!held_out.valid[static_cast<std::size_t>(i)]) continue;
-    decision_values.row(static_cast<Eigen::Index>(labels.size())) = held_out.decision_values.row(i);
-    labels.push_back(samples[static_cast<std::size_t>(i)].place);
-  }
-  return fitCalibration(decision_values.topRows(static_cast<Eigen::Index>(labels.size())), labels);
-}
-
 }  // namespace
 
 ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& samples,
@@ -147,7 +108,8 @@ std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vect
                                          const TrainingTask& task,
                                          const std::vector<ReductionOptions>& reductions,
                                          const Progress& progress) {
-  std::vector<HeldOutValues> held_out(reductions.size(), noneHeldOut(task));
+  std::vector<HeldOutValues> held_out(reductions.size(),
+                                      HeldOutValues::none(task.samples.size(), task.places));
   for (std::size_t f = 0; f < task.folds.size(); ++f) {
     const Progress progress_of_fold = [&](const std::string&, double part) {
       const double done = static_cast<double>(f) + part;
@@ -173,45 +135,11 @@ std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vect
       for (std::size_t i = 0; i < test.size(); ++i) {
         if (!trained[task.samples[test[i]].place]) continue;
         const auto row = static_cast<Eigen::Index>(i);
-        held_out[r].decision_values.row(test[i]) = decision_values.row(row);
-        held_out[r].familiarity[test[i]] = familiarity[row];
-        held_out[r].valid[test[i]] = true;
+        held_out[r].set(test[i], decision_values.row(row), familiarity[row]);
       }
     }
   }
   return held_out;
-}
-
-double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
-                   std::size_t places) {
-  const Answers answers = answersOf(held_out, samples);
-  return averageRate(answers.truth, answers.places, places);
-}
-
-double averageRateError(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
-                        std::size_t places) {
-  const Answers answers = answersOf(held_out, samples);
-  return averageRateError(answers.truth, answers.places, places);
-}
-
-std::vector<ConfusedPair> confusedPairs(const HeldOutValues& held_out,
-                                        const std::vector<SampleOrigin>& samples,
-                                        std::size_t places) {
-  const Answers answers = answersOf(held_out, samples);
-  return confusedPairs(answers.truth, answers.places, places);
-}
-
-std::vector<double> logLosses(const HeldOutValues& held_out,
-                              const std::vector<SampleOrigin>& samples,
-                              const std::vector<int>& chosen) {
-  const Calibration calibration = calibrationOf(held_out, samples, chosen);
-  std::vector<double> losses;
-  for (const int i : chosen) {
-    const double probability = calibration.probabilities(
-        held_out.decision_values.row(i))[samples[static_cast<std::size_t>(i)].place];
-    losses.push_back(-std::log(std::max(kSmallestProbability, probability)));
-  }
-  return losses;
 }
 
 }  // namespace place_recognition

@@ -4,19 +4,14 @@ namespace place_recognition {
 namespace {
 
 HeldOutValues cueAnswers(const Classifier& classifier, const std::vector<Feature>& features) {
-  const auto count = static_cast<Eigen::Index>(features.size());
-  HeldOutValues answers{
-      Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(classifier.places())),
-      std::vector<bool>(features.size(), false), Eigen::VectorXd::Zero(count)};
+  HeldOutValues answers = HeldOutValues::none(features.size(), classifier.places());
   Eigen::VectorXd kernel_values;
   Eigen::RowVectorXd decision_values;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Feature& feature = features[static_cast<std::size_t>(i)];
-    if (isMissing(feature)) continue;
-    classifier.decisionValues(feature, kernel_values, decision_values);
-    answers.decision_values.row(i) = decision_values;
-    if (kernel_values.size() > 0) answers.familiarity[i] = kernel_values.maxCoeff();
-    answers.valid[static_cast<std::size_t>(i)] = true;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (isMissing(features[i])) continue;
+    classifier.decisionValues(features[i], kernel_values, decision_values);
+    answers.set(static_cast<int>(i), decision_values,
+                kernel_values.size() > 0 ? kernel_values.maxCoeff() : 0);
   }
   return answers;
 }

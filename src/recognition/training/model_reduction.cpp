@@ -120,19 +120,16 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
 }
 
 double RateOnSamples::operator()(const std::vector<BinarySvms>& machines) const {
-  const Eigen::Index frames = static_cast<Eigen::Index>(truth_.size());
-  const Eigen::Index places = static_cast<Eigen::Index>(model_.places.size());
+  constexpr double kUnused = 0;  // familiarity, which does not decide between places
   std::vector<HeldOutValues> cues;
   for (std::size_t c = 0; c < machines.size(); ++c) {
     const Eigen::MatrixXd decision_values =
         placeValues(machines[c], machines[c].decisionValues(kernel_values_[c]));
-    HeldOutValues cue{Eigen::MatrixXd::Zero(frames, places),
-                      std::vector<bool>(truth_.size(), false)};
+    HeldOutValues& cue =
+        cues.emplace_back(HeldOutValues::none(truth_.size(), model_.places.size()));
     for (std::size_t i = 0; i < rows_[c].size(); ++i) {
-      cue.decision_values.row(rows_[c][i]) = decision_values.row(static_cast<Eigen::Index>(i));
-      cue.valid[static_cast<std::size_t>(rows_[c][i])] = true;
+      cue.set(rows_[c][i], decision_values.row(static_cast<Eigen::Index>(i)), kUnused);
     }
-    cues.push_back(std::move(cue));
   }
   const HeldOutValues combined = combine(cues, model_.cue_weights, model_.decision_limit);
   std::vector<int> answers(truth_.size(), -1);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "recognition/model/scores.h"
-#include "recognition/training/cross_validation.h"
 
 namespace place_recognition {
 namespace {
