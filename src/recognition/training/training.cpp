@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,7 +13,6 @@
 #include "recognition/frames/colour_normalization.h"
 #include "recognition/frames/mirror_search.h"
 #include "recognition/model/embeddings.h"
-#include "recognition/training/block_choice.h"
 #include "recognition/training/calibration_set.h"
 #include "recognition/training/camera_correlation_training.h"
 #include "recognition/training/combination.h"
@@ -25,6 +22,7 @@
 #include "recognition/training/reduction_choice.h"
 #include "recognition/training/remembered_samples.h"
 #include "recognition/training/samples.h"
+#include "recognition/training/training_folds.h"
 #include "recognition/training/training_warnings.h"
 
 namespace place_recognition {
@@ -72,45 +70,6 @@ void keepWhatIsUnknown(std::size_t count, CalibrationSet& calibration_set) {
   for (std::size_t i = 0; i < count; ++i) {
     calibration_set.judges_unknown[i] = judged.count(samples[i].place) == 0;
   }
-}
-
-/// The blocks of time that represent those of all recordings: the ones of median length.
-TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
-  const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);
-  std::nth_element(blocks.begin(), middle, blocks.end(),
-                   [](const auto& a, const auto& b) { return a.length < b.length; });
-  return *middle;
-}
-
-/// Blocks of time, which are trained on and tested in every available light. Sets their length and
-/// gap in `options` unless they were given.
-std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, TrainingOptions& options) {
-  const std::vector<SampleOrigin> origins = samples.recordedOrigins();
-  std::vector<TimeBlocks> blocks(1);
-  if (!wholeRecordings(origins, options.validation.folds)) {
-    blocks = chooseBlocks(origins, samples.features, options.cues, options.validation, threads);
-    const TimeBlocks typical = typicalBlocks(blocks);
-    options.validation.block = typical.length;
-    options.validation.gap = typical.gap;
-  }
-  return withCopies(timeBlockFolds(origins, options.validation.folds, blocks), samples.source,
-                    true);
-}
-
-/// Remembered samples are trained on in every fold, and tested in none.
-std::vector<Fold> withRemembered(std::vector<Fold> folds, std::size_t remembered) {
-  const auto isFresh = [remembered](int sample) {
-    return static_cast<std::size_t>(sample) >= remembered;
-  };
-  for (Fold& fold : folds) {
-    std::vector<int> train(remembered);
-    std::iota(train.begin(), train.end(), 0);
-    std::copy_if(fold.train.begin(), fold.train.end(), std::back_inserter(train), isFresh);
-    fold.train = std::move(train);
-    fold.test.erase(std::stable_partition(fold.test.begin(), fold.test.end(), isFresh),
-                    fold.test.end());
-  }
-  return folds;
 }
 
 /// The steps from samples to a model, whose options are the requested ones and those found.
