@@ -72,81 +72,119 @@ void keepWhatIsUnknown(std::size_t count, CalibrationSet& calibration_set) {
   }
 }
 
+/// What incremental training keeps of the model before.
+struct Kept {
+  double forgetting = 0;                      ///< see IncrementalOptions
+  std::optional<LearnedBefore> learned = {};  ///< what to extend, if anything
+  std::vector<double> cue_weights = {};       ///< empty: to be found
+};
+
+/// Trains every cue on the features of `samples`, which are moved from.
+std::vector<TrainedCue> trainCues(Samples& samples, const std::vector<CueOptions>& options,
+                                  const std::vector<ReductionOptions>& reductions,
+                                  const std::optional<LearnedBefore>& learned, TrainingTask task) {
+  std::vector<TrainedCue> cues;
+  for (std::size_t c = 0; c < options.size(); ++c) {
+    if (learned) {
+      task.learned.emplace(LearnedCue{learned->machines[c], learned->changes, learned->new_places});
+    }
+    cues.push_back(trainCue(std::move(samples.features[c]), options[c], reductions, task));
+  }
+  return cues;
+}
+
+/// The cues together after each reduction.
+std::vector<CombinedValues> combineEach(const CalibrationSet& calibration_set, const Model& model) {
+  std::vector<CombinedValues> combined;
+  for (const std::vector<HeldOutValues>& cues : calibration_set.reductions) {
+    combined.push_back(combine(cues, model.cue_weights, model.decision_limit));
+  }
+  return combined;
+}
+
+/// Gives the model the classifiers of the cues after one of the reductions.
+void assemble(std::vector<TrainedCue> cues, std::size_t reduction, Training& training) {
+  for (std::size_t c = 0; c < cues.size(); ++c) {
+    KernelOptions& kernel = training.model.options.cues[c].kernel;
+    kernel.gamma = cues[c].gamma;
+    training.unreduced_vectors.push_back(cues[c].vectors.size());
+    training.model.classifiers.push_back(
+        ClassifierParts::assemble(kernel, std::move(cues[c].machines[reduction]),
+                                  std::move(cues[c].vectors), cues[c].origins));
+  }
+}
+
+/// Gives the model the probabilities of its answers. `held_out`: after the chosen reduction.
+void calibrateModel(const CombinedValues& held_out, const CalibrationSet& calibration_set,
+                    std::size_t reduction, Model& model) {
+  const Calibrated calibrated =
+      calibrate(held_out, calibration_set, model.options.unknown.false_alarm_rate);
+  model.held_out = keptFrames(calibration_set, reduction, model.options.seed);
+  model.calibration = calibrated.calibration;
+  model.unknown_threshold = calibrated.unknown_threshold;
+  model.validation = calibrated.validation;
+}
+
+/// Gives the model what the samples tell besides their features.
+void describe(const Samples& samples, Model& model) {
+  model.places = samples.places;
+  model.images = samples.image_profile;
+  if (followsLight(model.options)) model.colours = colourStatistics(samples.colours);
+  model.adjacency = samples.adjacency;
+  model.provenance = provenanceOf(samples);
+}
+
+/// What the samples and the held-out answers give reason to warn of.
+std::vector<std::string> warningsOf(const Samples& samples, const CombinedValues& held_out,
+                                    const CalibrationSet& calibration_set, int folds) {
+  std::vector<std::string> warnings = samples.warnings;
+  warnOfFewImages(samples, folds, warnings);
+  warnOfConfusedPairs(confusedPairs(held_out, calibration_set.samples, samples.places.size()),
+                      samples.places, warnings);
+  for (std::string& warning : warnOfLikeNames(samples.places)) {
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
 /// The steps from samples to a model, whose options are the requested ones and those found.
-/// `learned`: what to extend, if anything. `kept_weights`: of the cues; empty: to be found.
-Training learn(Samples samples, TrainingOptions options, double forgetting, unsigned threads,
-               const Progress& progress, const std::optional<LearnedBefore>& learned = {},
-               const std::vector<double>& kept_weights = {}) {
+Training learn(Samples samples, TrainingOptions options, const Kept& kept, unsigned threads,
+               const Progress& progress) {
   const std::size_t places = samples.places.size();
   report(progress, "Choosing blocks of time", 0);
   std::vector<Fold> folds = chooseFolds(samples, threads, options);
-  if (learned) folds = withRemembered(std::move(folds), samples.remembered);
-  const TrainingTask task{samples.origins, places,   folds,        options.svm,
-                          threads,         progress, options.seed, forgetting};
-
+  if (kept.learned) folds = withRemembered(std::move(folds), samples.remembered);
   const std::vector<ReductionOptions> reductions =
       reductionsInQuestion(options.reduction, samples.origins.size());
-  std::vector<TrainedCue> cues;
-  for (std::size_t c = 0; c < options.cues.size(); ++c) {
-    TrainingTask task_of_cue = task;
-    if (learned) {
-      task_of_cue.learned.emplace(
-          LearnedCue{learned->machines[c], learned->changes, learned->new_places});
-    }
-    cues.push_back(
-        trainCue(std::move(samples.features[c]), options.cues[c], reductions, task_of_cue));
-  }
-
+  const TrainingTask task{samples.origins, places,   folds,        options.svm,
+                          threads,         progress, options.seed, kept.forgetting};
+  std::vector<TrainedCue> cues = trainCues(samples, options.cues, reductions, kept.learned, task);
   CalibrationSet calibration_set = calibrationSetOf(samples, folds, cues, reductions.size());
-  if (!kept_weights.empty()) keepWhatIsUnknown(samples.origins.size(), calibration_set);
+  if (!kept.cue_weights.empty()) keepWhatIsUnknown(samples.origins.size(), calibration_set);
 
   Training training;
   Model& model = training.model;
   model.options = options;
   model.decision_limit = decisionLimit(options);
-  model.cue_weights =
-      !kept_weights.empty()
-          ? kept_weights
-          : chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
-                             model.decision_limit, calibration_set.samples, places);
-  std::vector<CombinedValues> held_out;
-  for (const std::vector<HeldOutValues>& reduced : calibration_set.reductions) {
-    held_out.push_back(combine(reduced, model.cue_weights, model.decision_limit));
+  model.cue_weights = kept.cue_weights;
+  if (model.cue_weights.empty()) {
+    model.cue_weights = chooseCueWeights(calibration_set.reductions[0], priorWeights(options.cues),
+                                         model.decision_limit, calibration_set.samples, places);
   }
+  const std::vector<CombinedValues> held_out = combineEach(calibration_set, model);
   const std::size_t chosen = chooseReduction(reductions, held_out, calibration_set.samples, places);
   model.options.reduction = reductions[chosen];
-  for (std::size_t c = 0; c < cues.size(); ++c) {
-    KernelOptions& kernel = model.options.cues[c].kernel;
-    kernel.gamma = cues[c].gamma;
-    training.unreduced_vectors.push_back(cues[c].vectors.size());
-    model.classifiers.push_back(ClassifierParts::assemble(
-        kernel, std::move(cues[c].machines[chosen]), std::move(cues[c].vectors), cues[c].origins));
-  }
+  assemble(std::move(cues), chosen, training);
 
   report(progress, "Calibrating", 0);
-  const Calibrated calibrated =
-      calibrate(held_out[chosen], calibration_set, options.unknown.false_alarm_rate);
-  model.held_out = keptFrames(calibration_set, chosen, options.seed);
-  model.calibration = calibrated.calibration;
-  model.unknown_threshold = calibrated.unknown_threshold;
-  model.validation = calibrated.validation;
-  model.places = samples.places;
-  model.images = samples.image_profile;
-  if (followsLight(options)) model.colours = colourStatistics(samples.colours);
-  model.adjacency = samples.adjacency;
+  calibrateModel(held_out[chosen], calibration_set, chosen, model);
+  describe(samples, model);
   model.cameras = learnCameraCorrelation(samples.cameras, samples.recordedOrigins(),
                                          held_out[chosen], model.calibration);
-  model.provenance = provenanceOf(samples);
-
   training.images = samples.recorded - samples.remembered;
   training.passed_over = samples.passed_over;
-  training.warnings = samples.warnings;
-  warnOfFewImages(samples, options.validation.folds, training.warnings);
-  warnOfConfusedPairs(confusedPairs(held_out[chosen], calibration_set.samples, places),
-                      model.places, training.warnings);
-  for (std::string& warning : warnOfLikeNames(model.places)) {
-    training.warnings.push_back(std::move(warning));
-  }
+  training.warnings =
+      warningsOf(samples, held_out[chosen], calibration_set, options.validation.folds);
   report(progress, "Calibrating", 1);
   return training;
 }
@@ -209,7 +247,7 @@ Training train(const std::vector<RecordingOpener>& recordings, const TrainingOpt
   return timed([&] {
     const TrainingOptions ready = withMirror(withNetworks(options), recordings);
     Training training =
-        learn(collectSamples(recordings, ready, threads, progress), ready, 0, threads, progress);
+        learn(collectSamples(recordings, ready, threads, progress), ready, {}, threads, progress);
     training.model.asked = options;
     return training;
   });
@@ -244,11 +282,10 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
     if (samples.origins.empty()) {
       throw Error("The models have no support vectors, and no images are added; add images.");
     }
-    std::optional<LearnedBefore> learned;
-    if (canLearnOn(model, samples, incremental)) learned = learnedBefore(model, samples);
-    Training training =
-        learn(std::move(samples), options, incremental.forgetting, threads, progress, learned,
-              incremental.other ? std::vector<double>() : model.cue_weights);
+    Kept kept{incremental.forgetting};
+    if (canLearnOn(model, samples, incremental)) kept.learned = learnedBefore(model, samples);
+    if (!incremental.other) kept.cue_weights = model.cue_weights;
+    Training training = learn(std::move(samples), options, kept, threads, progress);
     warnOfTightLimit(model, incremental.vector_limit, training.warnings);
     training.model.asked = model.asked;
     if (!training.model.cameras.known()) training.model.cameras = model.cameras;
