@@ -20,8 +20,6 @@
 namespace place_recognition {
 namespace {
 
-constexpr std::size_t kFewest = 5;  // frames
-
 /// The frames of places that `model` knows, with the model's indices of places.
 struct KnownFrames {
   std::vector<SampleOrigin> origins;
@@ -105,6 +103,39 @@ AnswerFigures figuresOf(const Model& model, const CombinedValues& combined,
           fractionBelow(evidenceOfStreams(model, combined, origins), model.unknown_threshold)};
 }
 
+/// Throws Error unless there are enough frames to calibrate on.
+void requireEnough(const KnownFrames& frames) {
+  constexpr std::size_t kFewest = 5;
+  if (frames.origins.empty()) {
+    throw Error("The runs show none of the places that the model knows; give one that does.");
+  }
+  if (frames.origins.size() >= kFewest) return;
+  throw Error("The runs have only " + counted(frames.origins.size(), "usable image") +
+              " of places that the model knows; give at least " + std::to_string(kFewest) + ".");
+}
+
+CombinedValues combineCues(const CalibrationSet& calibration_set, const Model& model) {
+  return combine(calibration_set.reductions.front(), model.cue_weights, model.decision_limit);
+}
+
+/// Fits the model to the frames of the calibration set. Returns the figures of its answers, each
+/// block of a room judged by a calibration fitted on the others.
+AnswerFigures fit(const CalibrationSet& calibration_set, Model& model) {
+  const std::vector<SampleOrigin>& samples = calibration_set.samples;
+  const double false_alarm_rate = model.options.unknown.false_alarm_rate;
+  model.cue_weights =
+      chooseCueWeights(calibration_set.reductions.front(), priorWeights(model.options.cues),
+                       model.decision_limit, samples, model.places.size());
+  const CombinedValues combined = combineCues(calibration_set, model);
+  const Calibrated calibrated = calibrate(combined, calibration_set, false_alarm_rate);
+  model.calibration = calibrated.calibration;
+  model.validation = calibrated.validation;
+  model.held_out = keptFrames(calibration_set, 0, model.options.seed);
+  model.unknown_threshold = quantile(evidenceOfStreams(model, combined, samples), false_alarm_rate);
+  return {calibrated.validation.average_rate, calibrated.validation.calibration_error,
+          calibrated.unknown};
+}
+
 }  // namespace
 
 Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recordings,
@@ -120,36 +151,16 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
                               ", so it seems to be right and sure more often than on other runs.");
   }
   const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);
-  if (frames.origins.empty()) {
-    throw Error("The runs show none of the places that the model knows; give one that does.");
-  }
-  if (frames.origins.size() < kFewest) {
-    throw Error("The runs have only " + counted(frames.origins.size(), "usable image") +
-                " of places that the model knows; give at least " + std::to_string(kFewest) + ".");
-  }
+  requireEnough(frames);
   report(progress, "Calibrating", 0);
   result.images = frames.origins.size();
-  CalibrationSet calibration_set{frames.origins,
-                                 {},
-                                 {modelAnswers(model, frames.features)},
-                                 std::vector<bool>(frames.origins.size(), true)};
-  const std::vector<HeldOutValues>& cues = calibration_set.reductions.front();
-  result.before =
-      figuresOf(model, combine(cues, model.cue_weights, model.decision_limit), frames.origins);
-
-  calibration_set.folds = longestBlockFolds(frames.origins, options.validation.folds, 0);
-  model.cue_weights = chooseCueWeights(cues, priorWeights(options.cues), model.decision_limit,
-                                       frames.origins, model.places.size());
-  const CombinedValues combined = combine(cues, model.cue_weights, model.decision_limit);
-  const double false_alarm_rate = options.unknown.false_alarm_rate;
-  const Calibrated calibrated = calibrate(combined, calibration_set, false_alarm_rate);
-  model.calibration = calibrated.calibration;
-  model.validation = calibrated.validation;
-  model.held_out = keptFrames(calibration_set, 0, model.options.seed);
-  model.unknown_threshold =
-      quantile(evidenceOfStreams(model, combined, frames.origins), false_alarm_rate);
-  result.after = {calibrated.validation.average_rate, calibrated.validation.calibration_error,
-                  calibrated.unknown};
+  const CalibrationSet calibration_set{
+      frames.origins,
+      longestBlockFolds(frames.origins, options.validation.folds, 0),
+      {modelAnswers(model, frames.features)},
+      std::vector<bool>(frames.origins.size(), true)};
+  result.before = figuresOf(model, combineCues(calibration_set, model), frames.origins);
+  result.after = fit(calibration_set, model);
   result.model = std::move(model);
   report(progress, "Calibrating", 1);
   return result;
