@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "error_of.h"
+
 namespace place_recognition {
 namespace {
 
@@ -51,13 +53,8 @@ Whole readWhole(const std::string& yaml) {
   return whole;
 }
 
-std::string messageFor(const std::string& yaml) {
-  try {
-    readWhole(yaml);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+std::string errorIn(const std::string& yaml) {
+  return errorOf([&] { readWhole(yaml); });
 }
 
 TEST(Options, KeepDefaultsForWhatIsNotNamed) {
@@ -92,24 +89,24 @@ TEST(Options, ReadBackWhatTheyWrite) {
 }
 
 TEST(Options, RefuseUnknownKeysAndListTheKnown) {
-  EXPECT_EQ(messageFor("of: true"),
+  EXPECT_EQ(errorIn("of: true"),
             "Unknown option 'of' in the configuration; the known ones are: on, seed, parts.");
-  EXPECT_EQ(messageFor("parts: [{shape: {radius: 1, sides: 2}}]"),
+  EXPECT_EQ(errorIn("parts: [{shape: {radius: 1, sides: 2}}]"),
             "Unknown option 'sides' in 'parts[0].shape'; the known ones are: type, radius.");
 }
 
 TEST(Options, RefuseUnknownTypesWrongKindsAndRepetitions) {
-  EXPECT_EQ(messageFor("parts: [{shape: {type: oval}}]"),
+  EXPECT_EQ(errorIn("parts: [{shape: {type: oval}}]"),
             "Unknown type 'oval' in 'parts[0].shape'; the known ones are: round, square.");
-  EXPECT_EQ(messageFor("on: maybe"), "Option 'on' is 'maybe'; give true or false.");
-  EXPECT_EQ(messageFor("seed: -1"), "Option 'seed' is '-1'; give a whole number from 0.");
-  EXPECT_EQ(messageFor("seed: [1]"),
+  EXPECT_EQ(errorIn("on: maybe"), "Option 'on' is 'maybe'; give true or false.");
+  EXPECT_EQ(errorIn("seed: -1"), "Option 'seed' is '-1'; give a whole number from 0.");
+  EXPECT_EQ(errorIn("seed: [1]"),
             "Option 'seed' is a list or mapping; give a whole number from 0.");
-  EXPECT_EQ(messageFor("parts: [{shape: {radius: .nan}}]"),
+  EXPECT_EQ(errorIn("parts: [{shape: {radius: .nan}}]"),
             "Option 'parts[0].shape.radius' is not finite; give a finite number.");
-  EXPECT_NE(messageFor("{on: true, on: false}"), "");
-  EXPECT_NE(messageFor("[on]"), "");
-  EXPECT_NE(messageFor("on: {"), "");
+  EXPECT_NE(errorIn("{on: true, on: false}"), "");
+  EXPECT_NE(errorIn("[on]"), "");
+  EXPECT_NE(errorIn("on: {"), "");
 }
 
 TEST(Options, AssignByKeyNumberAndName) {

@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "datasets/image_file.h"
-#include "place_recognition/error.h"
+#include "error_of.h"
 #include "place_recognition/recording.h"
 #include "recognition/drawn_recording.h"
 #include "scratch_folder.h"
@@ -28,12 +28,7 @@ std::vector<Frame> framesOf(const std::string& folder) {
 }
 
 std::string complaint(const std::string& folder) {
-  try {
-    openFolderRecording(folder);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return errorOf([&] { openFolderRecording(folder); });
 }
 
 TEST(FolderRecording, ReadsRoomsInNaturalOrder) {

@@ -4,10 +4,10 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "error_of.h"
 #include "evaluation/made_up_evaluation.h"
 #include "evaluation/result_table.h"
 #include "evaluation/summary.h"
-#include "place_recognition/error.h"
 #include "recognition/drawn_recording.h"
 
 namespace place_recognition {
@@ -66,12 +66,7 @@ std::shared_ptr<const Model> model() {
 }
 
 std::string refusal(const std::vector<Frame>& frames) {
-  try {
-    evaluate(model(), {opener(frames, "walk.bag")});
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return errorOf([&] { evaluate(model(), {opener(frames, "walk.bag")}); });
 }
 
 TEST(Evaluate, AnswersEveryLabelledImage) {

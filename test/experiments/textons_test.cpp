@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "error_of.h"
 #include "experiments/material_features.h"
 #include "scratch_folder.h"
 
@@ -166,12 +167,8 @@ TEST_F(MaterialFeaturesTest, TextonsAreLearnedFromTrainingSamplesOnly) {
 
 TEST_F(MaterialFeaturesTest, AnImageThatCannotBeReadIsNamed) {
   std::remove(sets_[2].images[1].path.c_str());
-  try {
-    extractMaterials("mr8", sets_, {{0}}, 1, {});
-    FAIL();
-  } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("cork21.png"), std::string::npos) << error.what();
-  }
+  const std::string error = errorOf([&] { extractMaterials("mr8", sets_, {{0}}, 1, {}); });
+  EXPECT_NE(error.find("cork21.png"), std::string::npos) << error;
 }
 
 TEST(MaterialSplits, TrainOnEachSampleEquallyOften) {

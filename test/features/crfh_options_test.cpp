@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "base/options.h"
-#include "place_recognition/error.h"
+#include "error_of.h"
 #include "place_recognition/feature_options.h"
 
 namespace place_recognition {
@@ -12,12 +12,8 @@ namespace {
 void expectRefused(const std::function<void(CrfhOptions&)>& change, const std::string& word) {
   CrfhOptions options;
   change(options);
-  try {
-    options.check();
-    ADD_FAILURE() << "accepted, though " << word << " is wrong";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-  }
+  const std::string error = errorOf([&] { options.check(); });
+  EXPECT_NE(error.find(word), std::string::npos) << "expected " << word << " in: " << error;
 }
 
 TEST(CrfhOptions, DefaultsAreTheThesisBest) {

@@ -2,6 +2,7 @@
 
 #include <opencv2/core/version.hpp>
 
+#include "error_of.h"
 #include "features/onnx_graph.h"
 #include "features/small_network.h"
 #include "place_recognition/error.h"
@@ -12,24 +13,21 @@ namespace place_recognition {
 namespace {
 
 /// Returns the message of the Error that loading `onnx` from a file throws; empty if none.
-std::string problemOf(const std::string& onnx, EmbeddingOptions options = {}) {
+std::string errorIn(const std::string& onnx, EmbeddingOptions options = {}) {
   const ScratchFolder folder;
   options.network = folder.write("tried.onnx", onnx);
-  try {
-    loadNetwork(options);
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find(options.network), std::string::npos) << e.what();
-    EXPECT_NE(std::string(e.what()).find(CV_VERSION), std::string::npos) << e.what();
-    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
-    return e.what();
-  }
-  return "";
+  const std::string error = errorOf([&] { loadNetwork(options); });
+  if (error.empty()) return error;
+  EXPECT_NE(error.find(options.network), std::string::npos) << error;
+  EXPECT_NE(error.find(CV_VERSION), std::string::npos) << error;
+  EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+  return error;
 }
 
 void expectRefused(const std::string& onnx, const std::string& words,
                    const EmbeddingOptions& options = {}) {
-  const std::string problem = problemOf(onnx, options);
-  EXPECT_NE(problem.find(words), std::string::npos) << problem;
+  const std::string error = errorIn(onnx, options);
+  EXPECT_NE(error.find(words), std::string::npos) << error;
 }
 
 /// Returns a network with 16 x 16 input pixels and these fields in its graph.
@@ -44,20 +42,16 @@ std::string networkOf(const std::string& fields) {
 TEST(LoadNetwork, NamesWhatIsMissing) {
   EmbeddingOptions options;
   options.network = "absent";
-  try {
-    loadNetwork(options);
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("--name absent"), std::string::npos);
-    EXPECT_NE(std::string(e.what()).find("'absent'"), std::string::npos);
-  }
+  const std::string error = errorOf([&] { loadNetwork(options); });
+  EXPECT_NE(error.find("--name absent"), std::string::npos) << error;
+  EXPECT_NE(error.find("'absent'"), std::string::npos) << error;
   options.network = "/nowhere/a.onnx";
   EXPECT_THROW(loadNetwork(options), Error);
 }
 
 TEST(LoadNetwork, RefusesFilesThatAreNotNetworks) {
   const std::string sound = SmallNetwork::onnx();
-  EXPECT_EQ(problemOf(sound), "");
+  EXPECT_EQ(errorIn(sound), "");
   expectRefused("", "not an ONNX file");
   expectRefused("\x89PNG\r\n", "not an ONNX file");
   expectRefused(sound.substr(0, sound.size() / 2), "not an ONNX file");
@@ -83,7 +77,7 @@ TEST(LoadNetwork, RefusesWhatWouldHarmOpenCv) {
   };
   const std::string kernel = SmallNetwork::ints("kernel_shape", {3, 3});
   const std::string weights = SmallNetwork::tensor("w", {6, 3, 3, 3});
-  EXPECT_EQ(problemOf(conv(kernel, weights)), "");
+  EXPECT_EQ(errorIn(conv(kernel, weights)), "");
   expectRefused(conv(SmallNetwork::ints("kernel_shape", {0, 3}), weights), "out of range");
   expectRefused(conv(kernel + SmallNetwork::ints("strides", {0, 0}), weights), "out of range");
   expectRefused(conv(kernel + SmallNetwork::ints("pads", {1 << 30, 0, 0, 0}), weights),
@@ -107,7 +101,7 @@ TEST(LoadNetwork, RefusesToJoinConstantsAlongAnAxisThatTheyLack) {
                      SmallNetwork::node("add", "Add", {"image", "both"}, "out", "") +
                      SmallNetwork::tensor("w", {1, 3, 8, 16}));
   };
-  EXPECT_EQ(problemOf(joined(2)).find("'axis'"), std::string::npos);
+  EXPECT_EQ(errorIn(joined(2)).find("'axis'"), std::string::npos);
   expectRefused(joined(9), "layer 'join' (Concat): 'axis' is out of range");
   expectRefused(joined(-2), "layer 'join' (Concat): 'axis' is out of range");
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "error_of.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -70,13 +71,11 @@ TEST(LabelKeys, ButtonsCanBeChosen) {
 
 TEST(LabelKeys, ButtonsCountFromZero) {
   for (const int button : {-5, -1}) {
-    try {
-      LabelKeys(kPlaces, {0, button}, -1);
-      ADD_FAILURE() << button;
-    } catch (const Error& e) {
-      EXPECT_EQ(std::string(e.what()), "The parameter ~buttons has " + std::to_string(button) +
-                                           "; give numbers from 0, the first button.");
-    }
+    EXPECT_EQ(errorOf([&] {
+                LabelKeys(kPlaces, {0, button}, -1);
+              }),
+              "The parameter ~buttons has " + std::to_string(button) +
+                  "; give numbers from 0, the first button.");
   }
 }
 

@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "error_of.h"
 #include "labels/labels.h"
-#include "place_recognition/error.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
@@ -19,17 +19,12 @@ class LabelLinesFile : public testing::Test {
     return Labels::fromFile(scratch_.write("labels.dat", text), start, start + 100);
   }
 
-  std::string errorOf(const std::string& text, double start = 1000) {
-    try {
-      labels(text, start);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "";
+  std::string errorIn(const std::string& text, double start = 1000) {
+    return errorOf([&] { labels(text, start); });
   }
 
   void expectError(const std::string& text, const std::string& words, double start = 1000) {
-    const std::string error = errorOf(text, start);
+    const std::string error = errorIn(text, start);
     EXPECT_NE(error.find(words), std::string::npos) << text << "-> " << error;
   }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "error_of.h"
 #include "place_recognition/error.h"
 #include "scratch_folder.h"
 
@@ -21,13 +22,8 @@ class LabelFiles : public testing::Test {
     return Labels::fromFile(scratch_.write(name, text), 1000, 1100);
   }
 
-  std::string errorOf(const std::string& name, const std::string& text) {
-    try {
-      read(name, text);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "";
+  std::string errorIn(const std::string& name, const std::string& text) {
+    return errorOf([&] { read(name, text); });
   }
 
   ScratchFolder scratch_;
@@ -63,11 +59,11 @@ TEST_F(LabelFiles, AbsoluteIntervalsInAnyOrder) {
 
 TEST_F(LabelFiles, AnEmptyListMeansNoLabels) {
   EXPECT_EQ(read("run.labels.yaml", "labels: []\n").at(1050), "");
-  EXPECT_NE(errorOf("run.labels.yaml", "times: relative\n"), "");
+  EXPECT_NE(errorIn("run.labels.yaml", "times: relative\n"), "");
   for (const char* text : {"labels:\n", "labels: {}\n"}) {  // possibly unintended
-    EXPECT_NE(errorOf("run.labels.yaml", text).find("write 'labels: []'"), std::string::npos);
+    EXPECT_NE(errorIn("run.labels.yaml", text).find("write 'labels: []'"), std::string::npos);
   }
-  EXPECT_NE(errorOf("run.labels.yaml", "times: bag\nlabels: []\n").find("'bag'"),
+  EXPECT_NE(errorIn("run.labels.yaml", "times: bag\nlabels: []\n").find("'bag'"),
             std::string::npos);
 }
 
@@ -85,19 +81,19 @@ TEST_F(LabelFiles, ColdLinesHoldUntilTheNext) {
 }
 
 TEST_F(LabelFiles, FaultsAreNamed) {
-  EXPECT_NE(errorOf("labels.dat", "1000 a\n999 b\n").find("line 2: time runs backwards"),
+  EXPECT_NE(errorIn("labels.dat", "1000 a\n999 b\n").find("line 2: time runs backwards"),
             std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "1000 a\nkitchen\n").find("line 2"), std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "1000\n").find("line 1"), std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "1000 a\x80\n").find("not a place name"), std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "1000 a\n1001 Unknown\n")
+  EXPECT_NE(errorIn("labels.dat", "1000 a\nkitchen\n").find("line 2"), std::string::npos);
+  EXPECT_NE(errorIn("labels.dat", "1000\n").find("line 1"), std::string::npos);
+  EXPECT_NE(errorIn("labels.dat", "1000 a\x80\n").find("not a place name"), std::string::npos);
+  EXPECT_NE(errorIn("labels.dat", "1000 a\n1001 Unknown\n")
                 .find("line 2: the label 'Unknown' is reserved for unknown places"),
             std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "").find("no label falls into the bag"), std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "990 a\n").find("no label falls"), std::string::npos);
-  EXPECT_NE(errorOf("labels.dat", "1101 a\n").find("no label falls"), std::string::npos);
+  EXPECT_NE(errorIn("labels.dat", "").find("no label falls into the bag"), std::string::npos);
+  EXPECT_NE(errorIn("labels.dat", "990 a\n").find("no label falls"), std::string::npos);
+  EXPECT_NE(errorIn("labels.dat", "1101 a\n").find("no label falls"), std::string::npos);
 
-  const auto yaml = [this](const std::string& text) { return errorOf("run.labels.yaml", text); };
+  const auto yaml = [this](const std::string& text) { return errorIn("run.labels.yaml", text); };
   EXPECT_NE(yaml("labels: [{from: 0, to: 9, place: a}, {from: 8, place: b}]").find("overlap"),
             std::string::npos);
   EXPECT_NE(yaml("labels: [{from: 8, place: a}, {from: 8, place: b}]").find("'a' and 'b' overlap"),
@@ -193,7 +189,7 @@ TEST_F(LabelFiles, UnusualWaysAreSaid) {
 
 TEST_F(LabelFiles, WhatCouldBeMisreadIsRefusedByItsLine) {
   const auto refused = [this](const std::string& text, const std::string& line) {
-    const std::string error = errorOf("labels.dat", text);
+    const std::string error = errorIn("labels.dat", text);
     EXPECT_NE(error.find("labels.dat, line " + line), std::string::npos) << text << error;
   };
   refused("1000 a\n1010,b\n", "2");                // another separator

@@ -8,25 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "error_of.h"
 #include "place_recognition/error.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
 namespace {
 
-std::string errorOf(const std::string& yaml) {
-  const ScratchFolder scratch;
-  try {
-    readRoomPolygons(scratch.write("rooms.yaml", yaml));
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
-}
-
 RoomPolygons roomsOf(const std::string& yaml) {
   const ScratchFolder scratch;
   return readRoomPolygons(scratch.write("rooms.yaml", yaml));
+}
+
+std::string errorIn(const std::string& yaml) {
+  return errorOf([&] { roomsOf(yaml); });
 }
 
 /// Two rooms side by side, a wall (or doorway) at x = 4.
@@ -111,7 +106,7 @@ TEST(RoomPolygons, OfOneNameAreOneArea) {
 
 TEST(RoomPolygons, OfABadFileSayWhatIsWrong) {
   const auto expectError = [](const std::string& yaml, const std::string& reason) {
-    EXPECT_NE(errorOf(yaml).find(reason), std::string::npos) << errorOf(yaml);
+    EXPECT_NE(errorIn(yaml).find(reason), std::string::npos) << errorIn(yaml);
   };
   expectError("places: []", "does not name a room");
   expectError("rooms: []", "places");

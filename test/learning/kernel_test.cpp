@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "error_of.h"
 #include "learning/random_features.h"
-#include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
@@ -98,13 +98,8 @@ TEST(Kernel, LocalMatchOfSetsOfDifferentSizes) {
   EXPECT_EQ(kernel(two, zero), kernel(zero, two));
 }
 
-std::string messageOf(const Kernel& kernel, const Feature& x, const Feature& y) {
-  try {
-    kernel.measure(x, y);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string errorIn(const Kernel& kernel, const Feature& x, const Feature& y) {
+  return errorOf([&] { kernel.measure(x, y); });
 }
 
 TEST(Kernel, RefusesWhatItHasNoMeaningFor) {
@@ -115,17 +110,17 @@ TEST(Kernel, RefusesWhatItHasNoMeaningFor) {
   const Kernel local(kernelOptions("local-match"));
   const Kernel chi_squared(kernelOptions("chi-squared"));
 
-  EXPECT_NE(messageOf(linear, set, set).find("use one of: local-match"), std::string::npos);
-  EXPECT_NE(messageOf(local, vector, vector)
+  EXPECT_NE(errorIn(linear, set, set).find("use one of: local-match"), std::string::npos);
+  EXPECT_NE(errorIn(local, vector, vector)
                 .find("linear, polynomial, gaussian, sigmoid, "
                       "chi-squared, intersection"),
             std::string::npos);
-  EXPECT_NE(messageOf(chi_squared, random.dense(4, -1, 0), vector).find("negative"),
+  EXPECT_NE(errorIn(chi_squared, random.dense(4, -1, 0), vector).find("negative"),
             std::string::npos);
-  EXPECT_NE(messageOf(linear, vector, random.dense(5)), "");
-  EXPECT_NE(messageOf(linear, vector, SparseVector{{0}, {1}}), "");
-  EXPECT_NE(messageOf(linear, Feature(), Feature()), "");
-  EXPECT_NE(messageOf(local, DescriptorSet(), set), "");
+  EXPECT_NE(errorIn(linear, vector, random.dense(5)), "");
+  EXPECT_NE(errorIn(linear, vector, SparseVector{{0}, {1}}), "");
+  EXPECT_NE(errorIn(linear, Feature(), Feature()), "");
+  EXPECT_NE(errorIn(local, DescriptorSet(), set), "");
 }
 
 TEST(Kernel, OnlyLocalMatchNeedsGammaForItsMeasure) {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 
 namespace place_recognition {
 namespace {
@@ -14,12 +14,7 @@ template <typename Options, typename Change>
 std::string complaint(Change change) {
   Options options;
   change(options);
-  try {
-    options.check();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { options.check(); });
 }
 
 TEST(LearningOptions, DefaultsAreGood) {

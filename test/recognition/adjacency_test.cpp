@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
@@ -10,13 +10,8 @@ namespace {
 
 const std::vector<std::string> kPlaces{"corridor", "kitchen", "office"};
 
-std::string messageOf(const std::string& yaml) {
-  try {
-    parseAdjacency(yaml, "map.yaml", kPlaces);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+std::string errorIn(const std::string& yaml) {
+  return errorOf([&] { parseAdjacency(yaml, "map.yaml", kPlaces); });
 }
 
 TEST(Adjacency, EverythingAdjoinsUntilPairsAreKnown) {
@@ -47,14 +42,14 @@ TEST(Adjacency, IsReadAndWrittenAsYaml) {
 }
 
 TEST(Adjacency, RefusesWhatIsNoMapOfTheRooms) {
-  EXPECT_EQ(messageOf("rooms: {kitchen: [bathroom]}"),
+  EXPECT_EQ(errorIn("rooms: {kitchen: [bathroom]}"),
             "Room 'bathroom' in 'map.yaml' is not one of the model's: corridor, kitchen, office.");
-  EXPECT_NE(messageOf("rooms: {attic: []}").find("'attic'"), std::string::npos);
-  EXPECT_NE(messageOf("rooms: {kitchen: [kitchen]}").find("adjoins itself"), std::string::npos);
+  EXPECT_NE(errorIn("rooms: {attic: []}").find("'attic'"), std::string::npos);
+  EXPECT_NE(errorIn("rooms: {kitchen: [kitchen]}").find("adjoins itself"), std::string::npos);
   for (const char* text :
        {"", "[kitchen]", "kitchen: [corridor]", "rooms: [kitchen]", "rooms: {kitchen: corridor}",
         "rooms: {kitchen: [{a: b}]}", "rooms: {[a]: [kitchen]}", "rooms: {}\nroom: {}"}) {
-    EXPECT_NE(messageOf(text).find("rooms: {kitchen: [corridor], ...}"), std::string::npos) << text;
+    EXPECT_NE(errorIn(text).find("rooms: {kitchen: [corridor], ...}"), std::string::npos) << text;
   }
 }
 

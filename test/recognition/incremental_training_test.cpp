@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "error_of.h"
 #include "features/small_network.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
@@ -169,12 +170,7 @@ TEST(TrainIncrementally, AModelOfOtherFeaturesCannotJoin) {
     Model a = train({opener(drawFrames(2, 8))}, quickOptions()).model;
     Model b = train({opener(std::move(frames))}, options).model;
     a.name = "ours", b.name = "theirs";
-    try {
-      trainIncrementally(a, {}, from(b));
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return errorOf([&] { trainIncrementally(a, {}, from(b)); });
   };
   TrainingOptions options = quickOptions();
   EXPECT_EQ(problem(options, drawFrames(3, 8)), "");

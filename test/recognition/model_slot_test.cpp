@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "error_of.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "recognition/drawn_recording.h"
@@ -31,13 +32,8 @@ class ModelSlots : public testing::Test {
     saveModel(train({opener(drawFrames(rooms, 8))}, quickOptions()).model, namedModelPath(name));
   }
 
-  std::string errorOf(const std::string& name) {
-    try {
-      slot_.load(name);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "";
+  std::string errorOfLoading(const std::string& name) {
+    return errorOf([&] { slot_.load(name); });
   }
 
   ScratchFolder scratch_;
@@ -74,7 +70,7 @@ TEST_F(ModelSlots, KeepTheModelIfTheNextIsBad) {
   std::filesystem::copy_file(namedModelPath("three"), namedModelPath("cut"));
   std::filesystem::resize_file(namedModelPath("cut"), 1000);
   for (const char* name : {"cut", "none", "../two", "", "two.places"}) {
-    const std::string error = errorOf(name);
+    const std::string error = errorOfLoading(name);
     EXPECT_NE(error, "") << name;
     EXPECT_EQ(slot_.problem(), error);
     EXPECT_EQ(slot_.model(), two);
@@ -85,7 +81,7 @@ TEST_F(ModelSlots, KeepTheModelIfTheNextIsBad) {
 }
 
 TEST_F(ModelSlots, ReloadWhatWasMissingAtFirst) {
-  EXPECT_NE(errorOf("later"), "");
+  EXPECT_NE(errorOfLoading("later"), "");
   save("later", 2);
   slot_.reload();
   EXPECT_EQ(slot_.model()->name, "later");
@@ -97,7 +93,7 @@ TEST_F(ModelSlots, AreNotConfusedByManyAtOnce) {
   std::vector<std::thread> loaders;
   for (const char* name : {"two", "three", "none"}) {
     loaders.emplace_back([this, name, &done] {
-      while (!done) errorOf(name);
+      while (!done) errorOfLoading(name);
     });
   }
   // The file is replaced while it is being read.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "error_of.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
@@ -199,15 +200,10 @@ TEST(OmniTraining, FindsTheMirrorOnceAndKeepsIt) {
 }
 
 TEST(OmniTraining, SaysThatThereIsNoMirror) {
-  try {
-    train({opener(drawFrames(2, 10))}, omniOptions());
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find(
-                  "No mirror of an omnidirectional camera is found in the images of drawn"),
-              std::string::npos)
-        << e.what();
-  }
+  const std::string error = errorOf([] { train({opener(drawFrames(2, 10))}, omniOptions()); });
+  EXPECT_NE(error.find("No mirror of an omnidirectional camera is found in the images of drawn"),
+            std::string::npos)
+      << error;
 }
 
 TEST(OmniOptions, AreChecked) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 #include "recognition/over_time/transition_model.h"
 
 namespace place_recognition {
@@ -277,12 +277,8 @@ TEST(TemporalFilter, RefusesOptionsOutOfRange) {
     TemporalFilterOptions::visit(options, [&](const char* name, double& field, const char*) {
       if (name == key) field = value;
     });
-    try {
-      options.check();
-    } catch (const Error& e) {
-      return std::string(e.what()).find("'" + key + "'") != std::string::npos;
-    }
-    return false;
+    const std::string error = errorOf([&] { options.check(); });
+    return error.find("'" + key + "'") != std::string::npos;
   };
   const TemporalFilterOptions defaults;
   EXPECT_NO_THROW(defaults.check());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "error_of.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
@@ -15,12 +16,7 @@ namespace {
 
 /// Returns the error message of train().
 std::string refusal(const std::vector<Frame>& frames) {
-  try {
-    train({opener(frames, "walk.bag")}, quickOptions(), 1);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return errorOf([&] { train({opener(frames, "walk.bag")}, quickOptions(), 1); });
 }
 
 void expectFinite(const Training& training, const cv::Mat& image) {
@@ -81,26 +77,16 @@ TEST(TrainingInput, LeavesOutImagesOfOneColour) {
   for (Frame& frame : frames) {
     if (frame.place == "room1") frame.image = uniformImage(cv::Scalar::all(3), 7);
   }
-  try {
-    train({opener(frames)}, quickOptions());
-    ADD_FAILURE() << "no error";
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("Only 'room0' of the 2 places"), std::string::npos)
-        << e.what();
-  }
+  const std::string error = refusal(frames);
+  EXPECT_NE(error.find("Only 'room0' of the 2 places"), std::string::npos) << error;
 }
 
 TEST(TrainingInput, RefusesBlackImages) {
   std::vector<Frame> frames = drawFrames(2, 6);
   for (Frame& frame : frames) frame.image = cv::Mat::zeros(72, 96, CV_8UC3);
-  try {
-    train({opener(frames)}, quickOptions());
-    ADD_FAILURE() << "no error";
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("can be used (frame0: it shows nothing but one colour)"),
-              std::string::npos)
-        << e.what();
-  }
+  const std::string error = refusal(frames);
+  EXPECT_NE(error.find("can be used (frame0: it shows nothing but one colour)"), std::string::npos)
+      << error;
 }
 
 TEST(TrainingInput, SaysWhyItRefuses) {
@@ -140,12 +126,8 @@ TEST(TrainingInput, NamesTheKernelThatOverflows) {
   options.cues[0].kernel.type = "polynomial";
   options.cues[0].kernel.p = 1e31;
   options.cues[0].kernel.d = 10;
-  try {
-    train({opener(drawFrames(2, 12))}, options);
-    ADD_FAILURE() << "no complaint";
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("cues.edges.kernel.p"), std::string::npos) << e.what();
-  }
+  const std::string error = errorOf([&] { train({opener(drawFrames(2, 12))}, options); });
+  EXPECT_NE(error.find("cues.edges.kernel.p"), std::string::npos) << error;
 }
 
 TEST(TrainingInput, SurvivesOneImagePerRoom) {

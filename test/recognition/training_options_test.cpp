@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/options.h"
+#include "error_of.h"
 #include "features/small_network.h"
-#include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
@@ -18,12 +18,7 @@ TEST(TrainingOptions, ReadBackAsWritten) {
 
 TEST(TrainingOptions, NamesTheFieldOutOfRange) {
   const auto complaint = [](const TrainingOptions& options) {
-    try {
-      options.check();
-    } catch (const Error& e) {
-      return std::string(e.what());
-    }
-    return std::string();
+    return errorOf([&] { options.check(); });
   };
   TrainingOptions options;
   EXPECT_EQ(complaint(options), "");

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/drawn_recording.h"
@@ -39,13 +39,11 @@ void expectSound(const Model& trained, const std::vector<Frame>& frames) {
 
 /// Returns whether `frames` can be learned. Expects a refusal to be a sentence.
 bool trains(const std::vector<Frame>& frames, const TrainingOptions& options) {
-  try {
-    expectSound(train({opener(frames)}, options).model, frames);
-    return true;
-  } catch (const Error& e) {
-    EXPECT_GT(std::string(e.what()).size(), 20u) << e.what();
-    return false;
-  }
+  const std::string error =
+      errorOf([&] { expectSound(train({opener(frames)}, options).model, frames); });
+  if (error.empty()) return true;
+  EXPECT_GT(error.size(), 20u) << error;
+  return false;
 }
 
 std::vector<Frame> withImage(std::vector<Frame> frames, const cv::Mat& image) {

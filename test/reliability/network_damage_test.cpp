@@ -6,9 +6,9 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "error_of.h"
 #include "features/embedding.h"
 #include "features/small_network.h"
-#include "place_recognition/error.h"
 #include "place_recognition/network.h"
 #include "reliability/damage.h"
 #include "rounds.h"
@@ -19,15 +19,11 @@ namespace {
 
 /// Returns false if the network is refused.
 bool load(EmbeddingOptions& options) {
-  try {
-    loadNetwork(options);
-    return true;
-  } catch (const Error& e) {
-    const std::string message = e.what();
-    EXPECT_NE(message.find(options.network), std::string::npos) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return false;
-  }
+  const std::string error = errorOf([&] { loadNetwork(options); });
+  if (error.empty()) return true;
+  EXPECT_NE(error.find(options.network), std::string::npos) << error;
+  EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+  return false;
 }
 
 void expectUsable(EmbeddingOptions options) {

@@ -92,7 +92,8 @@ TEST_F(Bags, ABrokenLinkToALabelsFileIsNotPassedOver) {
   for (const char* name : {"run.labels.yaml", "run.labels.yml", "labels.dat"}) {
     const std::string link = scratch_ / name;
     std::filesystem::create_symlink("nowhere", link);
-    EXPECT_NE(errorOf(path_).find(std::string(name) + ": it is a broken link"), std::string::npos);
+    EXPECT_NE(errorOfReading(path_).find(std::string(name) + ": it is a broken link"),
+              std::string::npos);
     std::filesystem::remove(link);
   }
 }
@@ -101,14 +102,14 @@ TEST_F(Bags, ALabelTopicThatWasAskedForMustBeThere) {
   writeRun(path_);
   BagRecordingOptions options;
   options.label_topic = "/rooms";
-  EXPECT_NE(errorOf(path_, options).find("no topic /rooms for labels"), std::string::npos);
+  EXPECT_NE(errorOfReading(path_, options).find("no topic /rooms for labels"), std::string::npos);
 }
 
 TEST_F(Bags, ALabelTopicOfAnotherTypeIsRefused) {
   writeRun(path_);
   BagRecordingOptions options;
   options.label_topic = "/camera/image_raw/compressed";
-  EXPECT_NE(errorOf(path_, options).find("not std_msgs/String"), std::string::npos);
+  EXPECT_NE(errorOfReading(path_, options).find("not std_msgs/String"), std::string::npos);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_F(Bags, TheOnlyCameraIsTaken) {
 
 TEST_F(Bags, OneOfSeveralCamerasIsAskedFor) {
   writeTopics(path_, {"/left/image_raw", "/right/image_raw"}, {"/depth/compressedDepth"});
-  const std::string error = errorOf(path_);
+  const std::string error = errorOfReading(path_);
   EXPECT_NE(error.find("--image-topic"), std::string::npos) << error;
   EXPECT_NE(error.find("/right/image_raw"), std::string::npos) << error;
   EXPECT_EQ(error.find("compressedDepth"), std::string::npos) << error;
@@ -216,13 +216,13 @@ TEST_F(Bags, WithTwoCamerasAskForOne) {
     bag.write("/left", ros::Time(1), toImageMessage(image(1), std_msgs::Header()));
     bag.write("/right", ros::Time(1), toImageMessage(image(2), std_msgs::Header()));
   }
-  EXPECT_NE(errorOf(path_).find("/left (sensor_msgs/Image), /right (sensor_msgs/Image)"),
+  EXPECT_NE(errorOfReading(path_).find("/left (sensor_msgs/Image), /right (sensor_msgs/Image)"),
             std::string::npos);
   BagRecordingOptions options;
   options.image_topics = {"/right"};
   ASSERT_EQ(readAll(path_, options).size(), 1u);
   options.image_topics = {"/middle"};
-  EXPECT_NE(errorOf(path_, options).find("no images on /middle"), std::string::npos);
+  EXPECT_NE(errorOfReading(path_, options).find("no images on /middle"), std::string::npos);
 }
 
 TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
@@ -251,11 +251,12 @@ TEST_F(Bags, OfSeveralCamerasAreReadTogetherInOrderOfTime) {
   EXPECT_EQ(openBagRecording(path_, options)->cameras(),
             (std::vector<std::string>{"/rear/image_raw", "/front/image_raw"}));
   options.image_topics.push_back("rear/image_raw");
-  EXPECT_NE(errorOf(path_, options).find("/rear/image_raw is named twice"), std::string::npos);
+  EXPECT_NE(errorOfReading(path_, options).find("/rear/image_raw is named twice"),
+            std::string::npos);
   options.image_topics.back() = "/right";
-  EXPECT_NE(errorOf(path_, options).find("no images on /right"), std::string::npos);
+  EXPECT_NE(errorOfReading(path_, options).find("no images on /right"), std::string::npos);
   options.image_topics.assign(9, "rear/image_raw");
-  EXPECT_NE(errorOf(path_, options).find("at most 8 cameras"), std::string::npos);
+  EXPECT_NE(errorOfReading(path_, options).find("at most 8 cameras"), std::string::npos);
 }
 
 TEST_F(Bags, InfoTellsTopicsSizesAndLabels) {

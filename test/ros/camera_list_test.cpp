@@ -4,9 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "place_recognition/error.h"
+#include "error_of.h"
 
 namespace place_recognition {
 namespace {
@@ -17,15 +15,6 @@ Parameters parametersOf(const std::vector<std::pair<std::string, std::string>>& 
   XmlRpcValue values;
   for (const auto& [name, text] : texts) values[name] = text;
   return {"/node", values};
-}
-
-std::string errorOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
 }
 
 TEST(CameraList, IsOneOnImageUnlessSeveralAreNamed) {

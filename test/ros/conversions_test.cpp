@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "error_of.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -33,13 +34,8 @@ std::vector<std::uint8_t> repeat(const std::vector<std::uint8_t>& bytes, int tim
   return all;
 }
 
-std::string errorOf(const sensor_msgs::Image& message) {
-  try {
-    toImage(message);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+std::string errorIn(const sensor_msgs::Image& message) {
+  return errorOf([&] { toImage(message); });
 }
 
 /// Bytes of one pixel (of two pixels in yuv422) whose image is blue 10, green 20, red 30, or grey
@@ -219,53 +215,53 @@ TEST(Conversions, BytesBehindTheImageAndALastRowWithoutPaddingDoNoHarm) {
 TEST(Conversions, SizesThatWrapIn32BitsAreRefused) {
   sensor_msgs::Image message = imageMessage("mono8", 65536, 1, std::vector<std::uint8_t>(65536));
   message.height = 65537;  // 65536 * 65537 = 2^32 + 65536
-  EXPECT_NE(errorOf(message).find("65536 x 65537 pixels, more than"), std::string::npos);
+  EXPECT_NE(errorIn(message).find("65536 x 65537 pixels, more than"), std::string::npos);
 
   message.width = 8192;
   message.height = 8192;
   message.step = 1u << 19;  // times 8192 is 2^32
-  EXPECT_NE(errorOf(message).find("need 4294451200"), std::string::npos) << errorOf(message);
+  EXPECT_NE(errorIn(message).find("need 4294451200"), std::string::npos) << errorIn(message);
 
   message = imageMessage("bgr8", 1, 1, {1, 2, 3});
   message.width = 0x55555556;  // times 3 is 2^32 + 2
-  EXPECT_NE(errorOf(message), "");
+  EXPECT_NE(errorIn(message), "");
 }
 
 TEST(Conversions, MessagesThatDoNotAgreeAreRefused) {
   const sensor_msgs::Image good = imageMessage("bgr8", 4, 4, std::vector<std::uint8_t>(48));
   sensor_msgs::Image message = good;
   message.width = 0;
-  EXPECT_NE(errorOf(message).find("empty"), std::string::npos);
+  EXPECT_NE(errorIn(message).find("empty"), std::string::npos);
   message = good;
   message.height = 0;
-  EXPECT_NE(errorOf(message).find("empty"), std::string::npos);
+  EXPECT_NE(errorIn(message).find("empty"), std::string::npos);
   message = good;
   message.step = 11;
-  EXPECT_NE(errorOf(message).find("too short for 4 pixels"), std::string::npos);
+  EXPECT_NE(errorIn(message).find("too short for 4 pixels"), std::string::npos);
   message = good;
   message.step = 0;
-  EXPECT_NE(errorOf(message), "");
+  EXPECT_NE(errorIn(message), "");
   message = good;
   message.data.resize(47);
-  EXPECT_NE(errorOf(message).find("47 bytes"), std::string::npos);
+  EXPECT_NE(errorIn(message).find("47 bytes"), std::string::npos);
   message = good;
   message.data.clear();
-  EXPECT_NE(errorOf(message), "");
+  EXPECT_NE(errorIn(message), "");
 }
 
 TEST(Conversions, UnknownEncodingsAreRefusedByName) {
-  EXPECT_NE(errorOf(imageMessage("nv12", 2, 2, std::vector<std::uint8_t>(6))).find("'nv12'"),
+  EXPECT_NE(errorIn(imageMessage("nv12", 2, 2, std::vector<std::uint8_t>(6))).find("'nv12'"),
             std::string::npos);
-  EXPECT_NE(errorOf(imageMessage("32FC1", 1, 1, {0, 0, 0xc0, 0x7f})).find("'32FC1'"),
+  EXPECT_NE(errorIn(imageMessage("32FC1", 1, 1, {0, 0, 0xc0, 0x7f})).find("'32FC1'"),
             std::string::npos);
-  EXPECT_LT(errorOf(imageMessage(std::string(1 << 20, 'x'), 1, 1, {1})).size(), 600u);
-  EXPECT_NE(errorOf(imageMessage("", 1, 1, {1})), "");
-  EXPECT_NE(errorOf(imageMessage(std::string("bo\0bo", 5), 1, 1, {1})).find("'bo?bo'"),
+  EXPECT_LT(errorIn(imageMessage(std::string(1 << 20, 'x'), 1, 1, {1})).size(), 600u);
+  EXPECT_NE(errorIn(imageMessage("", 1, 1, {1})), "");
+  EXPECT_NE(errorIn(imageMessage(std::string("bo\0bo", 5), 1, 1, {1})).find("'bo?bo'"),
             std::string::npos);
 }
 
 TEST(Conversions, OddWidthsOfYuvAreRefused) {
-  EXPECT_NE(errorOf(imageMessage("yuv422", 3, 1, {1, 2, 3, 4, 5, 6})).find("odd width"),
+  EXPECT_NE(errorIn(imageMessage("yuv422", 3, 1, {1, 2, 3, 4, 5, 6})).find("odd width"),
             std::string::npos);
 }
 

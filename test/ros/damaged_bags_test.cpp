@@ -26,7 +26,7 @@ TEST_F(Bags, BadLabelsAreRefused) {
       bag.write("/place_label", ros::Time(1), message);
       bag.write("/image", ros::Time(2), toImageMessage(image(0), std_msgs::Header()));
     }
-    const std::string error = errorOf(path_);
+    const std::string error = errorOfReading(path_);
     EXPECT_NE(error.find("/place_label at 0 s (a file RUN.labels.yaml"), std::string::npos)
         << error;
     EXPECT_NE(error.find("): the label '"), std::string::npos) << error;
@@ -39,9 +39,10 @@ TEST_F(Bags, WithoutImagesTellTheirTopics) {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);
     bag.write("/place_label", ros::Time(1), std_msgs::String());
   }
-  EXPECT_NE(errorOf(path_).find("has no images; its topics are /place_label (std_msgs/String)"),
-            std::string::npos)
-      << errorOf(path_);
+  EXPECT_NE(
+      errorOfReading(path_).find("has no images; its topics are /place_label (std_msgs/String)"),
+      std::string::npos)
+      << errorOfReading(path_);
 }
 
 TEST_F(Bags, ImagesThatCannotBeUsedAreFramesWithAProblem) {
@@ -63,10 +64,10 @@ TEST_F(Bags, ImagesThatCannotBeUsedAreFramesWithAProblem) {
 }
 
 TEST_F(Bags, FilesThatAreNotBagsAreRefused) {
-  EXPECT_NE(errorOf(scratch_ / "none.bag").find("There is no bag"), std::string::npos);
-  EXPECT_NE(errorOf(scratch_.write("empty.bag", "")).find("empty.bag"), std::string::npos);
-  EXPECT_NE(errorOf(scratch_.write("text.bag", "not a bag at all\n")), "");
-  EXPECT_NE(errorOf(scratch_ / "."), "");
+  EXPECT_NE(errorOfReading(scratch_ / "none.bag").find("There is no bag"), std::string::npos);
+  EXPECT_NE(errorOfReading(scratch_.write("empty.bag", "")).find("empty.bag"), std::string::npos);
+  EXPECT_NE(errorOfReading(scratch_.write("text.bag", "not a bag at all\n")), "");
+  EXPECT_NE(errorOfReading(scratch_ / "."), "");
 }
 
 /// A bag left behind by a killed recorder: the header has no index position yet.
@@ -80,17 +81,18 @@ std::string unindexed(std::string bytes) {
 TEST_F(Bags, AnUnindexedBagAsksToBeIndexed) {
   writeRun(path_);
   const std::string bytes = unindexed(readBytesOf(path_));
-  EXPECT_NE(errorOf(scratch_.write("cut.bag", bytes)).find("rosbag reindex"), std::string::npos);
+  EXPECT_NE(errorOfReading(scratch_.write("cut.bag", bytes)).find("rosbag reindex"),
+            std::string::npos);
   const std::string active = scratch_.write("monday.bag.active", bytes);
-  EXPECT_NE(errorOf(active).find("rosbag reindex " + active + ", and rename it to " +
-                                 (scratch_ / "monday.bag")),
+  EXPECT_NE(errorOfReading(active).find("rosbag reindex " + active + ", and rename it to " +
+                                        (scratch_ / "monday.bag")),
             std::string::npos)
-      << errorOf(active);
+      << errorOfReading(active);
 }
 
 TEST_F(Bags, FilesOfOtherKindsAreNamed) {
   const auto expect = [this](const std::string& bytes, const std::string& words) {
-    const std::string error = errorOf(scratch_.write("x.bag", bytes));
+    const std::string error = errorOfReading(scratch_.write("x.bag", bytes));
     EXPECT_NE(error.find(words), std::string::npos) << error;
     EXPECT_NE(error.find("x.bag"), std::string::npos) << error;
     EXPECT_EQ(error.find("byte"), std::string::npos) << error;
@@ -105,12 +107,12 @@ TEST_F(Bags, FilesOfOtherKindsAreNamed) {
   expect("#ROSBAG V1.2\n", "rosbag fix");
   expect("", "empty");
   std::filesystem::create_directories(scratch_ / "folder.bag");
-  EXPECT_NE(errorOf(scratch_ / "folder.bag").find("is a folder"), std::string::npos);
+  EXPECT_NE(errorOfReading(scratch_ / "folder.bag").find("is a folder"), std::string::npos);
   scratch_.write("folder.bag/metadata.yaml", "rosbag2_bagfile_information:\n");
   scratch_.write("folder.bag/x_0.db3", "SQLite format 3");
-  EXPECT_NE(errorOf(scratch_ / "folder.bag").find("ROS 2"), std::string::npos);
+  EXPECT_NE(errorOfReading(scratch_ / "folder.bag").find("ROS 2"), std::string::npos);
   std::filesystem::create_symlink("nowhere", scratch_ / "link.bag");
-  EXPECT_NE(errorOf(scratch_ / "link.bag").find("is a broken link"), std::string::npos);
+  EXPECT_NE(errorOfReading(scratch_ / "link.bag").find("is a broken link"), std::string::npos);
 }
 
 TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
@@ -133,7 +135,7 @@ TEST_F(Bags, CutOrChangedBagsAreErrorsOrReadable) {
       }
     }
     const std::string changed = scratch_.write("changed.bag", bytes);
-    const std::string error = errorOf(changed);
+    const std::string error = errorOfReading(changed);
     if (error.empty()) continue;
     ++refused;
     EXPECT_NE(error.find(changed), std::string::npos) << error;

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include "error_of.h"
 #include "ros/bags/staged_bag.h"
 #include "ros/written_bags.h"
 
@@ -36,13 +37,10 @@ class SmallDisk {
 std::string errorOfWriting(StagedBag& bag) {
   std_msgs::String message;
   message.data = std::string(2000, 'x');
-  try {
+  return errorOf([&] {
     for (int i = 0; i < 1000; ++i) bag.write("/text", ros::Time(1 + i), message);
     bag.complete();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  });
 }
 
 class FullDisk : public Bags, public testing::WithParamInterface<rlim_t> {};

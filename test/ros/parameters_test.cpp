@@ -6,11 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 
 namespace place_recognition {
 namespace {
@@ -44,16 +43,6 @@ XmlRpcValue date() {
   return XmlRpcValue(&time);
 }
 
-/// Returns the message of the Error that `read` throws; empty if none.
-std::string problemOf(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
-}
-
 void expectSays(const std::string& message, const Texts& parts) {
   for (const std::string& part : parts) {
     EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
@@ -83,7 +72,7 @@ TEST(Parameters, AreFlagsInEveryWayThatOneIsWritten) {
   for (const XmlRpcValue& bad :
        {XmlRpcValue(2), XmlRpcValue(-1), XmlRpcValue(0.5), XmlRpcValue("maybe"), XmlRpcValue(""),
         listOf({true}), mapping(), date()}) {
-    expectSays(problemOf([&] { with("lazy", bad).flag("lazy", true); }),
+    expectSays(errorOf([&] { with("lazy", bad).flag("lazy", true); }),
                {"~lazy is ", "give true or false"});
   }
 }
@@ -99,18 +88,17 @@ TEST(Parameters, AreNumbersOfEitherKindAndWithinTheirLimits) {
        {XmlRpcValue(true), XmlRpcValue("wide"), XmlRpcValue(""), XmlRpcValue("1 m"),
         XmlRpcValue(std::nan("")), XmlRpcValue(INFINITY), XmlRpcValue(".nan"), listOf({1}),
         mapping(), date()}) {
-    expectSays(problemOf([&] { with("margin", bad).real("margin", 0); }),
-               {"~margin is ", "number"});
-    expectSays(problemOf([&] { with("threads", bad).integer("threads", 0); }),
+    expectSays(errorOf([&] { with("margin", bad).real("margin", 0); }), {"~margin is ", "number"});
+    expectSays(errorOf([&] { with("threads", bad).integer("threads", 0); }),
                {"~threads is ", "give a whole number"});
   }
   for (const XmlRpcValue& bad : {XmlRpcValue(4.5), XmlRpcValue(1e12), XmlRpcValue("4.5")}) {
-    expectSays(problemOf([&] { with("threads", bad).integer("threads", 0); }), {"whole number"});
+    expectSays(errorOf([&] { with("threads", bad).integer("threads", 0); }), {"whole number"});
   }
-  expectSays(problemOf([] { with("lag", 11).real("lag", 1, 0, 10); }),
+  expectSays(errorOf([] { with("lag", 11).real("lag", 1, 0, 10); }),
              {"~lag is 11; give a number from 0 to 10"});
-  expectSays(problemOf([] { with("lag", -0.5).real("lag", 1, 0); }), {"-0.5", "at least 0"});
-  expectSays(problemOf([] { with("threads", -1).integer("threads", 1, 0); }), {"-1", "at least 0"});
+  expectSays(errorOf([] { with("lag", -0.5).real("lag", 1, 0); }), {"-0.5", "at least 0"});
+  expectSays(errorOf([] { with("threads", -1).integer("threads", 1, 0); }), {"-1", "at least 0"});
 }
 
 TEST(Parameters, AreNamesAlsoIfTheyLookLikeNumbers) {
@@ -121,10 +109,10 @@ TEST(Parameters, AreNamesAlsoIfTheyLookLikeNumbers) {
   EXPECT_EQ(with("model", 20241128123.0).text("model"), "20241128123");
   EXPECT_EQ(with("bag", "/my bags/~ run.bag ").text("bag"), "/my bags/~ run.bag ");
   EXPECT_EQ(with("model", "").text("model", "rooms"), "");
-  expectSays(problemOf([] { with("model", true).text("model"); }),
+  expectSays(errorOf([] { with("model", true).text("model"); }),
              {"~model is the truth value true", "yes and on", "quotes"});
   for (const XmlRpcValue& bad : {XmlRpcValue(std::nan("")), listOf({"rooms"}), mapping(), date()}) {
-    expectSays(problemOf([&] { with("model", bad).text("model"); }), {"~model is ", "give a name"});
+    expectSays(errorOf([&] { with("model", bad).text("model"); }), {"~model is ", "give a name"});
   }
 }
 
@@ -159,7 +147,7 @@ TEST(Parameters, AreListsWrittenAsText) {  // rosrun and launch files pass lists
 
 TEST(Parameters, SayWhichElementOfAListIsWrong) {
   const auto problem = [](const XmlRpcValue& value) {
-    return problemOf([&] { with("places", value).texts("places"); });
+    return errorOf([&] { with("places", value).texts("places"); });
   };
   expectSays(problem(listOf({"kitchen", true})), {"~places[1] is the truth value true", "quotes"});
   expectSays(problem(listOf({listOf({"kitchen"})})), {"~places[0] is a list", "give a name"});
@@ -171,7 +159,7 @@ TEST(Parameters, SayWhichElementOfAListIsWrong) {
   expectSays(problem("[[kitchen]]"), {"~places", "a list"});
   expectSays(problem("[{name: kitchen}]"), {"~places", "mapping"});
   expectSays(problem("[kitchen, ~]"), {"~places", "empty"});
-  expectSays(problemOf([] {
+  expectSays(errorOf([] {
                with("buttons", listOf({1, "two"})).integers("buttons");
              }),
              {"~buttons[1] is 'two'; give a whole number"});

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
@@ -30,15 +30,10 @@ class TrainCommand : public testing::Test {
 
   std::vector<std::string> command() { return trainCommand(goal_, {scratch_ / ""}, "/tmp/c.yaml"); }
 
-  std::string errorOf(const std::function<void(TrainGoal&)>& change) {
+  std::string errorAfter(const std::function<void(TrainGoal&)>& change) {
     TrainGoal goal = goal_;
     change(goal);
-    try {
-      trainCommand(goal, {scratch_ / ""}, "/tmp/c.yaml");
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "";
+    return errorOf([&] { trainCommand(goal, {scratch_ / ""}, "/tmp/c.yaml"); });
   }
 
   bool has(const std::string& argument) {
@@ -105,7 +100,7 @@ TEST_F(TrainCommand, ToCalibrate) {
 TEST_F(TrainCommand, BadFieldsAreNamed) {
   const auto expectNamed = [this](const std::string& field,
                                   const std::function<void(TrainGoal&)>& change) {
-    EXPECT_NE(errorOf(change).find(field), std::string::npos) << errorOf(change);
+    EXPECT_NE(errorAfter(change).find(field), std::string::npos) << errorAfter(change);
   };
   expectNamed("bags", [](TrainGoal& g) { g.bags.clear(); });
   expectNamed("bags", [](TrainGoal& g) { g.bags.resize(1001, "run.bag"); });

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 #include "ros/bags/bag_recording.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "scratch_folder.h"
@@ -48,16 +48,14 @@ inline std::vector<std::string> places(const std::vector<Frame>& frames) {
   return names;
 }
 
-inline std::string errorOf(const std::string& path, const BagRecordingOptions& options = {}) {
-  try {
+inline std::string errorOfReading(const std::string& path,
+                                  const BagRecordingOptions& options = {}) {
+  return errorOf([&] {
     const std::unique_ptr<Recording> recording = openBagRecording(path, options);
     Frame frame;
     while (recording->next(frame)) {
     }
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  });
 }
 
 inline std::string readBytesOf(const std::string& path) {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "place_recognition/error.h"
+#include "error_of.h"
 
 namespace place_recognition {
 namespace {
@@ -60,12 +60,8 @@ TEST(Candidates, OfTooManyDimensionsAreNone) {
 TEST(SearchSpace, ValuesOutOfRangeAreRefusedByName) {
   SearchSpace space;
   space.c = {1, -1};
-  try {
-    space.check();
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("'c'"), std::string::npos) << e.what();
-  }
+  const std::string error = errorOf([&] { space.check(); });
+  EXPECT_NE(error.find("'c'"), std::string::npos) << error;
 }
 
 }  // namespace
