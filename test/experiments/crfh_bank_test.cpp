@@ -6,16 +6,10 @@
 
 #include "experiments/table_8_4.h"
 #include "features/feature_extractor.h"
+#include "features/feature_images.h"
 
 namespace place_recognition {
 namespace {
-
-cv::Mat noise(int type) {
-  cv::Mat image(60, 80, type);
-  cv::RNG random(7);
-  random.fill(image, cv::RNG::UNIFORM, 0, 256);
-  return image;
-}
 
 CrfhOptions histogram(std::vector<std::string> descriptors, std::vector<double> scales, int bins) {
   CrfhOptions options;
@@ -35,7 +29,7 @@ TEST(CrfhBank, GivesTheHistogramsOfTheExtractor) {
   histograms.push_back(histogram({"Lx", "Ly", "Lxx", "Lyy"}, {1, 2, 3, 5}, 15));
   CrfhBank bank(histograms);
   for (const int type : {CV_8UC3, CV_8UC1}) {
-    const cv::Mat image = noise(type);
+    const cv::Mat image = noise(80, 60, type);
     const std::vector<Feature> features = bank.extract(image);
     ASSERT_EQ(features.size(), histograms.size());
     for (std::size_t i = 0; i < histograms.size(); ++i) {

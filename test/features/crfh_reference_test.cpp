@@ -4,8 +4,8 @@
 #include <cctype>
 #include <opencv2/core.hpp>
 
-#include "features/crfh_images.h"
 #include "features/crfh_reference.h"
+#include "features/feature_images.h"
 
 namespace place_recognition {
 namespace {
@@ -32,7 +32,7 @@ class CrfhReference : public testing::TestWithParam<Case> {};
 // unless it is exactly zero.
 TEST_P(CrfhReference, GivesTheSameHistogram) {
   const auto& [name, options, image] = GetParam();
-  const SparseVector histogram = extractCrfh(options, image);
+  const SparseVector histogram = extractSparse(image, options);
   const std::map<std::uint64_t, int> reference = referenceCrfh(image, options);
   int pixels = 0;
   for (const auto& [bin, count] : reference) pixels += count;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "features/crfh_images.h"
+#include "features/feature_images.h"
 
 namespace place_recognition {
 namespace {
@@ -20,7 +20,7 @@ CrfhOptions one(const std::string& descriptor, double t, int bins) {
 /// All pixels give the same response. Expects it in the bin given by the formula.
 void expectConstantResponse(const CrfhOptions& options, const cv::Mat& image, double response,
                             double low, double high) {
-  const SparseVector histogram = extractCrfh(options, image);
+  const SparseVector histogram = extractSparse(image, options);
   const double level = (response - low) * options.bins[0] / (high - low);
   EXPECT_EQ(histogram.indices, std::vector<std::uint64_t>{static_cast<std::uint64_t>(level)})
       << options.descriptors[0] << ", t = " << options.scales[0] << ", " << options.derivatives;
@@ -78,7 +78,7 @@ TEST_P(CrfhDerivatives, OfAFlatImageAreExactlyZero) {
     options.scales = {2};
     std::uint64_t index = 0;
     for (int i = 0; i < 7; ++i) index = 28 * index + 14;
-    EXPECT_EQ(extractCrfh(options, cv::Mat(40, 50, CV_8UC1, cv::Scalar(level))).indices,
+    EXPECT_EQ(extractSparse(cv::Mat(40, 50, CV_8UC1, cv::Scalar(level)), options).indices,
               std::vector<std::uint64_t>{index});
   }
 }
@@ -94,7 +94,7 @@ TEST(Crfh, IndexIsMixedRadixWithTheFirstDigitFastest) {
   // floor((v - low) bins / (high - low)) for R = 250, G = 130, B = 10, C1 = 60, C2 = 180.
   const std::uint64_t digits = 4 + 5 * (5 + 10 * (0 + 17 * (2 + 4 * 5)));
   const std::uint64_t bins = 5 * 10 * 17 * 4 * 6;
-  const SparseVector histogram = extractCrfh(options, image);
+  const SparseVector histogram = extractSparse(image, options);
   EXPECT_EQ(histogram.indices, std::vector<std::uint64_t>{digits + bins * digits});
   EXPECT_EQ(histogram.values, std::vector<float>{1});
 }
@@ -104,14 +104,16 @@ TEST(Crfh, ResponsesBeyondTheRangeFallInTheEndBins) {
   options.derivative_range = 0.5;
   const cv::Mat up = draw(20, 20, [](int x, int) { return 10 * x; });
   const cv::Mat down = draw(20, 20, [](int x, int) { return 200 - 10 * x; });
-  EXPECT_EQ(extractCrfh(options, up).indices, std::vector<std::uint64_t>{7});
-  EXPECT_EQ(extractCrfh(options, down).indices, std::vector<std::uint64_t>{0});
+  EXPECT_EQ(extractSparse(up, options).indices, std::vector<std::uint64_t>{7});
+  EXPECT_EQ(extractSparse(down, options).indices, std::vector<std::uint64_t>{0});
 
   // A determinant far beyond what fits an integer.
   options = one("det(L)", 100, 8);
   options.derivative_range = 1e-6;
   const cv::Mat saddle = draw(90, 90, [](int x, int y) { return x / 45 == y / 45 ? 255 : 0; });
-  for (std::uint64_t bin : extractCrfh(options, saddle).indices) EXPECT_TRUE(bin == 0 || bin == 7);
+  for (std::uint64_t bin : extractSparse(saddle, options).indices) {
+    EXPECT_TRUE(bin == 0 || bin == 7);
+  }
 }
 
 TEST(Crfh, LogarithmicLevelsAreThoseOfTheFormula) {
@@ -122,10 +124,10 @@ TEST(Crfh, LogarithmicLevelsAreThoseOfTheFormula) {
                                                      std::log(1 + 255 / 16.0));
   }
   CrfhOptions options;
-  const SparseVector linear = extractCrfh(options, levels);
-  EXPECT_NE(linear.indices, extractCrfh(options, image).indices);
+  const SparseVector linear = extractSparse(levels, options);
+  EXPECT_NE(linear.indices, extractSparse(image, options).indices);
   options.levels = "logarithmic";
-  const SparseVector logarithmic = extractCrfh(options, image);
+  const SparseVector logarithmic = extractSparse(image, options);
   EXPECT_EQ(logarithmic.indices, linear.indices);
   EXPECT_EQ(logarithmic.values, linear.values);
 }
@@ -135,7 +137,7 @@ TEST(Crfh, SumsToOneWithAscendingIndices) {
     CrfhOptions options;
     options.bins = {bins};
     options.scales = {1};
-    const SparseVector histogram = extractCrfh(options, noise(70, 60));
+    const SparseVector histogram = extractSparse(noise(70, 60), options);
     double sum = 0;
     for (float value : histogram.values) sum += value;
     EXPECT_NEAR(sum, 1, 1e-5);
@@ -153,7 +155,7 @@ TEST(Crfh, ShiftKeepsTheHistogram) {
   thing.copyTo(there(cv::Rect(48, 33, 20, 15)));
   CrfhOptions options;
   options.descriptors = {"L", "Lx", "C2yy", "grad(R)"};
-  const SparseVector a = extractCrfh(options, here), b = extractCrfh(options, there);
+  const SparseVector a = extractSparse(here, options), b = extractSparse(there, options);
   EXPECT_GT(a.size(), 100u);
   EXPECT_EQ(a.indices, b.indices);
   EXPECT_EQ(a.values, b.values);
@@ -165,7 +167,7 @@ TEST(Crfh, TranspositionSwapsXAndY) {
   yx.descriptors = {"Ly", "Lxx", "Lxy", "det(L)"};
   xy.bins = yx.bins = {27};
   const cv::Mat image = noise(60, 50);
-  const SparseVector a = extractCrfh(xy, image), b = extractCrfh(yx, image.t());
+  const SparseVector a = extractSparse(image, xy), b = extractSparse(image.t(), yx);
   EXPECT_EQ(a.indices, b.indices);
   EXPECT_EQ(a.values, b.values);
 }
@@ -177,8 +179,8 @@ TEST(Crfh, GreyImageIsOneWithEqualColours) {
   CrfhOptions options;
   options.descriptors = {"L", "Rx", "Gyy", "Bxy", "C1", "C2"};
   options.bins = {10};
-  EXPECT_EQ(extractCrfh(options, grey).indices, extractCrfh(options, colour).indices);
-  EXPECT_EQ(extractCrfh(options, grey).values, extractCrfh(options, colour).values);
+  EXPECT_EQ(extractSparse(grey, options).indices, extractSparse(colour, options).indices);
+  EXPECT_EQ(extractSparse(grey, options).values, extractSparse(colour, options).values);
 }
 
 TEST(Crfh, SigmaIsTheRootOfScale) {
@@ -186,7 +188,7 @@ TEST(Crfh, SigmaIsTheRootOfScale) {
   scales.scales = {2.25, 9};
   sigmas.sigmas = {1.5, 3};
   const cv::Mat image = noise(60, 50);
-  EXPECT_EQ(extractCrfh(scales, image).indices, extractCrfh(sigmas, image).indices);
+  EXPECT_EQ(extractSparse(image, scales).indices, extractSparse(image, sigmas).indices);
 }
 
 TEST(Crfh, ExtractorKeepsNothingFromImageToImage) {
@@ -203,8 +205,9 @@ TEST(Crfh, ExtractorKeepsNothingFromImageToImage) {
       EXPECT_TRUE(isMissing(feature));
     } else {
       EXPECT_EQ(std::get<SparseVector>(feature).indices,
-                extractCrfh(options, image.clone()).indices);
-      EXPECT_EQ(std::get<SparseVector>(feature).values, extractCrfh(options, image.clone()).values);
+                extractSparse(image.clone(), options).indices);
+      EXPECT_EQ(std::get<SparseVector>(feature).values,
+                extractSparse(image.clone(), options).values);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "features/feature_images.h"
 #include "features/network_pass.h"
 #include "features/onnx_graph.h"
 #include "features/small_network.h"
@@ -15,23 +16,8 @@
 namespace place_recognition {
 namespace {
 
-cv::Mat noise(int width, int height, int type = CV_8UC3) {
-  cv::Mat image(height, width, type);
-  cv::theRNG().state = 20;
-  cv::randu(image, 0, 256);
-  return image;
-}
-
-std::vector<float> extract(const cv::Mat& image, const EmbeddingOptions& options) {
-  Feature feature;
-  const auto extractor = makeFeatureExtractor(options);
-  extractor->extract(image, feature);
-  EXPECT_EQ(extractor->missingReason(), "");
-  return std::get<DenseVector>(feature).values;
-}
-
 TEST(Embedding, IsAUnitVectorOfTheNetworksDimension) {
-  const std::vector<float> values = extract(noise(40, 30), SmallNetwork::options());
+  const std::vector<float> values = extractDense(noise(40, 30), SmallNetwork::options());
   ASSERT_EQ(values.size(), SmallNetwork::kDimension);
   double squares = 0;
   for (const float value : values) squares += static_cast<double>(value) * value;
@@ -66,7 +52,7 @@ TEST(Embedding, OfAStrideIsThatOfTheLastLayerWithIt) {
   by_stride.stride = 2;
   for (const int power : {1, 3}) {
     by_name.power = by_stride.power = power;
-    EXPECT_EQ(extract(noise(16, 16), by_stride), extract(noise(16, 16), by_name));
+    EXPECT_EQ(extractDense(noise(16, 16), by_stride), extractDense(noise(16, 16), by_name));
   }
   EmbeddingOptions early = by_stride;
   loadNetwork(early);
@@ -77,7 +63,7 @@ TEST(Embedding, OfAStrideIsThatOfTheLastLayerWithIt) {
   EXPECT_EQ(early.loaded->onnx, whole.loaded->onnx);  // so that a model stores it once
   by_stride.stride = 4;
   by_name.layer = "";
-  EXPECT_EQ(extract(noise(16, 16), by_stride), extract(noise(16, 16), by_name));
+  EXPECT_EQ(extractDense(noise(16, 16), by_stride), extractDense(noise(16, 16), by_name));
 }
 
 TEST(Embedding, OfAHighPowerTendsToTheLargestValues) {
@@ -89,7 +75,7 @@ TEST(Embedding, OfAHighPowerTendsToTheLargestValues) {
   double before = 0;
   for (const int power : {1, 4, 8}) {
     options.power = power;
-    const std::vector<float> values = extract(noise(16, 16), options);
+    const std::vector<float> values = extractDense(noise(16, 16), options);
     double product = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
       product += static_cast<double>(values[i]) * largest.at<float>(static_cast<int>(i));
@@ -105,9 +91,9 @@ TEST(Embedding, HasAPartForTheWholeAndForEachColumn) {
   const ScratchFolder folder;
   EmbeddingOptions options;
   options.network = folder.write("a.onnx", SmallNetwork::onnx());
-  const std::vector<float> whole = extract(noise(16, 16), options);
+  const std::vector<float> whole = extractDense(noise(16, 16), options);
   options.columns = 4;  // each of one value in a row of the output
-  const std::vector<float> parts = extract(noise(16, 16), options);
+  const std::vector<float> parts = extractDense(noise(16, 16), options);
   ASSERT_EQ(parts.size(), 5 * SmallNetwork::kDimension);
   for (std::size_t i = 0; i < SmallNetwork::kDimension; ++i) {
     EXPECT_NEAR(parts[i] * std::sqrt(2.0), whole[i], 1e-6);
@@ -126,22 +112,23 @@ TEST(Embedding, OfAGreyImageIsThatOfTheSameImageInThreeChannels) {
   const cv::Mat grey = noise(50, 40, CV_8UC1);
   cv::Mat three;
   cv::merge(std::vector<cv::Mat>{grey, grey, grey}, three);
-  EXPECT_EQ(extract(grey, SmallNetwork::options()), extract(three, SmallNetwork::options()));
+  EXPECT_EQ(extractDense(grey, SmallNetwork::options()),
+            extractDense(three, SmallNetwork::options()));
 }
 
 TEST(Embedding, CropLooksAtTheCentreAlone) {
   EmbeddingOptions options = SmallNetwork::options();
   options.fit = "crop";
   cv::Mat image = noise(64, 32);
-  const std::vector<float> expected = extract(image, options);
+  const std::vector<float> expected = extractDense(image, options);
   image.colRange(0, 16) = cv::Scalar::all(0);
   image.colRange(48, 64) = cv::Scalar::all(255);
-  EXPECT_EQ(extract(image, options), expected);
-  EXPECT_EQ(extract(image.colRange(16, 48).clone(), SmallNetwork::options()), expected);
+  EXPECT_EQ(extractDense(image, options), expected);
+  EXPECT_EQ(extractDense(image.colRange(16, 48).clone(), SmallNetwork::options()), expected);
 }
 
 TEST(Embedding, OfTheSmallestImageExists) {
-  EXPECT_EQ(extract(noise(1, 1), SmallNetwork::options()).size(), SmallNetwork::kDimension);
+  EXPECT_EQ(extractDense(noise(1, 1), SmallNetwork::options()).size(), SmallNetwork::kDimension);
 }
 
 TEST(NetworkPass, RunsTheNetworkOnceUntilItForgets) {

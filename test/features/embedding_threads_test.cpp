@@ -9,23 +9,12 @@
 #include <thread>
 
 #include "features/feature_extractor.h"
+#include "features/feature_images.h"
 #include "features/small_network.h"
 #include "place_recognition/network.h"
 
 namespace place_recognition {
 namespace {
-
-cv::Mat noise(int width, int height) {
-  cv::Mat image(height, width, CV_8UC3);
-  cv::RNG(20).fill(image, cv::RNG::UNIFORM, 0, 256);
-  return image;
-}
-
-std::vector<float> extract(const cv::Mat& image, const EmbeddingOptions& options) {
-  Feature feature;
-  makeFeatureExtractor(options)->extract(image, feature);
-  return std::get<DenseVector>(feature).values;
-}
 
 TEST(EmbeddingThreads, IsTheSameFromEveryThreadAndForEveryNumberOfThreads) {
   const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
@@ -44,15 +33,15 @@ TEST(EmbeddingThreads, IsTheSameFromEveryThreadAndForEveryNumberOfThreads) {
   const cv::Mat image = noise(24, 20);
   for (const EmbeddingOptions& options : kinds) {
     cv::setNumThreads(1);
-    const std::vector<float> expected = extract(image, options);
+    const std::vector<float> expected = extractDense(image, options);
     for (const int threads : {2, 3, 8}) {
       cv::setNumThreads(threads);
-      EXPECT_EQ(extract(image, options), expected) << options.network << ", " << threads;
+      EXPECT_EQ(extractDense(image, options), expected) << options.network << ", " << threads;
       std::vector<std::vector<float>> found(3);
       std::vector<std::thread> workers;
       for (std::vector<float>& values : found) {
         workers.emplace_back([&] {
-          for (int i = 0; i < 3; ++i) values = extract(image, options);
+          for (int i = 0; i < 3; ++i) values = extractDense(image, options);
         });
       }
       for (std::thread& worker : workers) worker.join();
@@ -66,7 +55,7 @@ TEST(EmbeddingThreads, IsTheSameFromEveryThreadAndForEveryNumberOfThreads) {
 TEST(EmbeddingThreads, IsExtractedWhileOtherThreadsUseOpenCv) {
   const EmbeddingOptions options = SmallNetwork::options();
   const cv::Mat image = noise(24, 20);
-  const std::vector<float> expected = extract(image, options);
+  const std::vector<float> expected = extractDense(image, options);
   std::atomic<bool> done{false};
   std::vector<std::thread> others;
   for (int i = 0; i < 3; ++i) {
@@ -76,7 +65,7 @@ TEST(EmbeddingThreads, IsExtractedWhileOtherThreadsUseOpenCv) {
       while (!done) cv::resize(large, scaled, cv::Size(600, 800), 0, 0, cv::INTER_AREA);
     });
   }
-  for (int i = 0; i < 1000; ++i) EXPECT_EQ(extract(image, options), expected);
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(extractDense(image, options), expected);
   done = true;
   for (std::thread& other : others) other.join();
 }

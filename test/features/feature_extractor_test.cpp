@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "features/feature_images.h"
 #include "features/small_network.h"
 
 namespace place_recognition {
@@ -14,16 +15,10 @@ std::vector<FeatureOptions> allKinds() {
           Mr8Options(),  HogOptions(),          SmallNetwork::options()};
 }
 
-cv::Mat noise(int type) {
-  cv::Mat image(80, 100, type);
-  cv::RNG(3).fill(image, cv::RNG::UNIFORM, 0, 256);
-  return image;
-}
-
 TEST(FeatureExtractor, OfEachKindLeavesTheCallersImagesAsTheyAre) {
   ASSERT_EQ(allKinds().size(), std::variant_size_v<FeatureOptions>);
-  const cv::Mat colour = noise(CV_8UC3);
-  const cv::Mat grey = noise(CV_8UC1);
+  const cv::Mat colour = noise(100, 80, CV_8UC3);
+  const cv::Mat grey = noise(100, 80, CV_8UC1);
   for (const FeatureOptions& options : allKinds()) {
     const cv::Mat colour_before = colour.clone();
     const cv::Mat grey_before = grey.clone();

@@ -6,16 +6,11 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "features/feature_images.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
-
-cv::Mat1b noise(int width, int height, int levels = 256) {
-  cv::Mat1b image(height, width);
-  cv::RNG(7).fill(image, cv::RNG::UNIFORM, 0, levels);
-  return image;
-}
 
 /// Returns an image whose grey levels rise by these slopes per pixel.
 cv::Mat1b ramp(int width, int height, int slope_x, int slope_y) {
@@ -34,12 +29,6 @@ HogOptions grid(int rows, int columns, int orientations = 9) {
   options.columns = columns;
   options.orientations = orientations;
   return options;
-}
-
-std::vector<float> extract(const cv::Mat& image, const HogOptions& options = {}) {
-  Feature feature;
-  makeFeatureExtractor(options)->extract(image, feature);
-  return std::get<DenseVector>(feature).values;
 }
 
 std::string whyMissing(const cv::Mat& image, const HogOptions& options = {}) {
@@ -81,21 +70,21 @@ std::vector<float> reference(const cv::Mat1b& image, const HogOptions& options) 
 }
 
 TEST(Hog, IsThatOfTheDefinition) {
-  const cv::Mat1b image = noise(67, 41);
+  const cv::Mat1b image = noise(67, 41, CV_8UC1);
   for (const HogOptions& options : {HogOptions(), grid(3, 5, 7), grid(1, 1, 2), grid(16, 16, 36)}) {
-    expectNear(extract(image, options), reference(image, options));
+    expectNear(extractDense(image, options), reference(image, options));
   }
 }
 
 TEST(Hog, OfRampsIsTheirDirection) {
   // With two orientations, the bins' centres are 45 and 135 degrees.
-  expectNear(extract(ramp(20, 20, 3, 3), grid(1, 1, 2)), {1, 0});
-  expectNear(extract(ramp(20, 20, -3, 3), grid(1, 1, 2)), {0, 1});
-  expectNear(extract(ramp(20, 20, -3, -3), grid(1, 1, 2)), {1, 0});
+  expectNear(extractDense(ramp(20, 20, 3, 3), grid(1, 1, 2)), {1, 0});
+  expectNear(extractDense(ramp(20, 20, -3, 3), grid(1, 1, 2)), {0, 1});
+  expectNear(extractDense(ramp(20, 20, -3, -3), grid(1, 1, 2)), {1, 0});
   // 0 and 180 degrees are the same direction, between the last bin and the first.
   for (const int slope : {4, -4}) {
-    expectNear(extract(ramp(20, 20, slope, 0), grid(1, 1, 4)), {0.5, 0, 0, 0.5});
-    expectNear(extract(ramp(20, 20, 0, slope), grid(1, 1, 4)), {0, 0.5, 0.5, 0});
+    expectNear(extractDense(ramp(20, 20, slope, 0), grid(1, 1, 4)), {0.5, 0, 0, 0.5});
+    expectNear(extractDense(ramp(20, 20, 0, slope), grid(1, 1, 4)), {0, 0.5, 0.5, 0});
   }
 }
 
@@ -104,7 +93,7 @@ TEST(Hog, HasOneHistogramPerCellRowByRow) {
   ramp(20, 20, 5, 5).copyTo(image(cv::Rect(41, 1, 20, 20)));  // its edges are within its cell
   image.row(20) = 100;
   image.col(41) = 100;
-  const std::vector<float> values = extract(image, grid(2, 3));
+  const std::vector<float> values = extractDense(image, grid(2, 3));
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i / 9 == 2) continue;
     EXPECT_EQ(values[i], 0) << i;
@@ -113,20 +102,21 @@ TEST(Hog, HasOneHistogramPerCellRowByRow) {
 }
 
 TEST(Hog, DoesNotDependOnContrastSignAndColour) {
-  const cv::Mat1b image = noise(50, 40, 100);
-  const std::vector<float> values = extract(image);
-  expectNear(extract(image * 2), values);
-  expectNear(extract(255 - image), values);
+  const cv::Mat1b image = noise(50, 40, CV_8UC1, 100);
+  const std::vector<float> values = extractDense(image, HogOptions());
+  expectNear(extractDense(image * 2, HogOptions()), values);
+  expectNear(extractDense(255 - image, HogOptions()), values);
   cv::Mat three;
   cv::merge(std::vector<cv::Mat>(3, image), three);
-  EXPECT_EQ(extract(three), values);
+  EXPECT_EQ(extractDense(three, HogOptions()), values);
 }
 
 TEST(Hog, OfAnImageUpsideDownHasItsRowsUpsideDown) {
-  const cv::Mat1b image = noise(50, 42);
+  const cv::Mat1b image = noise(50, 42, CV_8UC1);
   cv::Mat turned;
   cv::rotate(image, turned, cv::ROTATE_180);
-  const std::vector<float> values = extract(image), of_turned = extract(turned);
+  const std::vector<float> values = extractDense(image, HogOptions()),
+                           of_turned = extractDense(turned, HogOptions());
   for (std::size_t row = 0; row < 4; ++row) {
     for (std::size_t k = 0; k < 9; ++k) {
       EXPECT_NEAR(of_turned[9 * row + k], values[9 * (3 - row) + k], 1e-6);
@@ -137,23 +127,26 @@ TEST(Hog, OfAnImageUpsideDownHasItsRowsUpsideDown) {
 TEST(Hog, OfAWideImageIsThatOfTheScaledOne) {
   HogOptions options;
   options.width = 64;
-  const cv::Mat1b image = noise(160, 90);
+  const cv::Mat1b image = noise(160, 90, CV_8UC1);
   cv::Mat scaled;
   cv::resize(image, scaled, cv::Size(64, 36), 0, 0, cv::INTER_AREA);
-  EXPECT_EQ(extract(image, options), extract(scaled, options));
+  EXPECT_EQ(extractDense(image, options), extractDense(scaled, options));
   options.width = 160;
-  EXPECT_NE(extract(image, options), extract(scaled, options));
+  EXPECT_NE(extractDense(image, options), extractDense(scaled, options));
 }
 
 TEST(Hog, IsMissingWithoutGradientsOrPixels) {
   EXPECT_EQ(whyMissing(cv::Mat1b(40, 40, static_cast<std::uint8_t>(3))),
             "the image has no gradient");
-  EXPECT_EQ(whyMissing(noise(40, 5)), "the image of 40 x 5 pixels is too small for its cells");
-  EXPECT_EQ(whyMissing(noise(3, 6)), "");
-  EXPECT_EQ(whyMissing(noise(3, 6), grid(1, 2)),
+  EXPECT_EQ(whyMissing(noise(40, 5, CV_8UC1)),
+            "the image of 40 x 5 pixels is too small for its cells");
+  EXPECT_EQ(whyMissing(noise(3, 6, CV_8UC1)), "");
+  EXPECT_EQ(whyMissing(noise(3, 6, CV_8UC1), grid(1, 2)),
             "the image of 3 x 6 pixels is too small for its cells");
-  EXPECT_EQ(whyMissing(noise(1, 1)), "the image of 1 x 1 pixels is too small for its cells");
-  EXPECT_EQ(whyMissing(noise(1000, 1)), "the image of 1000 x 1 pixels is too small for its cells");
+  EXPECT_EQ(whyMissing(noise(1, 1, CV_8UC1)),
+            "the image of 1 x 1 pixels is too small for its cells");
+  EXPECT_EQ(whyMissing(noise(1000, 1, CV_8UC1)),
+            "the image of 1000 x 1 pixels is too small for its cells");
 }
 
 TEST(Hog, OptionsAreChecked) {

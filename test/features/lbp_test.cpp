@@ -6,22 +6,11 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "features/feature_images.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
-
-cv::Mat1b noise(int width, int height) {
-  cv::Mat1b image(height, width);
-  cv::RNG(5).fill(image, cv::RNG::UNIFORM, 0, 256);
-  return image;
-}
-
-std::vector<float> extract(const cv::Mat& image, const LbpOptions& options = {}) {
-  Feature feature;
-  makeFeatureExtractor(options)->extract(image, feature);
-  return std::get<DenseVector>(feature).values;
-}
 
 int codeOf(const cv::Mat1b& patch) { return LbpOperator({8, 1}).encodeRow(patch, 1).at(0); }
 
@@ -62,7 +51,7 @@ int reference(const cv::Mat1b& image, int x, int y, const LbpCircle& circle, boo
 }
 
 TEST(Lbp, CodesAreThoseOfTheDefinition) {
-  cv::Mat1b image = noise(24, 20);
+  cv::Mat1b image = noise(24, 20, CV_8UC1);
   cv::GaussianBlur(image, image, cv::Size(), 1.5);  // otherwise hardly any pattern is uniform
   for (const LbpCircle& circle : std::vector<LbpCircle>{{8, 1}, {16, 2}, {24, 3}, {5, 1.7}}) {
     LbpOperator op(circle);
@@ -82,41 +71,41 @@ TEST(Lbp, CodesAreThoseOfTheDefinition) {
 }
 
 TEST(Lbp, HistogramsSumToOneEach) {
-  const std::vector<float> values = extract(noise(60, 40));
+  const std::vector<float> values = extractDense(noise(60, 40, CV_8UC1), LbpOptions());
   ASSERT_EQ(values.size(), 10u + 18 + 26);
   EXPECT_NEAR(std::accumulate(values.begin(), values.begin() + 10, 0.0), 1, 1e-6);
   EXPECT_NEAR(std::accumulate(values.begin() + 10, values.begin() + 28, 0.0), 1, 1e-6);
   EXPECT_NEAR(std::accumulate(values.begin() + 28, values.end(), 0.0), 1, 1e-6);
 
-  const std::vector<float> even = extract(cv::Mat1b(30, 30, std::uint8_t{77}));
+  const std::vector<float> even = extractDense(cv::Mat1b(30, 30, std::uint8_t{77}), LbpOptions());
   EXPECT_EQ(even[8], 1);
   EXPECT_EQ(even[10 + 16], 1);
   EXPECT_EQ(even[28 + 24], 1);
 }
 
 TEST(Lbp, IgnoresQuarterTurnsAndContrast) {
-  const cv::Mat1b image = noise(70, 50) / 4;
-  const std::vector<float> values = extract(image);
+  const cv::Mat1b image = noise(70, 50, CV_8UC1) / 4;
+  const std::vector<float> values = extractDense(image, LbpOptions());
   for (const int turn : {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180, cv::ROTATE_90_COUNTERCLOCKWISE}) {
     cv::Mat turned;
     cv::rotate(image, turned, turn);
-    EXPECT_EQ(extract(turned), values);
+    EXPECT_EQ(extractDense(turned, LbpOptions()), values);
   }
-  EXPECT_EQ(extract(image * 3 + 20), values);
+  EXPECT_EQ(extractDense(image * 3 + 20, LbpOptions()), values);
 }
 
 TEST(Lbp, OfGreyImagesInColourIsTheSame) {
   cv::Mat colour;
-  cv::cvtColor(noise(40, 30), colour, cv::COLOR_GRAY2BGR);
-  EXPECT_EQ(extract(colour), extract(noise(40, 30)));
+  cv::cvtColor(noise(40, 30, CV_8UC1), colour, cv::COLOR_GRAY2BGR);
+  EXPECT_EQ(extractDense(colour, LbpOptions()), extractDense(noise(40, 30, CV_8UC1), LbpOptions()));
 }
 
 TEST(Lbp, IsMissingInImagesSmallerThanACircle) {
   LbpExtractor extractor{LbpOptions()};
   Feature feature;
-  extractor.extract(noise(7, 7), feature);
+  extractor.extract(noise(7, 7, CV_8UC1), feature);
   EXPECT_FALSE(isMissing(feature));
-  extractor.extract(noise(200, 6), feature);
+  extractor.extract(noise(200, 6, CV_8UC1), feature);
   EXPECT_TRUE(isMissing(feature));
   EXPECT_EQ(extractor.missingReason(),
             "the image of 200 x 6 pixels has no pixel farther than 3 from its edges");

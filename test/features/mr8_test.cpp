@@ -7,18 +7,13 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "features/feature_images.h"
 #include "features/local_images.h"
 #include "features/mr8_responses.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
-
-SparseVector extract(const cv::Mat& image, const Mr8Options& options = {}) {
-  Feature feature;
-  makeFeatureExtractor(options)->extract(image, feature);
-  return std::get<SparseVector>(feature);
-}
 
 double respond(const cv::Mat1f& image, int x, int y, const cv::Mat1f& filter) {
   constexpr int kHalf = Mr8FilterBank::kSupport / 2;
@@ -204,7 +199,7 @@ TEST(Mr8, CountsTheLevelsOfTheResponses) {
         expected[bin] += 1.0 / static_cast<double>(image.total());
       }
     }
-    const SparseVector h = extract(image, options);
+    const SparseVector h = extractSparse(image, options);
     double difference = 0;
     for (std::size_t i = 0; i < h.size(); ++i) expected[h.indices[i]] -= h.values[i];
     for (const auto& [bin, rest] : expected) difference += std::abs(rest);
@@ -213,7 +208,7 @@ TEST(Mr8, CountsTheLevelsOfTheResponses) {
 }
 
 TEST(Mr8, IsAJointHistogram) {
-  const SparseVector h = extract(cv::Mat1b(texture(120, 90, 3)));
+  const SparseVector h = extractSparse(cv::Mat1b(texture(120, 90, 3)), Mr8Options());
   EXPECT_NEAR(std::accumulate(h.values.begin(), h.values.end(), 0.0), 1, 1e-5);
   EXPECT_TRUE(std::is_sorted(h.indices.begin(), h.indices.end()));
   EXPECT_LT(h.indices.back(), 65536u) << "4^8 bins";
@@ -225,7 +220,7 @@ TEST(Mr8, IsAJointHistogram) {
 TEST(Mr8, OfABlankImageHasOneBin) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(30, 7), cv::Size(200, 100)}) {
     for (const std::uint8_t grey : {9, 18, 93}) {
-      const SparseVector h = extract(cv::Mat1b(size, grey));
+      const SparseVector h = extractSparse(cv::Mat1b(size, grey), Mr8Options());
       ASSERT_EQ(h.size(), 1u);
       EXPECT_EQ(h.indices[0], 2u * 4096 + 2u * 16384);
       EXPECT_EQ(h.values[0], 1);
@@ -235,7 +230,8 @@ TEST(Mr8, OfABlankImageHasOneBin) {
 
 TEST(Mr8, IgnoresBrightnessAndContrast) {
   const cv::Mat1b image = cv::Mat1b(texture(120, 90, 4)) / 4;
-  const SparseVector a = extract(image), b = extract(image * 3 + 40);
+  const SparseVector a = extractSparse(image, Mr8Options()),
+                     b = extractSparse(image * 3 + 40, Mr8Options());
   double difference = 0;
   std::size_t j = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -254,11 +250,11 @@ TEST(Mr8, IsTheSameEveryTimeAndInColour) {
   Feature feature;
   for (const cv::Mat& image : {cv::Mat(image), cv::Mat(image(cv::Rect(5, 5, 50, 40))), colour}) {
     extractor.extract(image, feature);
-    const SparseVector expected = extract(image);
+    const SparseVector expected = extractSparse(image, Mr8Options());
     EXPECT_EQ(std::get<SparseVector>(feature).indices, expected.indices);
     EXPECT_EQ(std::get<SparseVector>(feature).values, expected.values);
   }
-  EXPECT_EQ(extract(colour).values, extract(image).values);
+  EXPECT_EQ(extractSparse(colour, Mr8Options()).values, extractSparse(image, Mr8Options()).values);
 }
 
 TEST(Mr8Options, RefuseWhatIsOutOfRange) {
