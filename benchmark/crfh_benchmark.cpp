@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
 #include <utility>
@@ -17,6 +14,7 @@
 #include "crfh_limit.h"
 #include "features/feature_extractor.h"
 #include "features/gaussian.h"
+#include "sample_image.h"
 
 namespace place_recognition {
 namespace {
@@ -34,6 +32,7 @@ struct Setup {
   std::vector<Response> responses;
 };
 
+constexpr std::size_t kImage = 83;
 const std::vector<double> kScales = {1, 4};
 constexpr int kBins = 28;
 constexpr int kBorder = 15;
@@ -47,35 +46,6 @@ const std::vector<Setup>& setups() {
        {"Rx", "Rxx", "Gx", "Gxx", "Bx", "Bxx"},
        {{'R', 1, 0}, {'R', 2, 0}, {'G', 1, 0}, {'G', 2, 0}, {'B', 1, 0}, {'B', 2, 0}}}};
   return setups;
-}
-
-/// A real image of 640 x 480 or, if there is none, noise at all scales, which fills as many bins.
-cv::Mat sampleImage() {
-  const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA");
-  const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "nao_canteen";
-  if (data && std::filesystem::exists(folder)) {
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-      if (entry.path().extension() == ".jpg") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    if (!files.empty()) {
-      cv::Mat image = cv::imread(files[files.size() / 4], cv::IMREAD_COLOR);
-      cv::resize(image, image, {640, 480});
-      return image;
-    }
-  }
-  cv::Mat_<cv::Vec3f> sum(480, 640, cv::Vec3f::all(128)), noise;
-  cv::RNG random(1);
-  for (int cell = 1; cell <= 64; cell *= 2) {
-    noise.create(480 / cell + 2, 640 / cell + 2);
-    random.fill(noise, cv::RNG::NORMAL, 0, 4 * std::sqrt(cell));
-    cv::resize(noise, noise, sum.size(), 0, 0, cv::INTER_CUBIC);
-    sum += noise;
-  }
-  cv::Mat image;
-  sum.convertTo(image, CV_8UC3);
-  return image;
 }
 
 using Histogram = std::map<std::uint64_t, int>;
@@ -227,7 +197,7 @@ void peers(benchmark::State& state, const Setup& setup, const cv::Mat& image) {
 int main(int argc, char** argv) {
   using namespace place_recognition;
   cv::setNumThreads(1);
-  const cv::Mat image = sampleImage();
+  const cv::Mat image = sampleImage(kImage);
   for (const Setup& setup : setups()) {
     const std::string dimensions = std::string(setup.name) + "_dimensions";
     const auto add = [&](const char* name, auto function) {

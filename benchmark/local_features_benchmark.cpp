@@ -4,12 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <opencv2/features2d.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "features/feature_extractor.h"
+#include "sample_image.h"
 
 extern "C" {
 #include <vl/covdet.h>
@@ -19,20 +18,6 @@ namespace place_recognition {
 namespace {
 
 constexpr std::size_t kImage = 44;  ///< one with many points
-
-/// A real image of 640 x 480 or, if there is none, smoothed noise.
-cv::Mat sampleImage() {
-  if (const char* data = std::getenv("PLACE_RECOGNITION_TEST_DATA")) {
-    std::vector<cv::String> files;
-    cv::glob(data + std::string("/nao_canteen/*.jpg"), files, true);
-    if (files.size() > kImage) return cv::imread(files[kImage]);
-  }
-  cv::Mat noise(480, 640, CV_8UC3);
-  cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 256);
-  cv::GaussianBlur(noise, noise, cv::Size(), 2);
-  cv::normalize(noise, noise, 0, 255, cv::NORM_MINMAX);
-  return noise;
-}
 
 /// At most `limit` oriented Harris-Laplace points of VLFeat, described by OpenCV.
 cv::Mat describeWithPeers(const cv::Mat& image, int limit) {
@@ -74,7 +59,7 @@ int commonCount(const cv::Mat& image) {
 }
 
 void harrisLaplaceSift(benchmark::State& state) {
-  const cv::Mat image = sampleImage();
+  const cv::Mat image = sampleImage(kImage);
   LocalFeatureOptions options;
   options.max_points = commonCount(image);
   const auto extractor = makeFeatureExtractor(options);
@@ -84,7 +69,7 @@ void harrisLaplaceSift(benchmark::State& state) {
 }
 
 void vlfeatAndOpenCv(benchmark::State& state) {
-  const cv::Mat image = sampleImage();
+  const cv::Mat image = sampleImage(kImage);
   const int count = commonCount(image);
   cv::Mat descriptors;
   for (auto _ : state) descriptors = describeWithPeers(image, count);
