@@ -4,12 +4,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Dense>
-#include <cmath>
 #include <opencv2/core.hpp>
 
 #include "learning/gram.h"
 #include "learning/reduction.h"
+#include "learning/thesis_reduction.h"
 #include "views.h"
 
 namespace place_recognition {
@@ -45,40 +44,10 @@ ReductionOptions options(double tau) {
   return options;
 }
 
-/// Eq. 6.18 to 6.21 for one machine.
-Eigen::VectorXd reduceWithEigen(const Eigen::MatrixXd& gram, const Eigen::VectorXd& weights,
-                                double tau) {
-  std::vector<Eigen::Index> vectors;
-  for (Eigen::Index i = 0; i < weights.size(); ++i) {
-    if (weights[i] != 0) vectors.push_back(i);
-  }
-  const auto m = static_cast<Eigen::Index>(vectors.size());
-  Eigen::MatrixXd columns(gram.rows(), m);
-  Eigen::VectorXd alpha(m);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    columns.col(i) = gram.col(vectors[i]);
-    alpha[i] = weights[vectors[i]];
-  }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  const auto& r = qr.matrixR();
-  Eigen::Index rank = 0;
-  while (rank < m && std::abs(r(rank, rank)) > tau * std::abs(r(0, 0))) ++rank;
-  const Eigen::VectorXd pivoted = qr.colsPermutation().transpose() * alpha;
-  const Eigen::VectorXd kept =
-      pivoted.head(rank) + r.topLeftCorner(rank, rank)
-                               .triangularView<Eigen::Upper>()
-                               .solve(r.topRightCorner(rank, m - rank) * pivoted.tail(m - rank));
-  Eigen::VectorXd reduced = Eigen::VectorXd::Zero(weights.size());
-  for (Eigen::Index k = 0; k < rank; ++k) {
-    reduced[vectors[qr.colsPermutation().indices()[k]]] = kept[k];
-  }
-  return reduced;
-}
-
 BinarySvms reduceWithEigen(double tau) {
   BinarySvms reduced = setup().machines;
   for (Eigen::Index m = 0; m < reduced.weights.cols(); ++m) {
-    reduced.weights.col(m) = reduceWithEigen(setup().gram, reduced.weights.col(m), tau);
+    reduced.weights.col(m) = thesisReduction(setup().gram, reduced.weights.col(m), tau, false);
   }
   return reduced;
 }

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "learning/gram.h"
 #include "learning/random_features.h"
+#include "learning/thesis_reduction.h"
 
 namespace place_recognition {
 namespace {
@@ -174,41 +174,6 @@ INSTANTIATE_TEST_SUITE_P(Every, Method, testing::Values("qr", "shared-qr", "shar
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
-
-/// Eq. 6.19-6.21 with Householder transformations, as in the thesis.
-Eigen::VectorXd thesisReduction(const Eigen::MatrixXd& gram, const Eigen::VectorXd& weights,
-                                double tau, bool normalize) {
-  std::vector<Eigen::Index> vectors;
-  for (Eigen::Index i = 0; i < weights.size(); ++i) {
-    if (weights[i] != 0) vectors.push_back(i);
-  }
-  const auto m = static_cast<Eigen::Index>(vectors.size());
-  Eigen::MatrixXd k(gram.rows(), m);
-  Eigen::VectorXd alpha(m);
-  for (Eigen::Index j = 0; j < m; ++j) {
-    k.col(j) = gram.col(vectors[static_cast<std::size_t>(j)]);
-    alpha[j] = weights[vectors[static_cast<std::size_t>(j)]];
-  }
-  Eigen::RowVectorXd scales = Eigen::RowVectorXd::Ones(m);
-  if (normalize) scales = k.colwise().norm();
-  if (normalize) scales[0] *= 1 - 1e-9;  // breaks the tie of equal norms in favour of the first
-  k.array().rowwise() /= scales.array();
-  alpha.array() *= scales.transpose().array();
-
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(k);
-  qr.setThreshold(tau);
-  const Eigen::Index r = qr.rank();
-  const Eigen::VectorXd permuted = qr.colsPermutation().transpose() * alpha;
-  const Eigen::VectorXd updated =
-      permuted.head(r) + qr.matrixR().topLeftCorner(r, r).triangularView<Eigen::Upper>().solve(
-                             qr.matrixR().topRightCorner(r, m - r) * permuted.tail(m - r));
-  Eigen::VectorXd reduced = Eigen::VectorXd::Zero(weights.size());
-  for (Eigen::Index i = 0; i < r; ++i) {
-    const Eigen::Index j = qr.colsPermutation().indices()[i];
-    reduced[vectors[static_cast<std::size_t>(j)]] = updated[i] / scales[j];
-  }
-  return reduced;
-}
 
 TEST(Reduction, QrIsThatOfTheThesis) {
   for (const char* kernel : {"linear", "gaussian", "polynomial"}) {
