@@ -15,6 +15,8 @@ from tool_case import PLACE_TOOL, ToolCase
 
 START = 1700000000.5
 TOPIC = "/camera/image_raw/compressed"
+# A locale that is not UTF-8, as an 8-bit one is; every system has this one.
+IN_ASCII = {"LC_ALL": "POSIX", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
 
 
 def jpeg(number, size=(48, 64)):

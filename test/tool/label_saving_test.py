@@ -1,99 +1,15 @@
 #!/usr/bin/env python3
-"""Tests place_tool label without a browser: what its server sends, refuses and writes."""
-import http.client
+"""Tests which labels files place_tool label writes and keeps, without a browser."""
 import json
 import os
-import pathlib
-import tempfile
-import time
 import unicodedata
 import unittest
 
 import rosbag
 import rospy
-from label_case import START, TOPIC, LabelCase, Page, span
+from label_case import IN_ASCII, START, TOPIC, LabelCase, span
 from sensor_msgs.msg import CompressedImage
 from std_msgs.msg import String
-
-# A locale that is not UTF-8, as an 8-bit one is; every system has this one.
-IN_ASCII = {"LC_ALL": "POSIX", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
-
-
-class AddressTest(LabelCase):
-    """Tests that only the page itself is answered. All tests share a server, because none changes
-    anything."""
-    served = None
-
-    def setUp(self):
-        super().setUp()
-        if AddressTest.served is None:
-            folder = tempfile.TemporaryDirectory(prefix="place_tool_test_")
-            self.addClassCleanup(folder.cleanup)
-            AddressTest.shared = pathlib.Path(folder.name)
-            self.record(AddressTest.shared / "run.bag")
-            AddressTest.served = Page(AddressTest.shared, self.environment(), "run.bag")
-            self.addClassCleanup(AddressTest.served.stop)
-
-    def status(self, *arguments, **headers):
-        return self.served.request(*arguments, **headers)[0]
-
-    def test_it_listens_on_loopback_only(self):
-        port = f"{self.served.port:04X}"
-        with open("/proc/net/tcp") as table:
-            listening = [line.split()[1] for line in table if line.split()[3] == "0A"]
-        self.assertEqual([address for address in listening if address.endswith(":" + port)],
-                         ["0100007F:" + port])
-
-    def test_nothing_without_the_token(self):
-        for path in ("/", "/recording", "/x/recording", "/index.html", self.served.path[:-2] + "/"):
-            self.assertEqual(self.status("GET", path), 403, path)
-        self.assertEqual(self.status("GET", ""), 200)
-
-    def test_no_other_name_for_this_computer(self):
-        for host in ("evil.example", f"evil.example:{self.served.port}", "127.0.0.1.evil.example"):
-            self.assertEqual(self.status("GET", "recording", Host=host), 421, host)
-        self.assertEqual(self.status("GET", "recording", Host="localhost:1234"), 200)
-
-    def test_no_other_origin(self):
-        for origin in ("http://evil.example", "null", "https://127.0.0.1:%d" % self.served.port,
-                       "http://127.0.0.1:1"):
-            self.assertEqual(self.status("GET", "recording", Origin=origin), 403, origin)
-            self.assertEqual(self.status("POST", "goodbye", "{}", Origin=origin), 403, origin)
-        self.assertEqual(self.status("POST", "goodbye", "{}", Origin=""), 403)
-        self.assertEqual(self.status("POST", "goodbye", "{}"), 200)
-        for site in ("cross-site", "same-site"):
-            self.assertEqual(self.status("GET", "recording", Sec_Fetch_Site=site), 403, site)
-
-    def test_one_connection_carries_several_requests(self):
-        connection = http.client.HTTPConnection("127.0.0.1", self.served.port, timeout=60)
-        for _ in range(2):
-            connection.request("POST", self.served.path + "goodbye", '{"more": "than is read"}',
-                               {"Origin": f"http://127.0.0.1:{self.served.port}"})
-            self.assertEqual(connection.getresponse().read(), b"{}")
-            connection.request("GET", self.served.path + "times?topic=" + TOPIC)
-            self.assertEqual(len(json.loads(connection.getresponse().read())), 40)
-        connection.close()
-
-    def test_no_file_but_those_of_the_page(self):
-        for name in ("../server.py", "..%2fserver.py", "server.py", "/etc/passwd", "nothing"):
-            path = self.served.path + name
-            self.assertIn(self.status("GET", path), (403, 404), name)
-        self.assertEqual(self.status("GET", "main.js"), 200)
-
-    def test_malformed_requests_are_refused_and_change_nothing(self):
-        for name, body in (("save", "{"), ("save", "[]"), ("save", '{"spans": [{}]}'),
-                           ("save", '{"spans": [{"from": 0, "to": "a", "place": "b"}]}'),
-                           ("save", '{"spans": [{"from": 0, "to": 1%s, "place": "b"}]}' % ("0" * 400)),
-                           ("save", "[" * 100000), ("draft", '{"spans": 5}'), ("draft", '{"spans": {}}'),
-                           ("draft", '{"spans": [5]}'), ("draft", '{"spans": [{"from": 0, "to": 1}]}'),
-                           ("draft", '{"spans": [{"from": 0, "to": NaN, "place": "b"}]}'),
-                           ("draft", '{"spans": [{"from": 0, "to": 1, "place": 5}]}')):
-            self.assertEqual(self.status("POST", name, body), 400, body[:80])
-        for query in ("times?topic=/no", "picture?topic=/no&frame=0&size=thumb",
-                      f"picture?topic={TOPIC}&frame=0", "answers?question=a&after=0", "times"):
-            self.assertEqual(self.status("GET", query), 400, query)
-        self.assertEqual(self.status("GET", f"picture?topic={TOPIC}&frame=40&size=thumb"), 404)
-        self.assertEqual([path.name for path in self.shared.iterdir()], ["run.bag"])
 
 
 class SavingTest(LabelCase):
@@ -274,93 +190,6 @@ class SavingTest(LabelCase):
         self.assertEqual(page.get("recording")["bags"][0]["name"], "K?che.bag")
         self.save(page, span(0, 2, "attic"))
         self.assertEqual(self.stretches(name)[0][0], "attic")
-
-
-class OpinionTest(LabelCase):
-    def setUp(self):
-        super().setUp()
-        self.rooms = ["kitchen"] * 6 + ["corridor"] * 6 + ["office"] * 6
-
-    def answers(self, page):
-        """Waits for all answers and returns them."""
-        for _ in range(600):
-            status = page.get("recording")["opinion"]
-            self.assertEqual(status["problem"], "")
-            if status["answers"] == status["frames"] and not status["stage"]:
-                return page.get(f"answers?question={status['question']}&after=0")
-            time.sleep(.1)
-        self.fail(f"no answers: {status}")
-
-    def problem(self, page):
-        """Waits for a failure and returns it."""
-        for _ in range(300):
-            problem = page.get("recording")["opinion"]["problem"]
-            if problem:
-                return problem
-            time.sleep(.1)
-        self.fail("no problem is reported")
-
-    def test_a_model_answers_each_frame(self):
-        self.write_bag("monday.bag", [(room, room) for room in self.rooms])
-        self.write_bag("tuesday.bag", [(room, None) for room in self.rooms])
-        self.succeed("train", "monday.bag", "--model", "home", "--config", "crfh_colour")
-        page = self.page("tuesday.bag", "--model", "home")
-        answers = self.answers(page)
-        self.assertEqual([answer[0] for answer in answers], list(range(18)))
-        self.assertEqual([answer[1] for answer in answers], self.rooms)
-        for _, place, probabilities, unknown in answers:
-            self.assertAlmostEqual(sum(probabilities.values()) + unknown, 1, delta=.05)
-            self.assertEqual(max(probabilities, key=probabilities.get), place)
-        self.assertEqual(page.get("answers?question=99&after=0"), [])
-
-    def test_answers_belong_to_the_frames_that_are_shown(self):
-        self.write_bag("monday.bag", [(room, room) for room in self.rooms])
-        self.write_bag("tuesday.bag", [("office", None)] * 3)
-        with rosbag.Bag(str(self.folder / "tuesday.bag"), "a") as bag:
-            image = [message for _, message, _ in bag.read_messages()][0]
-            for i in range(6):
-                bag.write(TOPIC, image, rospy.Time(200000 + i))
-        self.succeed("train", "monday.bag", "--model", "home", "--config", "crfh_colour")
-        answers = self.answers(self.page("tuesday.bag", "--model", "home"))
-        self.assertEqual([answer[0] for answer in answers], list(range(6)))
-
-    def test_it_learns_from_the_labels_of_the_page(self):
-        self.write_bag("run.bag", [(room, None) for room in self.rooms * 2])
-        page = self.page("run.bag")
-        before = self.files()
-        spans = [span(begin, begin + 6, room) for begin, room in
-                 ((-.5 + 0, "kitchen"), (5.5, "corridor"), (11.5, "office"))]
-        self.assertEqual(page.post("learn", {"spans": spans})[0], 200)
-        places = [answer[1] for answer in self.answers(page)]
-        self.assertGreaterEqual(sum(a == b for a, b in zip(places, self.rooms * 2)), 32)
-        self.assertEqual(self.files(), before)
-
-    def test_it_learns_names_in_a_locale_without_utf_8(self):
-        self.write_bag("run.bag", [(room, None) for room in self.rooms])
-        self.extra_environment = IN_ASCII
-        page = self.page("run.bag")
-        spans = [span(0, 5.5, "K\u00fcche"), span(5.5, 11.5, "corridor")]
-        self.assertEqual(page.post("learn", {"spans": spans})[0], 200)
-        self.assertIn("K\u00fcche", [answer[1] for answer in self.answers(page)])
-
-    def test_it_learns_from_the_bags_that_have_the_topic_shown(self):
-        self.write_bag("run.bag", [(room, None) for room in self.rooms])
-        self.record("rear.bag", topics=("/rear/compressed",))
-        page = self.page("run.bag", "rear.bag", "--image-topic", TOPIC)
-        start = next(bag["offset"] for bag in page.get("recording")["bags"]
-                     if bag["name"] == "rear.bag")
-        spans = [span(0, 5.5, "kitchen"), span(5.5, 11.5, "corridor"),
-                 span(start, start + 1, "attic")]
-        self.assertEqual(page.post("learn", {"spans": spans})[0], 200)
-        self.assertEqual([answer[1] for answer in self.answers(page)][:12], self.rooms[:12])
-        page.post("learn", {"spans": spans[2:]})
-        self.assertIn("no labelled bag has images on " + TOPIC, self.problem(page))
-
-    def test_failures_are_reported(self):
-        self.write_bag("run.bag", [(room, None) for room in self.rooms])
-        page = self.page("run.bag")
-        page.post("learn", {"spans": [span(0, 5, "kitchen")]})
-        self.assertIn("place", self.problem(page))
 
 
 if __name__ == "__main__":

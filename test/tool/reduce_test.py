@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Tests place_tool reduce on painted rooms."""
+import unittest
+
+from trained_case import TrainedCase
+
+
+class ReduceTest(TrainedCase):
+    def reduce(self, *arguments):
+        return self.figures("reduce", "--model", "./home.places", "--out", "./small.places",
+                            *arguments)
+
+    def test_figures(self):
+        figures = self.reduce("--tau", 0.3)
+        self.assertLess(figures["support_vectors_after"], figures["support_vectors_before"])
+        self.assertTrue(0 < figures["mean_margin_change"] <= figures["max_margin_change"])
+        self.assertEqual(figures["model_bytes"], (self.folder / "small.places").stat().st_size)
+
+    def test_the_result_is_not_validated(self):
+        self.assertGreater(self.figures("info", "./home.places")["validation"]["average_rate"], 0.5)
+        self.reduce("--share", 0.3)
+        self.assertIsNone(self.figures("info", "./small.places")["validation"])
+        self.assertRegex(self.succeed("info", "./small.places"), "validation +none")
+
+    def test_number_of_vectors(self):
+        for method in ("shared-qr", "shared-greedy"):
+            figures = self.reduce("--method", method, "--support-vectors", 5)
+            self.assertEqual(figures["support_vectors_after"], 5, method)
+
+    def test_training_images_as_rows_of_the_kernel_matrix(self):
+        figures = self.reduce("--method", "shared-greedy", "--support-vectors", 5, "--train",
+                              "monday")
+        self.assertEqual(figures["support_vectors_after"], 5)
+
+    def test_one_known_room_is_enough_to_validate_on(self):
+        self.write_run("kitchens", rooms=("kitchen",), seed=1)
+        figures = self.reduce("--share", 0.5, "--validate", "kitchens")
+        self.assertGreater(figures["validation"]["average_rate_before"], 0.5)
+
+    def test_loss_stays_within_bounds_and_one_vector_fewer_does_not(self):
+        arguments = ("--method", "shared-qr")
+        figures = self.reduce(*arguments, "--max-loss", 5, "--validate", "tuesday")
+        rates = figures["validation"]
+        self.assertGreaterEqual(rates["average_rate_after"], rates["average_rate_before"] - 0.05)
+        evaluated = self.figures("evaluate", "tuesday", "--model", "./small.places")
+        self.assertAlmostEqual(evaluated["average_rate"], rates["average_rate_after"])
+        kept = figures["support_vectors_after"]
+        if kept > 1:
+            self.reduce(*arguments, "--support-vectors", kept - 1)
+            fewer = self.figures("evaluate", "tuesday", "--model", "./small.places")
+            self.assertLess(fewer["average_rate"], rates["average_rate_before"] - 0.05)
+
+    def test_report_compares_the_methods(self):
+        figures = self.reduce("--share", 0.3, "--validate", "tuesday", "--report", "report")
+        self.assertEqual(set(figures["methods"]), {"qr", "shared-qr", "shared-greedy"})
+        for method in figures["methods"].values():
+            self.assertLessEqual(method["support_vectors"], figures["support_vectors_before"])
+            self.assertEqual(method["curve"][-1][0], 1)
+            self.assertGreater(method["comparison_ms"], 0)
+        page = (self.folder / "report/reduction.html").read_text()
+        self.assertIn("shared-greedy", page)
+        self.assertIn("<svg", page)
+
+    def test_text_names_the_images_of_the_measured_changes(self):
+        arguments = ("reduce", "--model", "./home.places", "--out", "./small.places",
+                     "--no-normalise")
+        self.assertIn("support vectors", self.succeed(*arguments))
+        self.assertIn("24 images", self.succeed(*arguments, "--train", "monday"))
+
+
+if __name__ == "__main__":
+    unittest.main()
