@@ -1,6 +1,7 @@
 // The page for labelling a recording: connects its parts and holds the state that they show.
 
 import * as api from "./api.js";
+import {Editor} from "./editor.js";
 import {clock} from "./format.js";
 import {firstFrom, Frames, Thumbnails} from "./frames.js";
 import {listKeys, onKeys} from "./keys.js";
@@ -8,8 +9,8 @@ import {Overview} from "./overview.js";
 import {make, noteOfModel, showDoubts, showRooms, swatch} from "./panel.js";
 import {Player} from "./player.js";
 import {Review} from "./review.js";
-import {faultOfName, Rooms, tidyName, twinOf} from "./rooms.js";
-import {borders, endOfStretch, History, moveBorder, paint, spanAt, split} from "./spans.js";
+import {Rooms, tidyName} from "./rooms.js";
+import {borders, spanAt} from "./spans.js";
 import {Timeline} from "./timeline.js";
 import {View} from "./view.js";
 
@@ -19,11 +20,10 @@ const recording = await api.getRecording().catch(problem => {
   say(problem.message, true);
   throw problem;
 });
-const history = new History(recording.spans);
 const view = new View(recording.duration);
 const state = {
   frames: await loadFrames(recording.topic),
-  spans: history.spans,  // as shown, including a border that is being dragged
+  spans: recording.spans,  // as shown, including a border that is being dragged
   rooms: new Rooms(),
   cursor: 0,  // s
   selection: null,  // {from, to}
@@ -31,14 +31,17 @@ const state = {
   status: recording.opinion,
   doubts: [], chosen: -1,
 };
-let saved = recording.unsaved ? null : history.spans;
+const editor = new Editor(recording, state, {show: showAll, seek, say});
 
 const thumbnails = new Thumbnails(() => redraw());
 const timeline = new Timeline(element("timeline"), state, view, thumbnails,
-                              {seek, select, move, moved: endMove, notMoved: cancelMove,
-                               viewChanged: redraw});
+                              {seek, select, viewChanged: redraw,
+                               move: (border, target) => editor.move(border, target),
+                               moved: () => editor.endMove(),
+                               notMoved: () => editor.cancelMove()});
 const overview = new Overview(element("overview"), state, view, redraw);
-const review = new Review(state, {change, show: showAll, showStretch});
+const review = new Review(state, {change: spans => editor.change(spans), show: showAll,
+                                   showStretch});
 const player = new Player(element("image"), () => state, seek, element("play"));
 
 async function loadFrames(topic) {
@@ -74,17 +77,18 @@ function showPlace() {
   element("hint").textContent = state.selection
       ? "Press a room's key to label the selected stretch."
       : "Press a room's key to label from here to the next border.";
-  showRooms(element("room-list"), state, place, {label, rename});
+  showRooms(element("room-list"), state, place,
+            {label: name => editor.label(name), rename: name => editor.rename(name)});
 }
 
 function showAll() {
   review.update();
   showPlace();
   showModel();
-  element("undo").disabled = !history.canUndo;
-  element("redo").disabled = !history.canRedo;
-  element("save").disabled = isSaved();
-  document.title = `${isSaved() ? "" : "• "}${element("name").textContent}`;
+  element("undo").disabled = !editor.history.canUndo;
+  element("redo").disabled = !editor.history.canRedo;
+  element("save").disabled = editor.isSaved;
+  document.title = `${editor.isSaved ? "" : "• "}${element("name").textContent}`;
   redraw();
 }
 
@@ -155,115 +159,14 @@ function zoom(factor) {
   redraw();
 }
 
-// Editing
-
-const isSaved = () => history.spans === saved;
-
-function show(spans) {
-  state.spans = spans;
-  state.rooms.add(spans.map(span => span.place));
-  showAll();
-}
-
-function change(spans) {
-  if (spans === history.spans) return;
-  history.push(spans);
-  show(spans);
-  tellDraft();
-}
-
-function tellDraft() {
-  say(isSaved() ? "" : "Not saved yet");
-  api.keepDraft(recording.page, history.spans, isSaved()).catch(problem => say(problem.message, true));
-}
-
-function undo(again) {
-  if (again) history.redo(); else history.undo();
-  show(history.spans);
-  tellDraft();
-}
-
-/// Labels the selection or, without one, from the frame shown to the next border. "" clears labels.
-function label(place) {
-  if (state.selection) {
-    const {from, to} = state.selection;
-    state.selection = null;
-    change(paint(state.spans, from, to, place));
-    return;
-  }
-  const number = state.frames.at(state.cursor);
-  const from = state.frames.before(number, state.spans);
-  const to = endOfStretch(state.spans, state.frames.times[number], recording.duration);
-  change(paint(state.spans, from, to, place));
-}
-
-function splitHere() {
-  const number = state.frames.at(state.cursor);
-  change(split(state.spans, state.frames.before(number, state.spans)));
-}
-
-let moving = null;  // original time of the border that is being dragged, s
-
-function move(border, target) {
-  moving ??= border;
-  const least = 1e-3;
-  state.spans = moveBorder(history.spans, moving, target, recording.duration, least);
-  seek(target);
-}
-
-function endMove() {
-  const spans = state.spans;
-  moving = null;
-  change(spans);
-}
-
-function cancelMove() {
-  moving = null;
-  show(history.spans);
-}
-
-function rename(old) {
-  const name = tidyName(prompt("New name of the room", old) ?? old);
-  if (name === old || complain(name)) return;
-  state.rooms.names[state.rooms.names.indexOf(old)] = name;
-  state.rooms.names = [...new Set(state.rooms.names)];
-  change(history.spans.map(span => span.place === old ? {...span, place: name} : span));
-  showAll();
-}
-
-/// Shows what is wrong with a room's name. Returns whether the name is invalid.
-function complain(name) {
-  const fault = faultOfName(name);
-  const twin = twinOf(name, state.rooms.names);
-  if (fault) say(fault, true);
-  else if (twin) say(`“${twin}” differs only in case; the two remain separate rooms.`);
-  else say("");
-  return Boolean(fault);
-}
-
-async function save() {
-  const spans = history.spans;
-  const write = overwrite => api.saveSpans(recording.page, spans, overwrite);
-  try {
-    const {files} = await write(false).catch(problem => {
-      if (problem.status === 409 && confirm(`${problem.message} Overwrite?`)) return write(true);
-      throw problem;
-    });
-    saved = spans;
-    say(`Saved: ${files.join(", ")}`);
-  } catch (problem) {
-    say(problem.message, true);
-  }
-  showAll();
-}
-
 // Buttons and keys
 
 const onClick = {
-  undo: () => undo(false), redo: () => undo(true), save, help: () => element("keys").showModal(),
-  split: splitHere, clear: () => label(""), play: () => player.toggle(),
+  undo: () => editor.undo(), redo: () => editor.redo(), save: () => editor.save(),
+  help: () => element("keys").showModal(),
+  split: () => editor.split(), clear: () => editor.label(""), play: () => player.toggle(),
   "zoom-in": () => zoom(1.6), "zoom-out": () => zoom(1 / 1.6), "zoom-all": () => zoom(0),
-  learn: () => api.learn(history.spans).catch(problem => say(problem.message, true)),
+  learn: () => api.learn(editor.history.spans).catch(problem => say(problem.message, true)),
   "accept-all": () => review.acceptRest(),
 };
 for (const [id, work] of Object.entries(onClick)) {
@@ -276,7 +179,7 @@ for (const [id, work] of Object.entries(onClick)) {
 element("new-room").onsubmit = event => {
   event.preventDefault();
   const name = tidyName(element("room-name").value);
-  if (complain(name)) return;
+  if (editor.complain(name)) return;
   state.rooms.add([name]);
   element("room-name").value = "";
   showPlace();
@@ -291,11 +194,12 @@ element("topic").onchange = async event => {
 };
 
 onKeys({
-  label: key => { if (state.rooms.ofKey(key)) label(state.rooms.ofKey(key)); },
-  clear: () => label(""), split: splitHere, step, stepBorder, play: () => player.toggle(),
+  label: key => { if (state.rooms.ofKey(key)) editor.label(state.rooms.ofKey(key)); },
+  clear: () => editor.label(""), split: () => editor.split(), step, stepBorder,
+  play: () => player.toggle(),
   second: sign => goTo(state.cursor + sign),
   start: () => goTo(0), end: () => goTo(recording.duration),
-  zoom, undo: () => undo(false), redo: () => undo(true), save,
+  zoom, undo: () => editor.undo(), redo: () => editor.redo(), save: () => editor.save(),
   doubt: count => review.step(count),
   accept: () => review.settle("accept"),
   keep: () => review.settle("keep"),
@@ -313,11 +217,11 @@ if (recording.hidden) {
 if (recording.unsaved) say("Not saved yet");
 
 addEventListener("resize", redraw);
-addEventListener("beforeunload", event => { if (!isSaved()) event.preventDefault(); });
+addEventListener("beforeunload", event => { if (!editor.isSaved) event.preventDefault(); });
 api.listen(status => review.hear(status),
            () => say("place_tool has ended. Unsaved changes are lost.", true));
 
-show(history.spans);
+editor.show(recording.spans);
 seek(0);
 view.width = element("timeline").clientWidth;
 view.showAll();
