@@ -20,8 +20,8 @@ constexpr const char* kIntroduction =
 
 `place_tool train --config FILE` accepts a YAML file with the keys below, or the name of a preset in
 `config/`. A key that the file lacks keeps its default. `--set KEY=VALUE` overrides one key, for
-example `--set svm.c=10`; a cue is addressed by its name, for example
-`--set cues.edges.kernel.gamma=3`. Unknown keys are refused. A list of cues in a file replaces the
+example `--set svm.multiclass=one-against-one`; a cue is addressed by its name, for example
+`--set cues.edges.kernel.type=intersection`. Unknown keys are refused. A list of cues in a file replaces the
 default list: `colours`, `tints`, `edges`, `shapes` and `directions`, as in `config/default.yaml`. The model stores
 the options that it was trained with; `place_tool info` shows them.
 )";

@@ -21,6 +21,13 @@ std::vector<std::string> presetFiles() {
   return files;
 }
 
+TrainingOptions crfh() {
+  const std::string file = PLACE_RECOGNITION_PRESETS "/crfh.yaml";
+  TrainingOptions options;
+  readOptions(readYamlFile(file), file, options);
+  return options;
+}
+
 }  // namespace
 
 std::vector<TrainingOptions> presets() {
@@ -34,6 +41,12 @@ std::vector<TrainingOptions> presets() {
           embedding->stride > 0 ? SmallNetwork::kEarlyDimension : SmallNetwork::kDimension;
     }
   }
+  for (const char* kernel : {"gaussian", "intersection", "linear", "polynomial", "sigmoid"}) {
+    all.push_back(crfh());
+    all.back().cues[0].kernel.type = kernel;
+  }
+  all.push_back(crfh());
+  all.back().svm.multiclass = "one-against-one";
   return all;
 }
 

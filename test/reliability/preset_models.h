@@ -8,11 +8,12 @@
 
 namespace place_recognition {
 
-/// Returns the options of every preset in config/, in the order of their names. A small network
-/// replaces any network.
+/// Returns the options of every preset in config/, in the order of their names, and those of `crfh`
+/// with each other kernel of histograms and with one-against-one. A small network replaces any
+/// network.
 std::vector<TrainingOptions> presets();
 
-/// Trains a model of every preset on `frames` and returns the bytes of its file.
+/// Trains a model with each of them on `frames` and returns the bytes of its file.
 std::vector<std::string> trainPresets(const std::vector<Frame>& frames);
 
 /// The same models for a few drawn rooms; trained once.

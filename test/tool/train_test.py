@@ -134,13 +134,24 @@ class TrainTest(ToolCase):
                             "./next.places", "--validate", "tuesday")
         self.assertIn("On the runs of --validate 100.0 % right", text)
 
+    def test_the_kernel_and_the_machines_of_a_preset_can_be_set(self):
+        self.write_run("monday")
+        for change in ("svm.multiclass=one-against-one", "cues.crfh.kernel.type=gaussian",
+                       "cues.crfh.kernel.type=intersection", "cues.crfh.kernel.type=linear",
+                       "cues.crfh.kernel.type=polynomial", "cues.crfh.kernel.type=sigmoid"):
+            with self.subTest(change=change):
+                self.succeed("train", "monday", "--model", "./home.places", "--config", "crfh",
+                             "--set", change)
+                key, value = change.rsplit(".", 1)[1].split("=")
+                self.assertIn(f"{key}: {value}", self.succeed("info", "./home.places"))
+
     def test_a_kernel_that_overflows_leaves_the_good_model_alone(self):
         self.write_run("monday")
         self.succeed("train", "monday", "--model", "./home.places", *COLOUR)
         before = (self.folder / "home.places").read_bytes()
         complaint = self.refuse("train", "monday", "--model", "./home.places", "--config",
-                                "crfh_polynomial", "--set", "cues.crfh.kernel.p=1e31", "--set",
-                                "cues.crfh.kernel.d=10", status=1)
+                                "crfh", "--set", "cues.crfh.kernel.type=polynomial", "--set",
+                                "cues.crfh.kernel.p=1e31", "--set", "cues.crfh.kernel.d=10")
         self.assertIn("cues.crfh.kernel.p", complaint)
         self.assertEqual((self.folder / "home.places").read_bytes(), before)
 
