@@ -77,7 +77,7 @@ void calibrateModel(const CalibrateOptions& options) {
   saveModel(result.model, path);
   display.clear();
 
-  for (const std::string& warning : result.warnings) std::cerr << "warning: " << warning << "\n";
+  printWarnings(result.warnings);
   printSummary(result, before, options.output.text());
   options.output.text() << "Model: " << path << std::endl;
   options.output.writeJson({{"images", result.images},

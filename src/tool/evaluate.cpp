@@ -42,9 +42,7 @@ void evaluateModel(const EvaluateOptions& options) {
   const Summary summary = summarize(evaluation);
   display.clear();
 
-  for (const std::string& warning : evaluation.warnings) {
-    std::cerr << "warning: " << warning << "\n";
-  }
+  printWarnings(evaluation.warnings);
   options.output.text() << resultTable(evaluation, summary) << std::flush;
   if (!options.report.empty()) {
     writeText(report, htmlReport(evaluation, summary));

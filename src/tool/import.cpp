@@ -117,7 +117,7 @@ void importImages(const ImportOptions& options) {
     warnings.push_back(std::move(sentence));
   }
   display.clear();
-  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
+  printWarnings(warnings);
   unusable.warn(std::cerr);
   const std::size_t written = images.size() - unusable.count();
   options.output.text() << options.out << ": " << written << " images of " << places.size()

@@ -13,6 +13,7 @@
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "tool/carried_labels.h"
+#include "tool/output.h"
 
 namespace place_recognition::tool {
 namespace {
@@ -122,7 +123,7 @@ void findRecordingsIn(const std::string& folder, std::vector<std::string>& recor
         "images of each room into a folder with the room's name." +
         text);
   }
-  for (const std::string& sentence : passed_over) std::cerr << "warning: " << sentence << "\n";
+  printWarnings(passed_over);
 }
 
 void findRecordingsOf(const std::string& input, std::vector<std::string>& recordings) {

@@ -30,6 +30,9 @@ struct OutputOptions {
   void writeJson(const Json& figures) const;
 };
 
+/// Writes each warning as a line to stderr.
+void printWarnings(const std::vector<std::string>& warnings);
+
 /// One line of JSON; its strings may contain any bytes.
 std::string jsonLine(const Json& value);
 

@@ -229,9 +229,7 @@ void recognizeRun(const std::string& run, InputOptions input, Recognitions& reco
     if (is_bag) frame.name = run + " " + frame.name;
     recognitions.addFrame(frame);
   }
-  for (const std::string& warning : recording->warnings()) {
-    std::cerr << "warning: " << warning << "\n";
-  }
+  printWarnings(recording->warnings());
   recognitions.endRecording();
 }
 

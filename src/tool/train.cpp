@@ -172,7 +172,7 @@ void train(const TrainOptions& options) {
   const std::uint64_t bytes = saveModel(training.model, path);
   display.clear();
 
-  for (const std::string& warning : training.warnings) std::cerr << "warning: " << warning << "\n";
+  printWarnings(training.warnings);
   printSummary(training, path, bytes, options.from_model, options.output.text());
   Json json = figures(training, path, bytes);
   if (rate) {
