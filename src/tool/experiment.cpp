@@ -3,9 +3,9 @@
 
 #include "base/parallel.h"
 #include "datasets/image_file.h"
-#include "datasets/layout_sets.h"
 #include "experiments/experiment_run.h"
 #include "experiments/experiments.h"
+#include "experiments/layout_sets.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
 #include "tool/part_option.h"
@@ -59,6 +59,7 @@ void requireApplicable(const ExperimentOptions& options) {
   }
 }
 
+/// Warns of folders without images.
 std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
   const bool made_up = options.name == "figures";
   if (made_up && !options.data.empty()) {
@@ -67,8 +68,12 @@ std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
   if (!made_up && options.data.empty()) throw UsageError("--data is required");
   if (made_up) return {};
   if (options.name == "materials") return sampleSets(options.data);
-  if (options.name == "categories") return buildingSets(options.data, options.layout);
-  return conditionSets(options.data, options.layout);
+  std::vector<std::string> warnings;
+  std::vector<ImageSet> sets = options.name == "categories"
+                                   ? buildingSets(options.data, options.layout, warnings)
+                                   : conditionSets(options.data, options.layout, warnings);
+  printWarnings(warnings);
+  return sets;
 }
 
 /// Leaves the images out of `set` that cannot be read, and says so. Returns their number.
@@ -113,9 +118,7 @@ void runExperimentVerb(const ExperimentOptions& options) {
   const ExperimentOutcome outcome =
       runExperiment(*experiment, options.out, digest, part, display.callback());
   display.clear();
-  for (const std::string& warning : experiment->warnings()) {
-    std::cerr << "warning: " << warning << "\n";
-  }
+  printWarnings(experiment->warnings());
   std::ostream& out = options.output.text();
   if (outcome.missing == 0) {
     out << outcome.text << "\nTables, figures and results: " << options.out << std::endl;

@@ -1,8 +1,7 @@
-#include "datasets/layout_sets.h"
+#include "experiments/layout_sets.h"
 
 #include <cctype>
 #include <filesystem>
-#include <iostream>
 #include <map>
 
 #include "datasets/image_folder.h"
@@ -48,26 +47,18 @@ std::vector<std::string> imagesIn(const fs::path& folder) {
   return paths;
 }
 
-/// Lists images and reports folders without images on stderr.
-std::vector<LabelledImage> listAndWarn(const std::string& folder, const Layout& layout) {
-  std::vector<std::string> warnings;
-  std::vector<LabelledImage> images = listImages(folder, layout, warnings);
-  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
-  return images;
-}
-
 /// The images of all sequences below `folder`, by condition.
 void addSequences(const fs::path& folder, const Layout& layout,
-                  std::map<std::string, ImageSet>& sets) {
+                  std::map<std::string, ImageSet>& sets, std::vector<std::string>& warnings) {
   for (const fs::path& child : foldersIn(folder)) {
     const std::string condition = conditionOf(child);
     if (condition.empty()) {
-      addSequences(child, layout, sets);
+      addSequences(child, layout, sets, warnings);
       continue;
     }
     ImageSet& set = sets[condition];
     set.name = condition;
-    const auto images = listAndWarn(child.string(), layout);
+    const auto images = listImages(child.string(), layout, warnings);
     set.images.insert(set.images.end(), images.begin(), images.end());
   }
 }
@@ -92,17 +83,18 @@ void requireFolder(const std::string& folder) {
 
 /// By name.
 std::map<std::string, ImageSet> setsByCondition(const std::string& folder,
-                                                const std::string& layout) {
+                                                const std::string& layout,
+                                                std::vector<std::string>& warnings) {
   std::map<std::string, ImageSet> sets;
   Layout one;
   one.name = layout;
   if (layout == "indecs") {
     for (const std::string& condition : indecsConditions(folder)) {
       one.condition = condition;
-      sets[condition] = {condition, listAndWarn(folder, one)};
+      sets[condition] = {condition, listImages(folder, one, warnings)};
     }
   } else {
-    addSequences(folder, one, sets);
+    addSequences(folder, one, sets, warnings);
   }
   return sets;
 }
@@ -116,9 +108,10 @@ std::string kindOf(const std::string& place) {
 
 }  // namespace
 
-std::vector<ImageSet> conditionSets(const std::string& folder, const std::string& layout) {
+std::vector<ImageSet> conditionSets(const std::string& folder, const std::string& layout,
+                                    std::vector<std::string>& warnings) {
   requireFolder(folder);
-  std::map<std::string, ImageSet> sets = setsByCondition(folder, layout);
+  std::map<std::string, ImageSet> sets = setsByCondition(folder, layout, warnings);
   if (sets.size() < 2) {
     throw Error("The folder " + folder +
                 " does not contain images of at least two conditions (cloudy, night, "
@@ -129,13 +122,14 @@ std::vector<ImageSet> conditionSets(const std::string& folder, const std::string
   return list;
 }
 
-std::vector<ImageSet> buildingSets(const std::string& folder, const std::string& layout) {
+std::vector<ImageSet> buildingSets(const std::string& folder, const std::string& layout,
+                                   std::vector<std::string>& warnings) {
   requireFolder(folder);
   std::vector<ImageSet> buildings;
   for (const fs::path& path : foldersIn(folder)) {
     ImageSet& building = buildings.emplace_back();
     building.name = path.filename().string();
-    for (auto& [condition, set] : setsByCondition(path.string(), layout)) {
+    for (auto& [condition, set] : setsByCondition(path.string(), layout, warnings)) {
       for (LabelledImage& image : set.images) {
         if (layout == "cold") image.place = kindOf(image.place);
         building.images.push_back(std::move(image));
