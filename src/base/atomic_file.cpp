@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -73,7 +74,7 @@ void writeInto(const std::string& path, std::string_view bytes) {
 /// Whether `path` names an open file, such as /dev/stdout.
 bool isOpenFile(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  return folder == "/dev" || folder == "/dev/fd" || folder.compare(0, 6, "/proc/") == 0;
+  return folder == "/dev" || folder == "/dev/fd" || startsWith(folder, "/proc/");
 }
 
 bool isSpecial(const std::string& path) {
@@ -124,8 +125,8 @@ void removeLeftovers(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   std::error_code failure;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, failure)) {
-    const bool leftover = entry.path().filename().string().compare(0, start.size(), start) == 0;
-    if (leftover) fs::remove(entry.path(), failure);
+    const std::string name = entry.path().filename().string();
+    if (startsWith(name, start)) fs::remove(entry.path(), failure);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <regex>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
@@ -66,14 +67,14 @@ fs::path folderOfCall() {
 
 std::string userPath(const std::string& given) {
   if (given.empty()) return given;
-  if (given.compare(0, 8, "file:///") == 0) return given.substr(7);
+  if (startsWith(given, "file:///")) return given.substr(7);
   const std::string path = given[0] == '$' ? withVariable(given) : given;
   if (path[0] == '/') return path;
   if (path[0] == '~') {
     const std::size_t slash = std::min(path.find('/'), path.size());
     return homeOf(path.substr(1, slash - 1)).string() + path.substr(slash);
   }
-  return (folderOfCall() / (path.compare(0, 2, "./") == 0 ? path.substr(2) : path)).string();
+  return (folderOfCall() / (startsWith(path, "./") ? path.substr(2) : path)).string();
 }
 
 }  // namespace place_recognition

@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "datasets/image_folder.h"
 #include "datasets/image_recording.h"
 #include "place_recognition/error.h"
@@ -21,11 +22,11 @@ namespace fs = std::filesystem;
     throw Error("The folder " + folder +
                 " contains recordings, not rooms; give one of them, such as " + path + ".");
   }
-  std::string text = "The folder " + folder +
-                     " contains no images; arrange them as room/image.jpg (png, jpg, webp, bmp or "
-                     "tiff).";
-  for (const std::string& warning : warnings) text += " " + warning;
-  throw Error(text);
+  std::vector<std::string> sentences{
+      "The folder " + folder +
+      " contains no images; arrange them as room/image.jpg (png, jpg, webp, bmp or tiff)."};
+  sentences.insert(sentences.end(), warnings.begin(), warnings.end());
+  throw Error(listed(sentences, " "));
 }
 
 }  // namespace

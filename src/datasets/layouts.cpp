@@ -36,10 +36,9 @@ bool isNumber(const std::string& word) {
 }
 
 /// cloudy, night or sunny if `word` is one of them in upper or lower case; else empty.
-std::string asCondition(std::string word) {
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word == "cloudy" || word == "night" || word == "sunny" ? word : "";
+std::string asCondition(const std::string& word) {
+  const std::string lower = lowerCase(word);
+  return lower == "cloudy" || lower == "night" || lower == "sunny" ? lower : "";
 }
 
 /// The number after the first letter of `word`, such as t1125496218.37; NaN if there is none.

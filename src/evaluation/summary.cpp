@@ -43,9 +43,9 @@ std::optional<double> meanRate(const std::vector<RoomSummary>& rooms) {
 
 std::string conditionOf(const std::string& recording) {
   const std::string name = baseName(recording);
-  constexpr std::size_t kEnding = 4;  // of ".bag"
-  const bool is_bag = name.size() > kEnding && name.substr(name.size() - kEnding) == ".bag";
-  return is_bag ? name.substr(0, name.size() - kEnding) : name;
+  const std::string ending = ".bag";
+  const bool is_bag = name.size() > ending.size() && endsWith(name, ending);
+  return is_bag ? name.substr(0, name.size() - ending.size()) : name;
 }
 
 void summarizeRecordings(const Evaluation& evaluation, Summary& summary) {

@@ -211,7 +211,7 @@ LabelLines readLabelLines(const std::string& path) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string line = withPlainBlanks(lines[i]);
     // Spreadsheet programs declare the separator with 'sep=;'.
-    if (line.empty() || line[0] == '#' || line.compare(0, 4, "sep=") == 0) continue;
+    if (line.empty() || line[0] == '#' || startsWith(line, "sep=")) continue;
     const std::string where = path + ", line " + std::to_string(i + 1);
     if (std::exchange(may_be_header, false) && isHeader(line)) continue;
     const RawLine raw = split(line, where);

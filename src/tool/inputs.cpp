@@ -48,9 +48,9 @@ std::string whyNoRoomFolders(const std::string& folder) {
     return "its images are nested too deeply, such as " + found.images.front().path +
            "; arrange them as room/image";
   }
-  std::string text = "it contains no room/image files";
-  for (const std::string& warning : found.warnings) text += "; " + warning;
-  return text;
+  std::vector<std::string> reasons{"it contains no room/image files"};
+  reasons.insert(reasons.end(), found.warnings.begin(), found.warnings.end());
+  return listed(reasons, "; ");
 }
 
 /// Why no image can be read from a bag. Problems with its labels are reported elsewhere, because
@@ -114,14 +114,13 @@ void findRecordingsIn(const std::string& folder, std::vector<std::string>& recor
   for (const std::string& name : entries.dead) {
     pass_over((fs::path(folder) / name).string(), "it is a broken link");
   }
-  std::string text;
-  for (const std::string& sentence : passed_over) text += " " + sentence;
   if (recordings.size() == before) {
-    throw Error(
+    passed_over.insert(
+        passed_over.begin(),
         "The folder " + folder +
-        " contains neither bags nor room/image files (png, jpg, webp, bmp or tiff); put the "
-        "images of each room into a folder with the room's name." +
-        text);
+            " contains neither bags nor room/image files (png, jpg, webp, bmp or tiff); put the "
+            "images of each room into a folder with the room's name.");
+    throw Error(listed(passed_over, " "));
   }
   printWarnings(passed_over);
 }

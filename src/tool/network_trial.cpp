@@ -76,7 +76,7 @@ std::string runTrial(const std::vector<std::string>& arguments, const std::strin
   if (stopRequested()) throw Cancelled();  // Ctrl-C ends the trial, too
   requireStarted("place_tool", status);
   const std::string own_name = "place_tool network try: ";
-  if (complaint.compare(0, own_name.size(), own_name) == 0) {
+  if (startsWith(complaint, own_name)) {
     throw Error(complaint.substr(own_name.size()));
   }
   throw Error("The network " + networkPath(name) + " cannot be used (" +

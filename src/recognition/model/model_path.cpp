@@ -18,7 +18,7 @@ std::string modelFolder() { return dataFolder("models"); }
 
 std::string modelPath(const std::string& name) {
   const std::string scheme = "file://";
-  if (name.compare(0, scheme.size() + 1, scheme + "/") == 0) return name.substr(scheme.size());
+  if (startsWith(name, scheme + "/")) return name.substr(scheme.size());
   return isFileName(name, kExtension) ? name : namedModelPath(name);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "place_recognition/camera_correlation.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_recording.h"
@@ -120,8 +121,7 @@ std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
 
 std::string cameraOf(const std::string& topic) {
   const std::string ending = "/compressed";
-  const bool ends = topic.size() > ending.size() &&
-                    topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0;
+  const bool ends = topic.size() > ending.size() && endsWith(topic, ending);
   return "/" + bareName(topic.substr(0, topic.size() - (ends ? ending.size() : 0)));
 }
 
