@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/atomic_file.h"
+#include "base/contains.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
 
@@ -84,9 +85,7 @@ fs::path targetOf(const fs::path& link) {
 std::optional<WayOut> wayOut(const fs::path& path, const std::string& root,
                              const std::vector<std::string>& roots) {
   const fs::path below = path.is_absolute() ? path.lexically_relative(root) : path;
-  if (below.empty() || std::find(below.begin(), below.end(), "..") != below.end()) {
-    return std::nullopt;
-  }
+  if (below.empty() || contains(below, "..")) return std::nullopt;
   fs::path current = root;
   for (auto part = below.begin(); part != below.end(); ++part) {
     current /= *part;

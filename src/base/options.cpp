@@ -1,6 +1,5 @@
 #include "base/options.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +7,7 @@
 #include <sstream>
 
 #include "base/atomic_file.h"
+#include "base/contains.h"
 #include "base/text.h"
 #include "base/yaml_guard.h"
 
@@ -61,9 +61,7 @@ void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& kn
   std::set<std::string> seen;
   for (const auto& entry : node) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      throwUnknownKey(key, where, known);
-    }
+    if (!contains(known, key)) throwUnknownKey(key, where, known);
     if (!seen.insert(key).second) {
       throw Error("Option '" + key + "' occurs twice in " + inside(where) + "; keep one.");
     }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/contains.h"
 #include "base/place_name.h"
 #include "base/text.h"
 #include "datasets/image_file.h"
@@ -41,11 +42,6 @@ constexpr std::array<std::string_view, 18> kCameAlong{
     "lost+found",  "found.000",   "temporary items",
     "cvs",         "__pycache__", "network trash folder"};
 
-template <std::size_t N>
-bool isOneOf(const std::string& text, const std::array<std::string_view, N>& list) {
-  return std::find(list.begin(), list.end(), text) != list.end();
-}
-
 /// In lower case, without its dot.
 std::string endingOf(const std::string& name) {
   const std::string ending = lowerCase(fs::path(name).extension().string());
@@ -63,7 +59,7 @@ bool lacksEnding(const std::string& name) {
 /// Such as "0017.jpg.part" and "0017.jpg~".
 bool isCopyOfImage(const std::string& name) {
   if (!name.empty() && name.back() == '~') return isImageName(name.substr(0, name.size() - 1));
-  return isOneOf(endingOf(name), kCopies) && isImageName(fs::path(name).stem().string());
+  return contains(kCopies, endingOf(name)) && isImageName(fs::path(name).stem().string());
 }
 
 /// The digits of the number that starts at `i`, without leading zeros; advances `i` past it.
@@ -124,7 +120,7 @@ class Search {
     if (!entries.problem.empty()) return "it cannot be opened (" + entries.problem + ")";
     std::error_code failure;
     const fs::path real = fs::canonical(folder, failure);
-    if (std::find(open_.begin(), open_.end(), real) != open_.end()) {
+    if (contains(open_, real)) {
       return "it is a link that leads back to " + real.string();
     }
     open_.push_back(real);
@@ -147,7 +143,7 @@ class Search {
     }
     if (entries.images.empty()) return;  // whyNothing() reports the others
     const std::string unread = countedByEnding(
-        entries.others, [](const std::string& name) { return isOneOf(endingOf(name), kUnread); });
+        entries.others, [](const std::string& name) { return contains(kUnread, endingOf(name)); });
     if (!unread.empty()) {
       found_.warnings.push_back(folder.string() + ": " + unread +
                                 " cannot be read; convert them to PNG or JPEG.");
@@ -188,10 +184,10 @@ FolderEntries openFolder(const std::string& folder) {
 
 }  // namespace
 
-bool isImageName(const std::string& name) { return isOneOf(endingOf(name), kImages); }
+bool isImageName(const std::string& name) { return contains(kImages, endingOf(name)); }
 
 bool isSystemEntry(const std::string& name) {
-  return name.empty() || name[0] == '.' || isOneOf(lowerCase(name), kCameAlong);
+  return name.empty() || name[0] == '.' || contains(kCameAlong, lowerCase(name));
 }
 
 bool naturalLess(const std::string& a, const std::string& b) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/contains.h"
 #include "base/data_folder.h"
 #include "base/require.h"
 #include "base/text.h"
@@ -24,8 +25,7 @@ constexpr int kFloat = 1;       // a type of elements, with the number of ONNX
 int findNode(const onnx::Graph& graph, const std::string& layer) {
   for (int i = graph.node_size() - 1; i >= 0; --i) {
     const onnx::Node& node = graph.node(i);
-    const auto& outputs = node.output();
-    if (node.name() == layer || std::find(outputs.begin(), outputs.end(), layer) != outputs.end()) {
+    if (node.name() == layer || contains(node.output(), layer)) {
       return i;
     }
   }
@@ -53,8 +53,7 @@ int findSource(const onnx::Graph& graph, int i) {
   if (graph.node(i).input_size() == 0) return -1;
   const std::string& input = graph.node(i).input(0);
   while (--i >= 0) {
-    const auto& outputs = graph.node(i).output();
-    if (std::find(outputs.begin(), outputs.end(), input) != outputs.end()) break;
+    if (contains(graph.node(i).output(), input)) break;
   }
   return i;
 }

@@ -4,6 +4,7 @@
 #include <boost/algorithm/string.hpp>
 #include <sstream>
 
+#include "base/contains.h"
 #include "base/text.h"
 #include "base/user_path.h"
 #include "tool/usage_text.h"
@@ -27,7 +28,7 @@ Option& Option::commaSeparated() {
 
 Option& Option::oneOf(Values choices) {
   checks_.push_back([choices = std::move(choices)](const std::string& text) {
-    if (std::find(choices.begin(), choices.end(), text) != choices.end()) return;
+    if (contains(choices, text)) return;
     throw UsageError("'" + text + "' is not one of " + orList(choices));
   });
   return *this;
@@ -109,7 +110,7 @@ void Option::assign(const Values& words) const {
   try {
     for (const auto& check : checks_) std::for_each(values.begin(), values.end(), check);
     store_(values);
-    if (std::find(values.begin(), values.end(), "") != values.end()) {
+    if (contains(values, "")) {
       throw UsageError("the value is empty; give one, or omit the option");
     }
   } catch (const UsageError& e) {

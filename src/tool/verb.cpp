@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "base/contains.h"
 #include "tool/usage_text.h"
 
 namespace place_recognition::tool {
@@ -59,9 +60,7 @@ std::string Verb::help(const std::string& program) const {
   }
   Words groups = {"Options"};
   for (const Option& option : options_) {
-    if (std::find(groups.begin(), groups.end(), option.group_) == groups.end()) {
-      groups.push_back(option.group_);
-    }
+    if (!contains(groups, option.group_)) groups.push_back(option.group_);
   }
   for (const std::string& group : groups) {
     out << "\n" << group << ":\n";

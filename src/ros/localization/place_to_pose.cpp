@@ -1,9 +1,9 @@
 #include "ros/localization/place_to_pose.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/contains.h"
 #include "base/place_name.h"
 #include "base/text.h"
 #include "base/user_path.h"
@@ -29,10 +29,6 @@ HeldRoom::Options heldOptions(Parameters& parameters) {
   options.hold = parameters.real("hold", 1, 0);
   options.timeout = parameters.real("belief_timeout", 2, 0);
   return options;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// The names missing in `other`, each once, in quotes and separated by commas.

@@ -1,9 +1,9 @@
 #include "ros/nodes/image_input.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "base/contains.h"
 #include "base/nearest_name.h"
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
@@ -39,12 +39,12 @@ ImageInput::ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& priva
 
 void ImageInput::requireTransport() const {
   std::vector<std::string> known{"raw", "compressed"};
-  if (std::count(known.begin(), known.end(), transport_name_) > 0) return;
+  if (contains(known, transport_name_)) return;
   std::string list = "raw, compressed";
   for (const std::string& plugin : transport_.getLoadableTransports()) {
     const std::string name = plugin.substr(plugin.find('/') + 1);  // after its package
     if (name == transport_name_) return;
-    if (std::count(known.begin(), known.end(), name) == 0) list += ", " + name;
+    if (!contains(known, name)) list += ", " + name;
     known.push_back(name);
   }
   const std::string meant = nearestName(transport_name_, known);

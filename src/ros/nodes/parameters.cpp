@@ -3,9 +3,9 @@
 #include <ros/console.h>
 #include <ros/names.h>
 
-#include <algorithm>
 #include <utility>
 
+#include "base/contains.h"
 #include "base/nearest_name.h"
 #include "base/options.h"
 #include "base/text.h"
@@ -32,10 +32,6 @@ std::string where(const std::string& name) { return "The parameter ~" + name; }
 
 std::string whereElement(const std::string& name, std::size_t i) {
   return where(name) + "[" + std::to_string(i) + "]";
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 template <typename Number>

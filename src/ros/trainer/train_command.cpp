@@ -8,6 +8,7 @@
 
 #include "base/child_process.h"
 #include "base/confined_path.h"
+#include "base/contains.h"
 #include "base/data_folder.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
@@ -52,8 +53,7 @@ void check(const TrainGoal& goal) {
   requireOfGoal(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
   requireOfGoal(goal.yaml.size() <= kMaxYamlBytes,
                 "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
-  requireOfGoal(goal.reduction.empty() ||
-                    std::count(kReductions.begin(), kReductions.end(), goal.reduction) > 0,
+  requireOfGoal(goal.reduction.empty() || contains(kReductions, goal.reduction),
                 "reduction must be auto, none, qr, shared-qr or shared-greedy");
   requireOfGoal(goal.add_to.empty() || isPlainName(goal.add_to),
                 std::string("add_to must be ") + kPlainNameRule);
@@ -80,8 +80,7 @@ void check(const TrainGoal& goal) {
   requireOfGoal(goal.label.empty() || goal.label_topic.empty(),
                 "label and label_topic exclude each other");
   if (!goal.label.empty()) checkLabel(goal.label, "The goal");
-  requireOfGoal(std::count(goal.recognizers.begin(), goal.recognizers.end(), "") == 0,
-                "recognizers has an empty name");
+  requireOfGoal(!contains(goal.recognizers, ""), "recognizers has an empty name");
   requireOfGoal(goal.recognizers.size() <= kMaxRecognizers,
                 "recognizers has more than " + std::to_string(kMaxRecognizers));
   requireOfGoal(std::all_of(goal.recognizers.begin(), goal.recognizers.end(), isGraphName),
@@ -115,7 +114,7 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
     if (!value.empty()) command.push_back(option + "=" + value);
   };
   for (const MessageField& field : fieldsOf(goal)) {
-    if (std::count(kOtherFields.begin(), kOtherFields.end(), field.name) > 0) continue;
+    if (contains(kOtherFields, field.name)) continue;
     for (const std::string& value : field.values) {
       const bool is_unset = field.type != "string" && value == "0";
       if (!is_unset) add(optionOf(field.name), value);
