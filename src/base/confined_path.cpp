@@ -32,15 +32,11 @@ std::string withHome(const std::string& path) {
   return path;
 }
 
-bool liesBelow(const fs::path& path, const fs::path& root) {
-  return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
-}
-
 bool liesBelowAny(const fs::path& path, const std::vector<std::string>& roots) {
   return std::any_of(roots.begin(), roots.end(), [&path](const std::string& root) {
     std::error_code failure;
     const fs::path folder = fs::canonical(root, failure);
-    return !failure && liesBelow(path, folder);
+    return !failure && liesIn(path, folder);
   });
 }
 
@@ -100,6 +96,12 @@ std::optional<WayOut> wayOut(const fs::path& path, const std::string& root,
 }
 
 }  // namespace
+
+bool liesIn(const fs::path& path, const fs::path& folder) {
+  return !folder.empty() &&
+         std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+             folder.end();
+}
 
 std::string confinedBagPath(const std::string& path, const std::vector<std::string>& roots) {
   const bool readable =

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace place_recognition {
+
+/// Whether `path` is `folder`, or in it; false if `folder` is empty. Both must be without links.
+bool liesIn(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// The bag that `path`, received from the network, refers to: absolute, without links, and below
 /// one of the folders `roots`. A relative path starts at a root, "~/" or "$HOME/" at the home

@@ -1,9 +1,9 @@
 #include "tool/other_runs.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
+#include "base/confined_path.h"
 #include "tool/verb.h"
 
 namespace place_recognition::tool {
@@ -19,22 +19,15 @@ fs::path canonical(const std::string& path) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// Whether `path` is `folder`, or in it.
-bool contains(const fs::path& folder, const fs::path& path) {
-  return !folder.empty() &&
-         std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-             folder.end();
-}
-
 }  // namespace
 
 void requireOtherRuns(const std::vector<std::string>& validate,
                       const std::vector<std::string>& learned) {
   for (const std::string& run : validate) {
     for (const std::string& other : learned) {
-      if (!contains(canonical(run), canonical(other)) &&
-          !contains(canonical(other), canonical(run)))
+      if (!liesIn(canonical(other), canonical(run)) && !liesIn(canonical(run), canonical(other))) {
         continue;
+      }
       throw UsageError("--validate: " + run + " is also learned; give another run");
     }
   }
