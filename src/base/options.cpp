@@ -1,8 +1,6 @@
 #include "base/options.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -88,15 +86,6 @@ void readScalar(const YAML::Node& node, const std::string& where, double& value)
 
 void readScalar(const YAML::Node& node, const std::string& where, std::string& value) {
   readAs(node, where, "a word", value);
-}
-
-std::string formatDouble(double value) {
-  char text[32];
-  for (int digits = 15; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof(text), "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value) break;
-  }
-  return text;
 }
 
 }  // namespace options_detail

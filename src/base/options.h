@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 
 /// Reading, writing and documenting option structs as YAML. A struct takes part by listing its
@@ -53,9 +54,6 @@ void readScalar(const YAML::Node& node, const std::string& where, int& value);
 void readScalar(const YAML::Node& node, const std::string& where, std::uint64_t& value);
 void readScalar(const YAML::Node& node, const std::string& where, double& value);
 void readScalar(const YAML::Node& node, const std::string& where, std::string& value);
-
-/// The shortest text that reads back as the same double.
-std::string formatDouble(double value);
 
 template <typename T>
 void read(const YAML::Node& node, const std::string& where, T& value);

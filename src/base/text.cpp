@@ -6,6 +6,8 @@
 #include <unicode/unistr.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 #include "base/place_name.h"
 
@@ -106,6 +108,21 @@ std::string counted(std::uint64_t count, const std::string& noun) {
 std::string fixed(double number, int decimals) {
   char text[64];
   std::snprintf(text, sizeof(text), "%.*f", decimals, number);
+  return text;
+}
+
+std::string significant(double number, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*g", digits, number);
+  return text;
+}
+
+std::string formatDouble(double number) {
+  std::string text;
+  for (int digits = 15; digits <= 17; ++digits) {
+    text = significant(number, digits);
+    if (std::strtod(text.c_str(), nullptr) == number) break;
+  }
   return text;
 }
 

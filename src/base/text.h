@@ -25,6 +25,12 @@ std::string counted(std::uint64_t count, const std::string& noun);
 /// A number with a fixed number of decimals.
 std::string fixed(double number, int decimals);
 
+/// A number with at most `digits` significant digits: 0.05, 100, 1e-06.
+std::string significant(double number, int digits = 6);
+
+/// The shortest text that reads back as the same double.
+std::string formatDouble(double number);
+
 /// 0.123 as "12.3 %".
 std::string percent(double fraction, int decimals = 1);
 

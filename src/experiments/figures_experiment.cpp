@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/core.hpp>
 
 #include "base/options.h"
+#include "base/text.h"
 #include "experiments/plane_drawing.h"
 #include "report/text_table.h"
 
@@ -52,18 +52,12 @@ KernelOptions sigmoid() {
   return kernel;
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%g", value);
-  return text;
-}
-
 /// Chapter 5: the effects of C and of the kernel; chapter 6: reduction up to rounding, and by tau.
 std::vector<FigurePlan> figurePlans() {
   FigurePlan by_c{
       "figure_5_5", "Figure 5.5: Gaussian kernel, gamma = 5", PlaneBorder::kWave, 3, {}};
   for (const double c : {1, 100, 1000}) {
-    by_c.panels.push_back({"C = " + number(c), gaussian(5), c});
+    by_c.panels.push_back({"C = " + significant(c), gaussian(5), c});
   }
   FigurePlan by_kernel{"kernels", "Kernels, C = 100", PlaneBorder::kWave, 3, {}};
   for (const char* type : {"linear", "polynomial", "gaussian", "chi-squared", "intersection"}) {
@@ -82,7 +76,7 @@ std::vector<FigurePlan> figurePlans() {
       "figure_6_2", "Figure 6.2: Gaussian kernel, gamma = 0.5, C = 100", PlaneBorder::kWave, 2, {}};
   for (const double tau : {0.0, 1e-6, 1e-4, 1e-3}) {
     by_tau.panels.push_back(
-        {tau > 0 ? "tau = " + number(tau) : "not reduced", gaussian(0.5), 100, tau});
+        {tau > 0 ? "tau = " + significant(tau) : "not reduced", gaussian(0.5), 100, tau});
   }
   return {by_c, by_kernel, exact, by_tau};
 }
@@ -182,8 +176,8 @@ class FiguresExperiment : public Experiment {
         const Json& result = results[next++];
         panels.push_back(panelFromJson(panel.title, points, result));
         table.rows.push_back(
-            {panel.title, number(panel.c), number(panel.tau), result.at("before").dump(),
-             std::to_string(result.at("vectors").size()), number(result.at("change"))});
+            {panel.title, significant(panel.c), significant(panel.tau), result.at("before").dump(),
+             std::to_string(result.at("vectors").size()), significant(result.at("change"))});
       }
       findings.tables.push_back(table);
       findings.figures.push_back({figure.name, drawPanels(panels, figure.columns)});

@@ -1,7 +1,5 @@
 #include "experiments/histogram_tables.h"
 
-#include <cstdio>
-
 #include "base/text.h"
 #include "experiments/spread.h"
 #include "experiments/table_8_4.h"
@@ -39,12 +37,6 @@ std::string joined(const Values& values) {
   return text;
 }
 
-std::string shortNumber(double number) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", number);
-  return text;
-}
-
 }  // namespace
 
 Table histogramTable(HistogramSweep sweep, const std::vector<std::string>& sets,
@@ -77,7 +69,7 @@ Table histogramTable(HistogramSweep sweep, const std::vector<std::string>& sets,
     std::vector<std::string> row = {
         joined(options.descriptors), joined(options.scales),
         std::to_string(bins ? static_cast<std::size_t>(options.bins[0]) : dimensions),
-        shortNumber(gammas[best[i].gamma])};
+        significant(gammas[best[i].gamma], 3)};
     for (const double rate : best[i].by_set) row.push_back(fixed(100 * rate, 2));
     row.push_back(fixed(100 * best[i].rate.mean, 2));
     row.push_back(fixed(100 * best[i].rate.deviation, 2));

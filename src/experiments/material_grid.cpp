@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
+
+#include "base/text.h"
 
 namespace place_recognition {
 
@@ -47,13 +48,10 @@ std::vector<TrainingSamples> materialSplits(int sample_count) {
 }
 
 std::string describe(const KernelOptions& kernel) {
-  char text[64];
   if (kernel.type == "polynomial") {
-    std::snprintf(text, sizeof(text), "polynomial p=%g d=%d", kernel.p, kernel.d);
-  } else {
-    std::snprintf(text, sizeof(text), "%s gamma=%g", kernel.type.c_str(), kernel.gamma);
+    return "polynomial p=" + significant(kernel.p) + " d=" + std::to_string(kernel.d);
   }
-  return text;
+  return kernel.type + " gamma=" + significant(kernel.gamma);
 }
 
 }  // namespace place_recognition

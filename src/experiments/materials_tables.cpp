@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "base/text.h"
@@ -177,9 +176,7 @@ Table tauTable(const std::vector<Curve>& curves) {
               {{"tau"}}};
   if (curves.empty()) return table;
   for (const auto& point : curves.front().points) {
-    char tau[32];
-    std::snprintf(tau, sizeof(tau), "%g", point.first);
-    table.rows[0].emplace_back(tau);
+    table.rows[0].push_back(significant(point.first));
   }
   for (const Curve& curve : curves) {
     std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{curve.name});

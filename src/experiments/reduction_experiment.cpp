@@ -1,7 +1,6 @@
 #include "experiments/experiments.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -90,9 +89,8 @@ Table tauTable(PlaceFeatures features, const std::vector<std::vector<ReductionCu
       "depends on the rest is dropped; empty where a rate was below 70 % before";
   table.rows = {{"tau", "normalized: dropped, %", "rate, %", "not: dropped, %", "rate, %"}};
   for (const double tau : {kExactTau, 1e-6, 1e-4, 1e-3, 0.003, 0.01, 0.03, 0.1, 0.3}) {
-    char text[16];
-    std::snprintf(text, sizeof(text), "%g", tau);
-    std::vector<std::string>& cells = table.rows.emplace_back(std::vector<std::string>{text});
+    std::vector<std::string>& cells =
+        table.rows.emplace_back(std::vector<std::string>{significant(tau)});
     for (const std::size_t way : {0, 1}) {
       std::vector<double> dropped, rates;
       for (const std::vector<ReductionCurve>& curves : by_set) {

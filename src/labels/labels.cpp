@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include "base/options.h"
 #include "base/place_name.h"
@@ -109,11 +108,8 @@ std::string addLines(const std::vector<LabelLine>& lines, const std::string& pat
 
 [[noreturn]] void throwNoneFits(const std::string& path, double start, double end,
                                 const std::string& hint) {
-  std::ostringstream span;
-  span.precision(13);
-  span << start << " to " << end;
-  throw Error(path + ": no label falls into the bag, which extends from " + span.str() +
-              " s; correct the times or remove the file. " + hint);
+  throw Error(path + ": no label falls into the bag, which extends from " + significant(start, 13) +
+              " to " + significant(end, 13) + " s; correct the times or remove the file. " + hint);
 }
 
 }  // namespace

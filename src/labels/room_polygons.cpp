@@ -4,6 +4,7 @@
 
 #include "base/options.h"
 #include "base/place_name.h"
+#include "base/text.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 
@@ -38,8 +39,7 @@ struct PlacesFile {
 };
 
 std::string cornerText(const Eigen::Vector2d& corner) {
-  return "[" + options_detail::formatDouble(corner.x()) + ", " +
-         options_detail::formatDouble(corner.y()) + "]";
+  return "[" + formatDouble(corner.x()) + ", " + formatDouble(corner.y()) + "]";
 }
 
 /// Normalizes an outline drawn by a person: the last corner may repeat the first, and a corner may

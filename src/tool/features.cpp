@@ -1,7 +1,7 @@
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "recognition/frames/cue_extraction.h"
 #include "recognition/frames/mirror_search.h"
@@ -18,12 +18,8 @@ struct FeaturesOptions {
   ConfigurationOptions configuration;
 };
 
-/// The shortest text that gives the same float again, with at most nine digits.
-std::string formatFloat(float value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
-  return text;
-}
+/// A text that gives the same float again.
+std::string formatFloat(float value) { return significant(static_cast<double>(value), 9); }
 
 void print(const std::monostate&) {}
 

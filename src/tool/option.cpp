@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/algorithm/string.hpp>
-#include <sstream>
 
 #include "base/contains.h"
 #include "base/text.h"
@@ -38,10 +37,8 @@ Option& Option::range(double min, double max) {
   checks_.push_back([min, max](const std::string& text) {
     const auto value = parseValue<double>(text);
     if (min <= value && value <= max) return;
-    std::ostringstream what;
-    what.precision(10);
-    what << "'" << text << "' is not within " << min << ".." << max;
-    throw UsageError(what.str());
+    throw UsageError("'" + text + "' is not within " + significant(min, 10) + ".." +
+                     significant(max, 10));
   });
   return *this;
 }

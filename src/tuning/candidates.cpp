@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
+
 #include "base/text.h"
 
 namespace place_recognition {
 namespace {
 
-std::string shortNumber(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 /// A name that describes the cue: "Lxx-Lxy-Lyy_t1-4_b28", "gradL-lapL_t0p5_b16".
 std::string nameOf(const CrfhOptions& crfh) {
   std::vector<std::string> scales;
-  for (const double t : crfh.scales) scales.push_back(shortNumber(t));
+  for (const double t : crfh.scales) scales.push_back(significant(t));
   std::string name = listed(crfh.descriptors, "-") + "_t" + listed(scales, "-") + "_b" +
                      std::to_string(crfh.bins.front());
   std::replace(name.begin(), name.end(), '.', 'p');

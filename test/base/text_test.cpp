@@ -76,6 +76,20 @@ TEST(InQuotes, IsPrintableAndShort) {
   EXPECT_EQ(inQuotes(std::string("a\0b", 3)), "'a?b'");
 }
 
+TEST(Significant, LeavesOutZerosBehindThePoint) {
+  EXPECT_EQ(significant(100), "100");
+  EXPECT_EQ(significant(0.05), "0.05");
+  EXPECT_EQ(significant(1e-6), "1e-06");
+  EXPECT_EQ(significant(2.0 / 3, 3), "0.667");
+}
+
+TEST(FormatDouble, ReadsBackAsTheSameNumber) {
+  EXPECT_EQ(formatDouble(0.1), "0.1");
+  for (const double number : {1.0 / 3, 0.1 + 0.2, 1e300 / 7}) {
+    EXPECT_EQ(std::stod(formatDouble(number)), number);
+  }
+}
+
 TEST(EndsWith, ComparesTheEnd) {
   EXPECT_TRUE(endsWith("run.bag", ".bag"));
   EXPECT_FALSE(endsWith("bag", ".bag"));

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdio>
+
+#include "base/text.h"
 
 namespace place_recognition {
 namespace {
@@ -81,11 +82,8 @@ void CueExtraction::judge(const cv::Mat& scaled) {
   const double density = edge_density_.of(scaled);
   shows_too_little_ = density < least_edge_density_;
   if (!shows_too_little_) return;
-  char text[96];
-  std::snprintf(text, sizeof(text),
-                "the image shows too little: its edge density is %.3f, below %g", density,
-                least_edge_density_);
-  reason_ = text;
+  reason_ = "the image shows too little: its edge density is " + fixed(density, 3) + ", below " +
+            significant(least_edge_density_);
 }
 
 }  // namespace place_recognition

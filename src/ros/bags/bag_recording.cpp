@@ -5,10 +5,10 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "base/child_process.h"
 #include "base/place_name.h"
+#include "base/text.h"
 #include "datasets/depth_scale.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
@@ -111,10 +111,9 @@ Labels readLabels(BagRecords& records, const BagInfo& info, const BagRecordingOp
   }
   for (; record.kind == BagRecordKind::kLabel; record = records.next()) {
     if (!placeName(record.text).empty()) {
-      std::ostringstream where;
-      where << records.path() << ", " << options.label_topic << " at " << record.time - info.start
-            << " s (a file RUN.labels.yaml beside RUN.bag replaces the labels)";
-      checkLabel(record.text, where.str());
+      checkLabel(record.text, records.path() + ", " + options.label_topic + " at " +
+                                  significant(record.time - info.start) +
+                                  " s (a file RUN.labels.yaml beside RUN.bag replaces the labels)");
     }
     labels.add(record.time, record.text);
   }

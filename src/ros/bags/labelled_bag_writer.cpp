@@ -8,8 +8,8 @@
 #include <cassert>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
-#include <sstream>
 
+#include "base/text.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 #include "ros/bags/staged_bag.h"
@@ -42,11 +42,8 @@ sensor_msgs::CompressedImage toJpegMessage(const cv::Mat& image, const std_msgs:
 /// Throws Error unless ROS can store the time.
 ros::Time toTime(double seconds, std::uint32_t number, const std::string& path) {
   if (seconds >= ros::TIME_MIN.toSec() && seconds < ros::TIME_MAX.sec) return ros::Time(seconds);
-  std::ostringstream text;
-  text.precision(13);
-  text << seconds;
   throw Error("Cannot write " + path + ": its image " + std::to_string(number) + " has the time " +
-              text.str() +
+              significant(seconds, 13) +
               " s since 1970, which ROS cannot store; give a higher rate, or times in "
               "seconds.");
 }

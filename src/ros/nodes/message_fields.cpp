@@ -3,6 +3,8 @@
 #include <cassert>
 #include <sstream>
 
+#include "base/text.h"
+
 namespace place_recognition {
 namespace {
 
@@ -22,10 +24,7 @@ std::string readValue(const std::string& type, Stream& stream) {
   if (type == "float64") {
     double number = 0;
     stream.next(number);
-    std::ostringstream text;
-    text.precision(15);
-    text << number;
-    return text.str();
+    return significant(number, 15);
   }
   assert(type == "uint32");
   std::uint32_t number = 0;

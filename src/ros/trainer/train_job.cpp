@@ -7,10 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 
 #include "base/atomic_file.h"
 #include "base/child_process.h"
@@ -64,11 +62,8 @@ TrainFeedback toFeedback(const Json& line) {
 
 /// "calibration error 0.120, then 0.041": a figure before and after.
 std::string change(const std::string& what, const Json& figures, const char* key) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << what << " "
-       << figures.at("before").at(key).get<double>() << ", then "
-       << figures.at("after").at(key).get<double>();
-  return text.str();
+  return what + " " + fixed(figures.at("before").at(key).get<double>(), 3) + ", then " +
+         fixed(figures.at("after").at(key).get<double>(), 3);
 }
 
 TrainResult calibrationResult(const Json& figures, const std::string& model) {
