@@ -51,7 +51,10 @@ void warnOfGap(const std::vector<LabelledImage>& images, std::vector<std::string
                      "; a bag holds one recording, so import each into a bag of its own.");
 }
 
-void importImages(const ImportOptions& options) {
+bool hasStamps(const Layout& layout) { return layout.name == "idol" || layout.name == "cold"; }
+
+/// Throws UsageError for an option that the layout does not have.
+Layout layoutOf(const ImportOptions& options) {
   Layout layout = options.layout;
   if (!layout.camera.empty() && layout.name != "cold") {
     throw UsageError("--camera requires --layout cold");
@@ -59,37 +62,46 @@ void importImages(const ImportOptions& options) {
   if (!layout.condition.empty() && layout.name != "indecs") {
     throw UsageError("--condition requires --layout indecs");
   }
-  const bool by_rate = layout.name == "rooms" || layout.name == "indecs";
-  if (options.rate > 0) layout.rate = options.rate;
-  if (options.rate > 0 && !by_rate) {
+  if (options.rate > 0 && hasStamps(layout)) {
     throw UsageError("--rate requires --layout rooms or indecs, because the others have stamps");
   }
-  requireWritable(options.out, Contents::kBag);
-  requireNoLabelsBeside(options.out);
-  std::vector<std::string> warnings;
-  const std::vector<LabelledImage> images = listImages(options.folder, layout, warnings);
+  if (options.rate > 0) layout.rate = options.rate;
+  return layout;
+}
+
+/// The images in the folder. Throws Error if a bag cannot store their labels or stamps.
+std::vector<LabelledImage> imagesFor(const std::string& folder, const Layout& layout,
+                                     std::vector<std::string>& warnings) {
+  std::vector<LabelledImage> images = listImages(folder, layout, warnings);
   std::set<std::string> checked;
   for (const LabelledImage& image : images) {
     const bool is_new = !image.place.empty() && checked.insert(image.place).second;
     if (is_new) checkLabel(image.place, image.path);
   }
-  if (!by_rate) {
+  if (hasStamps(layout)) {
     requireSeconds(images);
     warnOfGap(images, warnings);
   }
+  return images;
+}
 
+struct WrittenBag {
+  std::set<std::string> places;
+  std::map<std::string, std::string> problems;  ///< the first one, by place
+  UnusableImages unusable;
+  std::string note;  ///< on the images as a whole; may be empty
+};
+
+WrittenBag writeBag(const ImportOptions& options, const std::vector<LabelledImage>& images,
+                    const Progress& progress) {
   LabelledBagOptions bag_options;
   bag_options.jpeg = !options.raw;
   // Stamps that start at 0 are shifted to a time that ROS accepts; others are kept.
   if (images.front().stamp > 0) bag_options.base_time = 0;
 
-  ProgressDisplay display(options.output.progress);
-  const Progress progress = display.callback();
   const NewFolder folder(std::filesystem::absolute(options.out).parent_path().string());
   LabelledBagWriter bag(options.out, bag_options);
-  std::set<std::string> places;
-  std::map<std::string, std::string> problems;  // the first one, by place
-  UnusableImages unusable;
+  WrittenBag written;
   std::vector<std::string> paths;
   for (const LabelledImage& image : images) paths.push_back(image.path);
   ImageSequence sequence(std::move(paths));
@@ -98,34 +110,50 @@ void importImages(const ImportOptions& options) {
     report(progress, "Importing", static_cast<double>(i) / images.size());
     const DecodedImage decoded = sequence.read(i);
     if (decoded.image.empty()) {
-      unusable.add(image.path, decoded.problem);
-      problems.emplace(image.place, image.path + ": " + decoded.problem);
+      written.unusable.add(image.path, decoded.problem);
+      written.problems.emplace(image.place, image.path + ": " + decoded.problem);
       continue;
     }
     bag.write(decoded.image, image.place, image.stamp);
-    places.insert(image.place);
+    written.places.insert(image.place);
   }
-  unusable.requireOthers(images.size());
-  if (!sequence.note().empty()) warnings.push_back(options.folder + ": " + sequence.note());
+  written.unusable.requireOthers(images.size());
+  written.note = sequence.note();
   bag.close();
-  for (const auto& [place, problem] : problems) {
-    if (places.count(place) > 0) continue;
+  return written;
+}
+
+void warnOfPlaces(const WrittenBag& written, std::vector<std::string>& warnings) {
+  for (const auto& [place, problem] : written.problems) {
+    if (written.places.count(place) > 0) continue;
     warnings.push_back("'" + place + "' is not in the bag: its images cannot be used (" + problem +
                        ").");
   }
-  for (std::string& sentence : warnOfLikeNames({places.begin(), places.end()})) {
+  for (std::string& sentence : warnOfLikeNames({written.places.begin(), written.places.end()})) {
     warnings.push_back(std::move(sentence));
   }
+}
+
+void importImages(const ImportOptions& options) {
+  const Layout layout = layoutOf(options);
+  requireWritable(options.out, Contents::kBag);
+  requireNoLabelsBeside(options.out);
+  std::vector<std::string> warnings;
+  const std::vector<LabelledImage> images = imagesFor(options.folder, layout, warnings);
+  ProgressDisplay display(options.output.progress);
+  const WrittenBag written = writeBag(options, images, display.callback());
+  if (!written.note.empty()) warnings.push_back(options.folder + ": " + written.note);
+  warnOfPlaces(written, warnings);
   display.clear();
   printWarnings(warnings);
-  unusable.warn(std::cerr);
-  const std::size_t written = images.size() - unusable.count();
-  options.output.text() << options.out << ": " << written << " images of " << places.size()
+  written.unusable.warn(std::cerr);
+  const std::size_t count = images.size() - written.unusable.count();
+  options.output.text() << options.out << ": " << count << " images of " << written.places.size()
                         << " places" << std::endl;
   options.output.writeJson({{"path", options.out},
-                            {"images", written},
-                            {"unusable_images", unusable.count()},
-                            {"places", places},
+                            {"images", count},
+                            {"unusable_images", written.unusable.count()},
+                            {"places", written.places},
                             {"warnings", warnings}});
 }
 
