@@ -1,5 +1,5 @@
 // When the place of place_recognizer becomes unknown: without images, or with images that show
-// nothing.
+// nothing. And that it does not stay with stamps that stand still.
 
 #include <std_msgs/String.h>
 
@@ -37,6 +37,20 @@ TEST_F(ImpatientRecognizerNode, ThePlaceEndsWithItsCamera) {
   EXPECT_TRUE(placeBecomes(places, "unknown"));
   places.clear();
   EXPECT_TRUE(showRoom1(places));
+}
+
+TEST_F(ImpatientRecognizerNode, ThePlaceFollowsACameraWhoseStampsStandStill) {
+  Inbox<std_msgs::String> places(node_, name_ + "/place");
+  ASSERT_TRUE(eventually([this] { return listeners() > 0; }));
+  const double stamp = nextStamp().toSec();
+  for (unsigned i = 0; i < 60; ++i) {
+    camera_.send(drawRoom(i < 20 ? 1 : 2, i), stamp);
+    ros::WallDuration(0.1).sleep();
+    if (i == 19) {
+      ASSERT_TRUE(placeBecomes(places, "room1"));
+    }
+  }
+  EXPECT_TRUE(placeBecomes(places, "room2"));
 }
 
 TEST_F(ImpatientRecognizerNode, ThePlaceEndsWhereImagesCannotBeUsed) {

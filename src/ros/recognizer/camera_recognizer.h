@@ -47,6 +47,9 @@ class CameraRecognizer {
   const std::shared_ptr<const Model>& model() const { return model_; }
   double unknownThreshold() const { return unknown_threshold_; }
 
+  /// When an image was taken, s: its stamp. The time now if the camera does not stamp its images,
+  /// or has given them all the same stamp for a second; `arrival` is that of the image.
+  double timeOf(const ros::Time& stamp, ImageStatus::Clock::time_point arrival);
   /// Whether to recognize an image with this stamp, s; remembers the stamp.
   bool admits(double stamp, double maximum_rate);
   /// The stamp of the last image, admitted or not, s; it decreases only if time has jumped back.
@@ -85,9 +88,11 @@ class CameraRecognizer {
   double unknown_threshold_ = 0;
   double deadline_ = 0;  // s; 0 if none
   RateLimit rate_limit_;
-  DepthScale depth_scale_;  // of the model, or of the images so far
-  std::string depth_text_;  // as last logged
-  double last_stamp_ = 0;   // s
+  DepthScale depth_scale_;                        // of the model, or of the images so far
+  std::string depth_text_;                        // as last logged
+  double last_stamp_ = 0;                         // s
+  ros::Time message_stamp_;                       // of the last message
+  ImageStatus::Clock::time_point first_arrival_;  // of a message with that stamp
   image_transport::Publisher debug_image_publisher_;
 };
 

@@ -185,8 +185,7 @@ void PlaceRecognizer::answer(const ArrivedImage& arrived) {
 void PlaceRecognizer::recognize(const ArrivedImage& arrived) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   CameraRecognizer& camera = *cameras_[arrived.camera];
-  const ros::Time stamp = arrived.message.header().stamp;
-  const double seconds = (stamp.isZero() ? ros::Time::now() : stamp).toSec();
+  const double seconds = camera.timeOf(arrived.message.header().stamp, arrived.arrival);
   if (!camera.admits(seconds, config_.maximum_rate)) {
     camera.status().leftOut();
     if (usable_[arrived.camera]) last_image_ = arrived.arrival;
