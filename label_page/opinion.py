@@ -43,12 +43,14 @@ class Opinion:
         """Discards all answers and starts recognizing every frame with `model`."""
         self.start(lambda number: self.recognize(number, model), model)
 
-    def learn(self, labels):
-        """Trains a model on `labels`, one list per bag (BagLabels.labels()), and then asks it."""
-        self.start(lambda number: self.learn_and_ask(number, labels), "these labels")
+    def learn(self, labels, topic):
+        """Trains a model on `labels`, one list per bag (BagLabels.labels()), and the images of
+        `topic`, and then asks it."""
+        self.start(lambda number: self.learn_and_ask(number, labels), "these labels", topic)
 
-    def start(self, work, model):
+    def start(self, work, model, topic=None):
         with self.lock:
+            self.topic = topic or self.topic
             self.number += 1
             number = self.number
             self.stop_child()

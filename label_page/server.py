@@ -264,7 +264,8 @@ class Handler(BaseHTTPRequestHandler):
 
     def learn(self, body):
         spans = checked(body["spans"])
-        self.server.opinion.learn([bag.labels(spans) for bag in self.server.labels.bags])
+        topic = self.server.recording.topic(body.get("topic") or self.server.topic)
+        self.server.opinion.learn([bag.labels(spans) for bag in self.server.labels.bags], topic)
         self.send_json({})
 
     def goodbye(self, _):

@@ -18,7 +18,7 @@ export const getTimes = topic => ask(`times?topic=${encodeURIComponent(topic)}`)
 export const getAnswers = (question, after) => ask(`answers?question=${question}&after=${after}`);
 export const saveSpans = (page, spans, overwrite) => post("save", {page, spans, overwrite});
 export const keepDraft = (page, spans, saved) => post("draft", {page, spans, saved});
-export const learn = spans => post("learn", {spans});
+export const learn = (spans, topic) => post("learn", {spans, topic});
 
 /// Tells the server that the page is open, and calls onStatus whenever the model's status changes.
 export function listen(onStatus, onLost) {

@@ -166,7 +166,8 @@ const onClick = {
   help: () => element("keys").showModal(),
   split: () => editor.split(), clear: () => editor.label(""), play: () => player.toggle(),
   "zoom-in": () => zoom(1.6), "zoom-out": () => zoom(1 / 1.6), "zoom-all": () => zoom(0),
-  learn: () => api.learn(editor.history.spans).catch(problem => say(problem.message, true)),
+  learn: () => api.learn(editor.history.spans, state.frames.topic)
+    .catch(problem => say(problem.message, true)),
   "accept-all": () => review.acceptRest(),
 };
 for (const [id, work] of Object.entries(onClick)) {

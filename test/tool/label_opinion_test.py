@@ -88,6 +88,19 @@ class OpinionTest(LabelCase):
         page.post("learn", {"spans": spans[2:]})
         self.assertIn("no labelled bag has images on " + TOPIC, self.problem(page))
 
+    def test_it_learns_from_the_topic_shown(self):
+        self.write_bag("run.bag", [(room, None) for room in self.rooms])
+        self.record("rear.bag", topics=("/rear/compressed",))
+        page = self.page("rear.bag", "run.bag", "--image-topic", "/rear/compressed")
+        start = next(bag["offset"] for bag in page.get("recording")["bags"]
+                     if bag["name"] == "run.bag")
+        spans = [span(start, start + 5.5, "kitchen"), span(start + 5.5, start + 11.5, "corridor")]
+        page.post("learn", {"spans": spans, "topic": "/rear/compressed"})
+        self.assertIn("no labelled bag has images on /rear", self.problem(page))
+        self.assertEqual(page.post("learn", {"spans": spans, "topic": TOPIC})[0], 200)
+        self.assertEqual([answer[1] for answer in self.answers(page)][:12], self.rooms[:12])
+        self.assertEqual(page.post("learn", {"spans": spans, "topic": "/left"})[0], 422)
+
     def test_failures_are_reported(self):
         self.write_bag("run.bag", [(room, None) for room in self.rooms])
         page = self.page("run.bag")
