@@ -64,6 +64,13 @@ TEST_F(ModelSlots, KeepTheModelIfItsFileIsUnchanged) {
   EXPECT_NE(slot_.model(), two);
 }
 
+TEST_F(ModelSlots, NameACopyOfTheModelByItsOwnName) {
+  save("copy", 2);
+  slot_.load("two");
+  slot_.load("copy");
+  EXPECT_EQ(slot_.model()->name, "copy");
+}
+
 TEST_F(ModelSlots, KeepTheModelIfTheNextIsBad) {
   slot_.load("two");
   const std::shared_ptr<const Model> two = slot_.model();

@@ -32,8 +32,8 @@ ModelSlot::Loaded ModelSlot::readAgain() {
 
 void ModelSlot::use(Loaded loaded) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool is_same =
-      model_ && !model_->version.empty() && model_->version == loaded.model->version;
+  const bool is_same = model_ && name_ == loaded.name && !model_->version.empty() &&
+                       model_->version == loaded.model->version;
   if (!is_same) model_ = std::move(loaded.model);
   name_ = std::move(loaded.name);
   problem_.clear();
