@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "base/text.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/recalibration.h"
 #include "tool/inputs.h"
@@ -62,6 +63,8 @@ void printSummary(const Recalibration& result, const Fitted& before, std::ostrea
     printRow("weight of " + model.options.cues[c].name, 2, before.cue_weights[c],
              model.cue_weights[c], out);
   }
+  out << "The answer 'unknown' is set for " << percent(model.options.unknown.false_alarm_rate)
+      << " of these images; in light that is easier to recognize it is rarer.\n";
 }
 
 void calibrateModel(const CalibrateOptions& options) {

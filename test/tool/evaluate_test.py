@@ -19,7 +19,8 @@ class CalibrateTest(TrainedCase):
         self.assertAlmostEqual(info["unknown_threshold"], figures["after"]["unknown_threshold"])
         self.assertEqual(info["support_vectors"], evaluated["support_vectors"])
         text = self.succeed("calibrate", "tuesday", "--model", "./home.places")
-        for words in ("before", "after", "calibration error", "'unknown'", "slope", "weight of"):
+        for words in ("before", "after", "calibration error", "'unknown'", "slope", "weight of",
+                      "is set for 5"):
             self.assertIn(words, text)
 
     def test_it_takes_a_model_that_follows_the_light(self):
