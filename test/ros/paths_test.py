@@ -61,6 +61,10 @@ class PathsTest(NodeCase):
         node = self.start_node("place_labeler", "_bag:=killed.bag", cwd=self.trip)
         self.expect_end(node, 1, f"rosbag reindex {killed}.active, and rename it to {killed} "
                         f"({killed}.orig.active is its backup); in either case set ~bag to another name")
+        (self.trip / "old.labels.yaml").write_text("labels: []")
+        node = self.start_node("place_labeler", "_bag:=old.bag", cwd=self.trip)
+        self.expect_end(node, 1, f"The labels of {self.trip / 'old.bag'} would be replaced by those in "
+                        f"{self.trip / 'old.labels.yaml'}")
         node = self.start_node("place_labeler", f"_bag:={self.trip}")
         self.expect_end(node, 1, f"{self.trip} is a folder")
         node = self.start_node("place_labeler", "_bag:=new/", cwd=self.trip)

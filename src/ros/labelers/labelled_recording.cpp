@@ -36,6 +36,7 @@ std::unique_ptr<StagedBag> openBag(std::string path) {
     throw Error(path + kActive + ": " + whyActive(path + kActive) +
                 "; in either case set ~bag to another name.");
   }
+  requireNoLabelsBeside(path);
   return std::make_unique<StagedBag>(path, kActive);
 }
 
