@@ -63,6 +63,7 @@ class Evaluator {
     LeftOutFrames left_out;
     for (Frame frame; recording.next(frame);) {
       ++images_;
+      recognizer_.take(frame);
       if (!left_out.leavesOut(frame)) {
         for (const std::string& warning : recognizer_.judge(frame)) {
           evaluation_.warnings.push_back(recording.name() + ": " + warning);

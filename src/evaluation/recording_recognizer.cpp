@@ -12,17 +12,12 @@ RecordingRecognizer::RecordingRecognizer(std::shared_ptr<const Model> model)
 
 void RecordingRecognizer::begin(Recording& recording) {
   recording.setDepthExtent(model_->images.depth);
-  may_continue_ = !starts_ && last_stamp_ > 0 && recording.cameras() == cameras_;
   cameras_ = recording.cameras();
-  starts_ = true;
-  continues_ = false;
+  continuity_.begin(cameras_);
 }
 
-void RecordingRecognizer::beginAt(double stamp) {
-  if (!starts_) return;
-  starts_ = false;
-  continues_ = may_continue_ && stamp > last_stamp_ && stamp - last_stamp_ <= kMaxGapOfParts;
-  if (continues_) return;
+void RecordingRecognizer::take(const Frame& frame) {
+  if (!continuity_.beginsStream(frame)) return;
   while (recognizers_.size() < cameras_.size()) recognizers_.emplace_back(model_);
   for (Recognizer& recognizer : recognizers_) recognizer.forgetStream();
   guards_.assign(cameras_.size(), ImageGuard(*model_));
@@ -31,7 +26,6 @@ void RecordingRecognizer::beginAt(double stamp) {
 }
 
 std::vector<std::string> RecordingRecognizer::judge(const Frame& frame) {
-  beginAt(frame.stamp);
   std::vector<std::string> sentences =
       guards_[static_cast<std::size_t>(frame.camera)].judge(frame.image, frame.stamp);
   if (cameras_.size() > 1) {
@@ -42,8 +36,6 @@ std::vector<std::string> RecordingRecognizer::judge(const Frame& frame) {
 }
 
 const Recognition& RecordingRecognizer::recognize(const Frame& frame) {
-  beginAt(frame.stamp);
-  last_stamp_ = frame.stamp;
   return recognizers_[static_cast<std::size_t>(frame.camera)].recognize(frame.image, frame.stamp);
 }
 

@@ -8,12 +8,10 @@
 #include "place_recognition/recognizer.h"
 #include "place_recognition/recording.h"
 #include "place_recognition/temporal_filter.h"
+#include "recognition/frames/continuity.h"
 #include "recognition/frames/image_guard.h"
 
 namespace place_recognition {
-
-/// Largest gap between two parts of a split recording, s: a message or two.
-constexpr double kMaxGapOfParts = 2;
 
 /// Delay of the smoothed answer, s.
 constexpr double kSmoothingLag = 1;
@@ -28,14 +26,16 @@ class RecordingRecognizer {
   /// the previous recording, unless it continues that one.
   void begin(Recording& recording);
 
-  /// Whether the recording, of which a frame was judged or recognized, has the cameras of the
-  /// previous one and starts less than kMaxGapOfParts after its end.
-  bool continues() const { return continues_; }
+  /// Takes the next frame of the recording, whether it is then judged and recognized or not.
+  void take(const Frame& frame);
 
-  /// New remarks about the image of `frame`, see ImageGuard.
+  /// See Continuity.
+  bool continues() const { return continuity_.continues(); }
+
+  /// New remarks about the image of the frame taken last, see ImageGuard.
   std::vector<std::string> judge(const Frame& frame);
 
-  /// The answer to the image of `frame`; valid until the next call.
+  /// The answer to the image of the frame taken last; valid until the next call.
   const Recognition& recognize(const Frame& frame);
 
   /// The same for a single image outside of any recording.
@@ -51,19 +51,14 @@ class RecordingRecognizer {
   const Model& model() const { return *model_; }
 
  private:
-  void beginAt(double stamp);
-
   std::shared_ptr<const Model> model_;
   std::vector<std::string> cameras_{""};  // of the recording
+  Continuity continuity_;
   std::vector<Recognizer>
       recognizers_;                 // one per camera at least; they serve one run after another
   std::vector<ImageGuard> guards_;  // one per camera
   TemporalFilter filter_;           // of the recording
   FixedLagSmoother smoother_;
-  bool starts_ = false;  // no frame of the recording has come
-  bool may_continue_ = false;
-  bool continues_ = false;
-  double last_stamp_ = 0;
 };
 
 }  // namespace place_recognition

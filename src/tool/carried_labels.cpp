@@ -7,8 +7,8 @@
 #include <numeric>
 #include <regex>
 
-#include "evaluation/recording_recognizer.h"
 #include "place_recognition/error.h"
+#include "recognition/frames/continuity.h"
 #include "ros/bags/bag_file.h"
 
 namespace place_recognition::tool {

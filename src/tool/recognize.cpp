@@ -82,6 +82,7 @@ class Recognitions {
   }
 
   void addFrame(const Frame& frame) {
+    recognizer_.take(frame);
     if (isUsable(frame)) add(frame, recognizer_.recognize(frame));
   }
 

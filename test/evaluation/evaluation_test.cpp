@@ -136,6 +136,37 @@ TEST(Evaluate, PartsOfARecordingAreAnsweredAsTheWhole) {
   EXPECT_TRUE(differs);
 }
 
+std::vector<bool> continues(const std::vector<Frame>& one, const std::vector<Frame>& two,
+                            const std::vector<std::string>& cameras) {
+  return evaluate(model(), {opener(one, "run_0.bag", cameras), opener(two, "run_1.bag", cameras)})
+      .continues;
+}
+
+TEST(Evaluate, APartMayStartBetweenTheImagesOfOneMoment) {
+  std::vector<Frame> frames = drawFrames(3, 20, 400);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].camera = static_cast<int>(i % 2);
+    frames[i].stamp = 0.5 * static_cast<double>(i / 2) - 0.02 * frames[i].camera;
+  }
+  const std::vector<std::string> cameras{"/front", "/rear"};
+  const auto parts = [&](std::size_t border) {
+    const auto middle = frames.begin() + static_cast<std::ptrdiff_t>(border);
+    return continues({frames.begin(), middle}, {middle, frames.end()}, cameras);
+  };
+  EXPECT_EQ(parts(30), (std::vector<bool>{false, true}));
+  EXPECT_EQ(parts(31), (std::vector<bool>{false, true}));
+  EXPECT_EQ(continues(frames, frames, cameras), (std::vector<bool>{false, false}));
+}
+
+TEST(Evaluate, APartMayStartAmongFramesThatAreLeftOut) {
+  std::vector<Frame> frames = drawFrames(3, 20, 400);
+  for (std::size_t i = 25; i < 30; ++i) frames[i].place.clear();
+  for (std::size_t i = 30; i < 35; ++i) frames[i].image = cv::Mat();
+  const auto middle = frames.begin() + 30;
+  EXPECT_EQ(continues({frames.begin(), middle}, {middle, frames.end()}, {""}),
+            (std::vector<bool>{false, true}));
+}
+
 TEST(Evaluate, KeepsTheMostConfidentMistakes) {
   std::vector<Frame> frames = drawFrames(3, 6, 200);
   for (Frame& frame : frames) frame.place = frame.place == "room0" ? "room1" : "room0";
