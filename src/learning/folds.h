@@ -7,11 +7,12 @@ namespace place_recognition {
 /// Place and time of a training sample.
 struct SampleOrigin {
   int place = 0;      ///< label
-  int recording = 0;  ///< number of the recording
+  int recording = 0;  ///< number of the recording; the parts of a split one share it
   double stamp = 0;   ///< s; only differences within a run count
   int camera = 0;     ///< if several cameras record the run together
   int age = 0;        ///< how many times its place has been learned again since
   int skipped = 0;  ///< frames of its place and camera since the previous sample that are not used
+  int part = 0;     ///< number of the recording as given, where parts count separately
 };
 
 /// The number of recordings, which are numbered from 0: one more than the largest number.

@@ -86,6 +86,8 @@ TuningSamples collectTuningSamples(const TuningRecordings& recordings,
       collectSamples(openers, options, threads, partOf(progress, openers.size(), opened), 2,
                      recordings.images, change),
       {}};
+  // Frames are missing at the borders of parts, so that some would be joined and others not.
+  for (SampleOrigin& origin : samples.origins) origin.recording = origin.part;
   samples.folds =
       withCopies(recordedFolds(samples, recordings, options, threads), samples.source, false);
   return samples;

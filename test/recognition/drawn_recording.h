@@ -79,6 +79,20 @@ inline RecordingOpener opener(const std::vector<Frame>& frames, const std::strin
   return [frames, name, cameras] { return std::make_unique<FrameList>(name, frames, cameras); };
 }
 
+/// Returns the parts of a recording that was split in front of the frames `borders`.
+inline std::vector<RecordingOpener> openersOfParts(const std::vector<Frame>& frames,
+                                                   std::vector<std::ptrdiff_t> borders) {
+  borders.push_back(static_cast<std::ptrdiff_t>(frames.size()));
+  std::vector<RecordingOpener> openers;
+  std::ptrdiff_t begin = 0;
+  for (const std::ptrdiff_t end : borders) {
+    openers.push_back(opener({frames.begin() + begin, frames.begin() + end},
+                             "part" + std::to_string(openers.size())));
+    begin = end;
+  }
+  return openers;
+}
+
 /// Returns options that train on drawn rooms quickly.
 inline TrainingOptions quickOptions() {
   TrainingOptions options;

@@ -4,6 +4,7 @@
 
 #include "learning/classifier_parts.h"
 #include "place_recognition/error.h"
+#include "place_recognition/model_file.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/drawn_recording.h"
 #include "recognition/frames/light.h"
@@ -94,6 +95,18 @@ double rateInDimLight(const std::string& normalize) {
 TEST(Recalibrate, HoldsTheLightOfARunAgainstTheTrainingByItsLabels) {
   EXPECT_LT(rateInDimLight("none"), 0.7);
   EXPECT_GT(rateInDimLight("run"), 0.95);
+}
+
+TEST(Recalibrate, TreatsThePartsOfARecordingLikeTheWhole) {
+  TrainingOptions options = twoCueOptions();
+  options.cues[1].normalize = "run";
+  const std::string file = serializeModel(train({opener(drawFrames(3, 30))}, options).model);
+  const std::vector<Frame> whole = inDimLight(drawFrames(3, 40, 800));
+  const auto calibratedOn = [&](const std::vector<RecordingOpener>& recordings) {
+    return serializeModel(recalibrate(parseModel(file, "drawn"), recordings).model);
+  };
+  const std::string expected = calibratedOn({opener(whole)});
+  EXPECT_EQ(calibratedOn(openersOfParts(whole, {50, 90})), expected);
 }
 
 TEST(TrainIncrementally, KeepsTheLightOfTheTraining) {

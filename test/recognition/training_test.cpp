@@ -56,6 +56,24 @@ TEST(Training, ReducesTheModel) {
   EXPECT_GT(rateOn(std::move(reduced), 3), 0.8);
 }
 
+TEST(Training, LearnsThePartsOfARecordingLikeTheWhole) {
+  std::vector<Frame> whole;
+  for (const unsigned first_frame : {0u, 100u}) {
+    for (Frame frame : drawFrames(3, 20, first_frame)) {
+      frame.stamp = static_cast<double>(whole.size());
+      whole.push_back(frame);
+    }
+  }
+  const auto bytes = [](const std::vector<RecordingOpener>& recordings, std::size_t inputs) {
+    Model model = train(recordings, quickOptions()).model;
+    EXPECT_EQ(model.provenance.inputs.size(), inputs);
+    EXPECT_TRUE(model.adjacency.joined(0, 1));
+    model.provenance = {{}, model.provenance.place_images, 0, "test"};
+    return serializeModel(model);
+  };
+  EXPECT_EQ(bytes(openersOfParts(whole, {20, 50, 80}), 4), bytes({opener(whole)}, 1));
+}
+
 TEST(Training, GivesTheSameBytesWhateverTheThreads) {
   const std::vector<RecordingOpener> recordings{opener(drawFrames(3, 9))};
   const std::string once = serializeModel(train(recordings, twoCueOptions(), 1).model);

@@ -69,6 +69,13 @@ TEST(TuningSamples, HeldOutRunsAreTestedAndNeverTrainedOn) {
   EXPECT_EQ(samples.folds[0].test.size(), 16u);
 }
 
+TEST(TuningSamples, AHeldOutPartIsNotTrainedOnWithTheOtherParts) {
+  const std::vector<RecordingOpener> parts = openersOfParts(drawFrames(2, 10), {12});
+  const TuningSamples samples = collect({parts[0]}, {parts[1]});
+  EXPECT_EQ(samples.folds[0].train.size(), 12u);
+  EXPECT_EQ(samples.folds[0].test.size(), 16u);
+}
+
 /// Returns the mean of all levels.
 double levelOf(const cv::Mat& image) {
   const cv::Scalar mean = cv::mean(image);

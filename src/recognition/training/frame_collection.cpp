@@ -7,6 +7,7 @@
 
 #include "base/place_name.h"
 #include "place_recognition/error.h"
+#include "recognition/frames/continuity.h"
 #include "recognition/frames/image_guard.h"
 #include "recognition/frames/light.h"
 #include "recognition/training/labelled_light.h"
@@ -47,13 +48,17 @@ class Collector {
   void read(Recording& recording, const Progress& progress) {
     collected_.inputs.push_back(recording.name());
     collected_.left_out.emplace_back();
-    collected_.seen.emplace_back();
     recording.setDepthExtent(expected_.depth);
+    continuity_.begin(recording.cameras());
     std::vector<CameraStream> streams = streamsOf(recording);
     const std::string stage = "Reading " + recording.name();
     report(progress, stage, 0);
     for (Frame frame; recording.next(frame);) {
-      take(frame, streams[static_cast<std::size_t>(frame.camera)]);
+      if (continuity_.beginsStream(frame)) {
+        streams_ = std::move(streams);
+        collected_.seen.emplace_back();
+      }
+      take(frame, streams_[static_cast<std::size_t>(frame.camera)]);
       report(progress, stage, recording.fraction());
     }
     collected_.warnings.insert(collected_.warnings.end(), recording.warnings().begin(),
@@ -106,9 +111,18 @@ class Collector {
   }
 
   void add(const Frame& frame, CameraStream& camera, int number, int level) {
-    const int recording = static_cast<int>(collected_.inputs.size()) - 1;
-    collected_.frames.push_back(
-        {frame.place, recording, frame.stamp, camera.number, number, frame.name, level, {}, {}});
+    const int recording = static_cast<int>(collected_.seen.size()) - 1;
+    const int part = static_cast<int>(collected_.inputs.size()) - 1;
+    collected_.frames.push_back({frame.place,
+                                 recording,
+                                 part,
+                                 frame.stamp,
+                                 camera.number,
+                                 number,
+                                 frame.name,
+                                 level,
+                                 {},
+                                 {}});
     CollectedFrame& added = collected_.frames.back();
     const Light light = camera.light.next(frame);
     pool_.submit(frame.image, added.extracted, light);
@@ -130,8 +144,8 @@ class Collector {
   void dropFeatureless() {
     drop([this](const CollectedFrame& frame) {
       if (frame.hasFeature()) return false;
-      collected_.left_out[static_cast<std::size_t>(frame.recording)].add(frame.place, frame.name,
-                                                                         frame.extracted.problem);
+      collected_.left_out[static_cast<std::size_t>(frame.part)].add(frame.place, frame.name,
+                                                                    frame.extracted.problem);
       return true;
     });
   }
@@ -148,6 +162,8 @@ class Collector {
   const Model* model_;
   const ImageChange change_;
   const std::size_t most_;
+  Continuity continuity_;
+  std::vector<CameraStream> streams_;  // of the recording, by its number of the camera
   FrameCollection collected_;
   ExtractionPool pool_;  // the last member, so that its threads end first
 };

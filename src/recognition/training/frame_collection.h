@@ -19,10 +19,11 @@ namespace place_recognition {
 /// A labelled frame that can be learned.
 struct CollectedFrame {
   std::string place;
-  int recording = 0;
-  double stamp = 0;  ///< s
-  int camera = 0;    ///< index into FrameCollection::cameras
-  int number = 0;    ///< among all frames of its place by its camera in the recording
+  int recording = 0;  ///< index into FrameCollection::seen
+  int part = 0;       ///< index into FrameCollection::inputs
+  double stamp = 0;   ///< s
+  int camera = 0;     ///< index into FrameCollection::cameras
+  int number = 0;     ///< among all frames of its place by its camera in the recording
   std::string name;
   int level = 0;  ///< see HalvingSample
   ExtractedFeatures extracted;
@@ -42,8 +43,8 @@ struct SeenLabel {
 struct FrameCollection {
   std::vector<std::string> inputs;           ///< names of the recordings
   std::vector<std::string> cameras;          ///< topics, of all recordings
-  std::vector<std::vector<SeenLabel>> seen;  ///< [recording]
-  std::vector<LeftOutFrames> left_out;       ///< [recording]
+  std::vector<std::vector<SeenLabel>> seen;  ///< [recording]; parts of a split one are joined
+  std::vector<LeftOutFrames> left_out;       ///< of each input
   std::vector<std::string> warnings;
   std::deque<CollectedFrame> frames;  ///< stay in place while threads fill them
   std::uint64_t images = 0;           ///< number of all images read
@@ -53,10 +54,11 @@ struct FrameCollection {
 };
 
 /// Reads the recordings and extracts the features of their labelled frames, and keeps at most about
-/// twice `most` of them. `profile`: the size to which images are scaled, and their expected
-/// properties. `model`: the model of incremental training, to whose light that of a recording is
-/// compared; null if none. `change`: makes an additional image from each, if set. Throws Error if a
-/// recording is damaged or a label cannot name a place.
+/// twice `most` of them. A recording that continues the one before (see Continuity) is a part of
+/// it. `profile`: the size to which images are scaled, and their expected properties. `model`: the
+/// model of incremental training, to whose light that of a recording is compared; null if none.
+/// `change`: makes an additional image from each, if set. Throws Error if a recording is damaged or
+/// a label cannot name a place.
 FrameCollection collectFrames(const std::vector<RecordingOpener>& recordings,
                               const TrainingOptions& options, const ImageProfile& profile,
                               const Model* model, const ImageChange& change, std::size_t most,

@@ -134,6 +134,7 @@ void fill(FrameCollection& collected, std::size_t cues, Samples& samples) {
                         frame.camera};
     int& expected = next[{origin.recording, origin.place, origin.camera}];
     origin.skipped = frame.number - expected;
+    origin.part = frame.part;
     expected = frame.number + 1;
     ++samples.images[static_cast<std::size_t>(origin.place)];
     samples.colours[static_cast<std::size_t>(origin.place)].add(frame.extracted.colour);
