@@ -12,8 +12,8 @@
 #include "datasets/image_sequence.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
-#include "tool/carried_labels.h"
 #include "tool/output.h"
+#include "tool/recording_parts.h"
 
 namespace place_recognition::tool {
 namespace {
@@ -211,12 +211,11 @@ std::vector<RecordingOpener> InputOptions::openers(const std::vector<std::string
         " applies to a single bag; for several bags, put a file RUN.labels.yaml beside each.");
   }
   if (bag.labels_file.empty() && bag.label.empty()) warnOfSharedLabels(recordings);
-  const std::vector<std::string> carried = carriedLabels(recordings, bag);
   std::vector<RecordingOpener> openers;
-  for (std::size_t i = 0; i < recordings.size(); ++i) {
+  for (const RecordingPart& part : partsInOrder(recordings, bag)) {
     InputOptions options = *this;
-    options.bag.initial_label = carried[i];
-    openers.push_back([options, recording = recordings[i]] { return options.open(recording); });
+    options.bag.initial_label = part.initial_label;
+    openers.push_back([options, path = part.path] { return options.open(path); });
   }
   return openers;
 }

@@ -25,9 +25,9 @@ struct InputOptions {
   /// The options for other runs than those to which --label and --labels apply.
   InputOptions withoutLabels() const;
 
-  /// One opener per run of `inputs`. `are_all`: the options apply to no other inputs. Throws Error
-  /// for an input that is not a run, and if one labels file is given for several runs; UsageError
-  /// like requireBag().
+  /// One opener per run of `inputs`, see partsInOrder(). `are_all`: the options apply to no other
+  /// inputs. Throws Error for an input that is not a run, and if one labels file is given for
+  /// several runs; UsageError like requireBag().
   std::vector<RecordingOpener> openers(const std::vector<std::string>& inputs,
                                        bool are_all = true) const;
 

@@ -9,9 +9,9 @@
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "ros/bags/bag_file.h"
-#include "tool/carried_labels.h"
 #include "tool/inputs.h"
 #include "tool/package_folder.h"
+#include "tool/recording_parts.h"
 #include "tool/verbs.h"
 
 namespace place_recognition::tool {
@@ -77,13 +77,13 @@ void label(const LabelOptions& options) {
   pass("--label-topic", has_topic ? bag.label_topic : "");
   pass("--labels", bag.labels_file);
   pass("--label", bag.label);
-  const std::vector<std::string> bags = checkedBags(options);
-  for (const std::string& label : carriedLabels(bags, bag)) {
-    arguments.push_back("--initial-label=" + label);
+  const std::vector<RecordingPart> bags = partsInOrder(checkedBags(options), bag);
+  for (const RecordingPart& part : bags) {
+    arguments.push_back("--initial-label=" + part.initial_label);
   }
   if (options.no_browser) arguments.emplace_back("--no-browser");
   arguments.emplace_back("--");
-  arguments.insert(arguments.end(), bags.begin(), bags.end());
+  for (const RecordingPart& part : bags) arguments.push_back(part.path);
   execute(std::move(arguments));
 }
 

@@ -16,6 +16,7 @@
 #include "ros/bags/bag_file.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
+#include "tool/recording_parts.h"
 #include "tool/unusable_images.h"
 #include "tool/verbs.h"
 
@@ -197,7 +198,7 @@ class Recognitions {
   std::size_t place_width_ = std::string(kUnknownPlace).size();
 };
 
-/// An image, or the runs that an input refers to.
+/// An image, or runs.
 struct Input {
   std::string image;
   std::vector<std::string> runs;
@@ -211,17 +212,19 @@ std::vector<Input> inputsOf(const RecognizeOptions& options) {
     if (is_image || startsAsImage(input)) {
       inputs.push_back({input, {}});
     } else {
-      inputs.push_back({"", findRecordings({input})});
-      runs.insert(runs.end(), inputs.back().runs.begin(), inputs.back().runs.end());
+      if (inputs.empty() || !inputs.back().image.empty()) inputs.emplace_back();
+      for (const std::string& run : findRecordings({input})) {
+        inputs.back().runs.push_back(run);
+        runs.push_back(run);
+      }
     }
   }
   options.input.requireBag(runs);
   return inputs;
 }
 
-void recognizeRun(const std::string& run, InputOptions input, Recognitions& recognitions,
+void recognizeRun(const std::string& run, const InputOptions& input, Recognitions& recognitions,
                   const Progress& progress) {
-  input.bag.label = "any";  // labels are not needed, right or wrong
   const std::unique_ptr<Recording> recording = input.open(run);
   const bool is_bag = isBag(run);
   recognitions.startRecording(*recording, is_bag);
@@ -241,10 +244,12 @@ void recognize(const RecognizeOptions& options) {
   const bool answers_are_seen = options.output.progress == "auto" && isatty(STDOUT_FILENO);
   ProgressDisplay display(answers_are_seen ? "none" : options.output.progress);
   const Progress progress = display.callback();
+  InputOptions unlabelled = options.input;
+  unlabelled.bag.label = "any";  // labels are not needed, right or wrong
   try {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      for (const std::string& run : inputs[i].runs) {
-        recognizeRun(run, options.input, recognitions, progress);
+      for (const RecordingPart& part : partsInOrder(inputs[i].runs, unlabelled.bag)) {
+        recognizeRun(part.path, unlabelled, recognitions, progress);
       }
       if (inputs[i].image.empty()) continue;
       report(progress, "Recognizing", static_cast<double>(i) / inputs.size());

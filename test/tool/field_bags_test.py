@@ -42,6 +42,26 @@ class BagTest(FieldCase):
         (self.folder / "late.bag").unlink()
         self.assertEqual(self.train(".")[0]["images"], 25)
 
+    def test_parts_follow_each_other_in_whatever_order_they_are_given(self):
+        frames = [room for room in ("kitchen", "office", "corridor", "office") for _ in range(9)]
+        parts = [self.write_labelled(f"run_{number}.bag", 1000 + start, frames[start:start + 12],
+                                     enumerate(frames[start:start + 12]))
+                 for number, start in ((1, 0), (2, 12), (10, 24))]
+        other = self.write_labelled("other.bag", 9000, frames[:9], [(0, "kitchen")])
+        models = []
+        for runs in ((other, *parts), (other, *sorted(parts))):  # run_10 before run_2
+            self.train(*runs)
+            models.append((self.folder / "home.places").read_bytes())
+        self.assertEqual(*models)
+        figures = [self.figures("evaluate", *runs, *MODEL[:2])["over_time"]
+                   for runs in (parts, sorted(parts))]
+        self.assertEqual(*figures)
+        images = [[json.loads(line)["image"] for line in self.succeed(
+            "recognize", *runs, *MODEL[:2], "--json", "-").splitlines()]
+            for runs in (parts, sorted(parts))]
+        self.assertEqual(len(images[0]), len(frames))
+        self.assertEqual(*images)
+
     def test_an_image_that_cannot_be_used_does_not_stop_recognition(self):
         self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
                             [(0, "kitchen"), (5, "office")])
