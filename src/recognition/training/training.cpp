@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -228,13 +229,13 @@ ReductionOptions learningOnReduction(ReductionOptions asked, int vector_limit) {
   return asked;
 }
 
-/// The most new images, so that the Gram matrices, which include the vectors of the model, hardly
+/// The most new images, so that the Gram matrices, which include the remembered vectors, hardly
 /// become larger than in a training of `most` images.
-int mostNewImages(const Model& model, int most) {
+int mostNewImages(const Samples& remembered, int most) {
   constexpr int kAlways = 1000;
-  std::size_t vectors = 0;
-  for (const Classifier& classifier : model.classifiers) {
-    vectors = std::max(vectors, classifier.supportVectorCount());
+  std::ptrdiff_t vectors = 0;
+  for (const std::vector<Feature>& cue : remembered.features) {
+    vectors = std::max(vectors, std::count_if(cue.begin(), cue.end(), std::not_fn(isMissing)));
   }
   return std::max(std::min(most, kAlways), most - static_cast<int>(vectors));
 }
@@ -264,7 +265,6 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
   TrainingOptions options = model.asked;
   options.image = model.options.image;
   options.cues = model.options.cues;
-  options.sampling.most = mostNewImages(model, options.sampling.most);
   options.reduction = learningOnReduction(options.reduction, incremental.vector_limit);
   options.check();
   return timed([&] {
@@ -275,7 +275,9 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
     if (recordings.empty()) {
       options.validation = model.options.validation;  // there are no new frames for validation
     } else {
-      Samples fresh = collectSamplesFor(model, recordings, options, threads, progress, 1);
+      TrainingOptions sampled = options;
+      sampled.sampling.most = mostNewImages(samples, options.sampling.most);
+      Samples fresh = collectSamplesFor(model, recordings, sampled, threads, progress, 1);
       warnOfLearnedRuns(model, fresh.inputs, fresh.warnings);
       samples = joinSamples(std::move(samples), std::move(fresh));
     }
