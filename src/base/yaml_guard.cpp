@@ -30,7 +30,16 @@ class ModestYaml : public YAML::EventHandler {
   void OnSequenceEnd() override { --depth_; }
   void OnMapEnd() override { --depth_; }
 
-  void OnDocumentStart(const YAML::Mark&) override {}
+  /// yaml-cpp does not pass a sign with which nothing begins, such as a comma, and finds documents
+  /// in front of it without end.
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (mark.pos == document_) {
+      throw Error(where_ + " is not valid YAML: unexpected sign in line " +
+                  std::to_string(mark.line + 1) + ", column " + std::to_string(mark.column + 1) +
+                  ".");
+    }
+    document_ = mark.pos;
+  }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
   void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
@@ -47,6 +56,7 @@ class ModestYaml : public YAML::EventHandler {
 
   const std::string& where_;
   int depth_ = 0;
+  int document_ = -1;  // its position
 };
 
 }  // namespace
@@ -55,7 +65,7 @@ void requireModestYaml(const std::string& text, const std::string& where) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
   ModestYaml guard(where);
-  parser.HandleNextDocument(guard);
+  while (parser.HandleNextDocument(guard)) continue;
 }
 
 }  // namespace place_recognition

@@ -30,6 +30,13 @@ TEST(YamlGuard, RefusesDepthBeforeGoingThere) {
   }
 }
 
+TEST(YamlGuard, RefusesSignsInFrontOfWhichDocumentsHaveNoEnd) {
+  EXPECT_NE(errorIn(",").find("unexpected sign in line 1, column 1"), std::string::npos);
+  EXPECT_NE(errorIn("--- a\n---\n ,").find("unexpected sign in line 3, column 2"),
+            std::string::npos);
+  EXPECT_EQ(errorIn("---\n---\na: 1\n"), "");
+}
+
 TEST(YamlGuard, RefusesRepetition) {
   EXPECT_NE(errorIn("a: &x [1, 2]\nb: *x\n").find("a.yaml has an alias ('*') in line 2"),
             std::string::npos);
