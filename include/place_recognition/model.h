@@ -22,6 +22,9 @@ struct Provenance {
   std::vector<std::uint64_t> place_images;  ///< training images of each place
   std::uint64_t skipped_images = 0;         ///< unlabelled, unreadable, or without any feature
   std::string package_version;
+  /// Of each input: identifies the run by its first image, wherever it lies and whatever its name;
+  /// 64 hex digits. Empty: unknown, as in files of earlier versions.
+  std::vector<std::string> fingerprints;
 };
 
 /// Quality on held-out blocks of the training runs; zeros if it was not validated.

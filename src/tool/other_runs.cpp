@@ -1,9 +1,12 @@
 #include "tool/other_runs.h"
 
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include "base/confined_path.h"
+#include "place_recognition/error.h"
+#include "recognition/training/learned_runs.h"
 #include "tool/verb.h"
 
 namespace place_recognition::tool {
@@ -30,6 +33,15 @@ void requireOtherRuns(const std::vector<std::string>& validate,
       }
       throw UsageError("--validate: " + run + " is also learned; give another run");
     }
+  }
+}
+
+void requireNotLearned(const Model& model, const std::string& name,
+                       const std::vector<RecordingOpener>& validate) {
+  for (const RecordingOpener& open : validate) {
+    const std::unique_ptr<Recording> run = open();
+    if (!isTrainedOn(model, *run)) continue;
+    throw Error("--validate: " + name + " was trained on " + run->name() + "; give another run.");
   }
 }
 

@@ -10,7 +10,7 @@
 #include "evaluation/summary.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
-#include "recognition/training/learned_runs.h"
+#include "tool/other_runs.h"
 
 namespace place_recognition::tool {
 
@@ -24,11 +24,7 @@ Replacement::Replacement(std::vector<RecordingOpener> recordings, const std::str
 std::vector<Replacement::Room> Replacement::roomsOf(const Model& model, const std::string& whose,
                                                     const std::vector<RecordingOpener>& recordings,
                                                     const Progress& progress) {
-  for (const RecordingOpener& open : recordings) {
-    const std::string run = open()->name();
-    if (!isTrainedOn(model.provenance, run)) continue;
-    throw Error("--validate: " + whose + " was trained on " + run + "; give another run.");
-  }
+  requireNotLearned(model, whose, recordings);
   const std::shared_ptr<const Model> borrowed(std::shared_ptr<const Model>(), &model);
   const Summary summary = summarize(evaluate(borrowed, recordings, 0, progress));
   std::vector<Room> rooms;

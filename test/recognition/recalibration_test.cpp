@@ -59,11 +59,30 @@ TEST(Recalibrate, LeavesTheMachinesAsTheyAre) {
   }
 }
 
-TEST(Recalibrate, WarnsOfARunThatWasLearnedHoweverItsPathIsWritten) {
-  for (const char* path : {"drawn", "./drawn/", "there/../drawn"}) {
-    const Recalibration result = recalibrate(drawnModel(), {opener(drawFrames(3, 20), path)});
-    ASSERT_EQ(result.warnings.size(), 1u) << path;
-    EXPECT_NE(result.warnings[0].find("was trained on"), std::string::npos);
+std::size_t warningsOfLearnedRuns(Model model, const RecordingOpener& recording) {
+  const Recalibration result = recalibrate(std::move(model), {recording});
+  for (const std::string& warning : result.warnings) {
+    EXPECT_NE(warning.find("was trained on"), std::string::npos) << warning;
+  }
+  return result.warnings.size();
+}
+
+TEST(Recalibrate, WarnsOfARunThatWasLearnedWhereverItLies) {
+  EXPECT_EQ(warningsOfLearnedRuns(drawnModel(), opener(drawFrames(3, 20), "copies/of_it")), 1u);
+  EXPECT_EQ(warningsOfLearnedRuns(drawnModel(), opener(drawFrames(3, 20, 800), "drawn")), 0u);
+  const Model read = parseModel(serializeModel(drawnModel()), "drawn");
+  EXPECT_EQ(read.provenance.fingerprints, drawnModel().provenance.fingerprints);
+}
+
+TEST(Recalibrate, WarnsOfTheNameOfALearnedRunIfAnEarlierVersionLearnedIt) {
+  for (const char* path : {"drawn", "./drawn/", "there/../drawn", "undrawn"}) {
+    Model model = drawnModel();
+    model.provenance.fingerprints.clear();
+    const std::size_t expected = std::string(path) == "undrawn" ? 0 : 1;
+    const RecordingOpener recording = opener(drawFrames(3, 20, 800), path);
+    EXPECT_EQ(warningsOfLearnedRuns(parseModel(serializeModel(model), "drawn"), recording),
+              expected)
+        << path;
   }
 }
 

@@ -230,16 +230,16 @@ TEST(Sampling, FramesThatAreNotLearnedCountAsSkipped) {
 TEST(Sampling, VectorsOfBothModelsLeaveRoomForFewerNewImagesOnce) {
   TrainingOptions options = quickOptions();
   options.reduction.method = "none";
-  options.sampling.most = 1100;
+  options.sampling.most = 1200;
   const Model model = train({opener(drawFrames(4, 30))}, options).model;
   const Model other = train({opener(drawFrames(4, 30, 100))}, options).model;
   IncrementalOptions incremental;
   incremental.other = &other;
   const Training training =
-      trainIncrementally(model, {opener(drawFrames(2, 550, 200))}, incremental);
+      trainIncrementally(model, {opener(drawFrames(2, 600, 200))}, incremental);
   const std::size_t vectors = model.supportVectorCount() + other.supportVectorCount();
-  EXPECT_NEAR(static_cast<double>(training.images), 1100 - static_cast<double>(vectors), 2);
-  EXPECT_EQ(training.model.options.sampling.most, 1100);  // calibrate and reduce read them all
+  EXPECT_NEAR(static_cast<double>(training.images), 1200 - static_cast<double>(vectors), 2);
+  EXPECT_EQ(training.model.options.sampling.most, 1200);  // calibrate and reduce read them all
 }
 
 TEST(Sampling, TheSeedSaysWhichImagesAreLearned) {

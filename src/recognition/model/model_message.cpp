@@ -113,6 +113,8 @@ void readProvenance(const proto::Provenance& message, Model& model) {
           "it does not have one number of images per place");
   Provenance& provenance = model.provenance;
   provenance.inputs = separated(message.inputs(), kMaxInputs);
+  provenance.fingerprints = separated(message.fingerprints(), kMaxInputs);
+  provenance.fingerprints.resize(provenance.inputs.size());
   provenance.place_images.assign(message.place_images().begin(), message.place_images().end());
   provenance.skipped_images = message.skipped_images();
   provenance.package_version = message.package_version();
@@ -160,6 +162,7 @@ proto::Model toMessage(const Model& model) {
 
   proto::Provenance& provenance = *message.mutable_provenance();
   provenance.set_inputs(joined(model.provenance.inputs));
+  provenance.set_fingerprints(joined(model.provenance.fingerprints));
   for (const std::uint64_t count : model.provenance.place_images) {
     provenance.add_place_images(count);
   }

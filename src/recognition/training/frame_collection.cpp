@@ -11,6 +11,7 @@
 #include "recognition/frames/image_guard.h"
 #include "recognition/frames/light.h"
 #include "recognition/training/labelled_light.h"
+#include "recognition/training/learned_runs.h"
 #include "recognition/training/sampling.h"
 
 namespace place_recognition {
@@ -42,11 +43,12 @@ class Collector {
         model_(model),
         change_(change),
         most_(most),
-        collected_{{}, {}, {}, {}, {}, {}, 0, 0, profile, HalvingSample(options.seed)},
+        collected_{{}, {}, {}, {}, {}, {}, {}, 0, 0, profile, HalvingSample(options.seed)},
         pool_(options, profile, threads) {}
 
   void read(Recording& recording, const Progress& progress) {
     collected_.inputs.push_back(recording.name());
+    collected_.fingerprints.emplace_back();
     collected_.left_out.emplace_back();
     recording.setDepthExtent(expected_.depth);
     continuity_.begin(recording.cameras());
@@ -92,6 +94,8 @@ class Collector {
 
   void take(const Frame& frame, CameraStream& camera) {
     ++collected_.images;
+    std::string& fingerprint = collected_.fingerprints.back();
+    if (fingerprint.empty() && !frame.image.empty()) fingerprint = fingerprintOf(frame);
     collected_.seen.back().push_back({frame.stamp, frame.place});
     requirePlaceName(frame);
     if (collected_.left_out.back().leavesOut(frame)) return;

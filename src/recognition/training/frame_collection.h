@@ -42,6 +42,7 @@ struct SeenLabel {
 /// Everything read from recordings.
 struct FrameCollection {
   std::vector<std::string> inputs;           ///< names of the recordings
+  std::vector<std::string> fingerprints;     ///< of each input, see Provenance
   std::vector<std::string> cameras;          ///< topics, of all recordings
   std::vector<std::vector<SeenLabel>> seen;  ///< [recording]; parts of a split one are joined
   std::vector<LeftOutFrames> left_out;       ///< of each input

@@ -1,7 +1,8 @@
 #include "recognition/training/learned_runs.h"
 
-#include <algorithm>
 #include <filesystem>
+
+#include "base/sha256.h"
 
 namespace place_recognition {
 namespace {
@@ -15,10 +16,33 @@ fs::path normalized(const std::string& path) {
 
 }  // namespace
 
-bool isTrainedOn(const Provenance& provenance, const std::string& input) {
-  return std::any_of(
-      provenance.inputs.begin(), provenance.inputs.end(),
-      [&](const std::string& trained) { return normalized(trained) == normalized(input); });
+std::string fingerprintOf(const Frame& first) {
+  const cv::Mat image = first.image.isContinuous() ? first.image : first.image.clone();
+  const std::string pixels(reinterpret_cast<const char*>(image.data),
+                           image.total() * image.elemSize());
+  return sha256(std::to_string(image.cols) + "x" + std::to_string(image.type()) + "@" +
+                std::to_string(first.stamp) + ":" + pixels);
+}
+
+bool isTrainedOn(const Provenance& provenance, const std::string& input,
+                 const std::string& fingerprint) {
+  for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
+    const std::string learned =
+        i < provenance.fingerprints.size() ? provenance.fingerprints[i] : "";
+    const bool same = learned.empty() || fingerprint.empty()
+                          ? normalized(provenance.inputs[i]) == normalized(input)
+                          : learned == fingerprint;
+    if (same) return true;
+  }
+  return false;
+}
+
+bool isTrainedOn(const Model& model, Recording& recording) {
+  recording.setDepthExtent(model.images.depth);
+  Frame frame;
+  while (frame.image.empty() && recording.next(frame)) continue;
+  return isTrainedOn(model.provenance, recording.name(),
+                     frame.image.empty() ? "" : fingerprintOf(frame));
 }
 
 }  // namespace place_recognition

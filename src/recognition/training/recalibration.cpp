@@ -145,9 +145,9 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   Recalibration result;
   Samples samples = collectSamplesFor(model, recordings, options, threads, progress, 1);
   result.warnings = samples.warnings;
-  for (const std::string& input : samples.inputs) {
-    if (!isTrainedOn(model.provenance, input)) continue;
-    result.warnings.push_back("The model was trained on " + input +
+  for (std::size_t i = 0; i < samples.inputs.size(); ++i) {
+    if (!isTrainedOn(model.provenance, samples.inputs[i], samples.fingerprints[i])) continue;
+    result.warnings.push_back("The model was trained on " + samples.inputs[i] +
                               ", so it seems to be right and sure more often than on other runs.");
   }
   const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);

@@ -53,6 +53,8 @@ void append(Samples part, int first_recording, Samples& samples) {
   }
   samples.remembered += part.remembered;
   samples.inputs.insert(samples.inputs.end(), part.inputs.begin(), part.inputs.end());
+  samples.fingerprints.insert(samples.fingerprints.end(), part.fingerprints.begin(),
+                              part.fingerprints.end());
   samples.skipped += part.skipped;
   samples.passed_over += part.passed_over;
   samples.warnings.insert(samples.warnings.end(), part.warnings.begin(), part.warnings.end());
@@ -103,6 +105,8 @@ Samples rememberedSamples(const Model& model) {
   samples.images = model.provenance.place_images;
   samples.colours = colourMoments(model.colours, samples.images);
   samples.inputs = model.provenance.inputs;
+  samples.fingerprints = model.provenance.fingerprints;
+  samples.fingerprints.resize(samples.inputs.size());
   samples.skipped = model.provenance.skipped_images;
   samples.adjacency = model.adjacency;
   samples.features.resize(model.classifiers.size());

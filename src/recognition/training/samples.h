@@ -41,6 +41,7 @@ struct Samples {
   std::vector<std::uint64_t> images;        ///< by place: number of images learned in total
   std::vector<ColourMoments> colours;       ///< by place, of the recorded images
   std::vector<std::string> inputs;          ///< names of the recordings
+  std::vector<std::string> fingerprints;    ///< of each input, see Provenance
   std::vector<std::string> cameras;         ///< of `origins`, by topics; over all recordings
   ImageProfile image_profile;               ///< of the images learned
   Adjacency adjacency{0};                   ///< of `places`, from the recordings that are drives

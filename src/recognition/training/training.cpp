@@ -30,7 +30,8 @@ namespace place_recognition {
 namespace {
 
 Provenance provenanceOf(const Samples& samples) {
-  return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION};
+  return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION,
+          samples.fingerprints};
 }
 
 /// Whether the light of a recording is compared with that of the training.
@@ -278,7 +279,7 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
       TrainingOptions sampled = options;
       sampled.sampling.most = mostNewImages(samples, options.sampling.most);
       Samples fresh = collectSamplesFor(model, recordings, sampled, threads, progress, 1);
-      warnOfLearnedRuns(model, fresh.inputs, fresh.warnings);
+      warnOfLearnedRuns(model, fresh, fresh.warnings);
       samples = joinSamples(std::move(samples), std::move(fresh));
     }
     if (samples.origins.empty()) {

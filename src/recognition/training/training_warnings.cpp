@@ -31,11 +31,11 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
   }
 }
 
-void warnOfLearnedRuns(const Model& model, const std::vector<std::string>& inputs,
+void warnOfLearnedRuns(const Model& model, const Samples& samples,
                        std::vector<std::string>& warnings) {
-  for (const std::string& input : inputs) {
-    if (!isTrainedOn(model.provenance, input)) continue;
-    warnings.push_back("The model was already trained on " + input +
+  for (std::size_t i = 0; i < samples.inputs.size(); ++i) {
+    if (!isTrainedOn(model.provenance, samples.inputs[i], samples.fingerprints[i])) continue;
+    warnings.push_back("The model was already trained on " + samples.inputs[i] +
                        ", so the figures of held-out images are too good; give new runs.");
   }
 }

@@ -19,8 +19,8 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
                          const std::vector<std::string>& places,
                          std::vector<std::string>& warnings);
 
-/// Those of `inputs` that `model`, which is extended, was trained on.
-void warnOfLearnedRuns(const Model& model, const std::vector<std::string>& inputs,
+/// The runs of `samples` that `model`, which is extended, was trained on.
+void warnOfLearnedRuns(const Model& model, const Samples& samples,
                        std::vector<std::string>& warnings);
 
 /// A limit that leaves less than half of the vectors of `model`, by which its held-out frames were
