@@ -86,8 +86,8 @@ class Evaluator {
   Evaluation finish() {
     requireLearnedPlaces();
     for (std::size_t k = evaluation_.model_places; k < evaluation_.places.size(); ++k) {
-      evaluation_.warnings.push_back("The model has not learned '" + evaluation_.places[k] +
-                                     "'; its images are used only to measure 'unknown'.");
+      evaluation_.warnings.push_back("The runs show '" + evaluation_.places[k] +
+                                     "', which the model has not learned.");
     }
     for (const std::string& warning : warnOfLikeNames(evaluation_.places)) {
       evaluation_.warnings.push_back(warning);

@@ -17,16 +17,20 @@ namespace place_recognition::tool {
 Replacement::Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
                          const Progress& progress)
     : recordings_(std::move(recordings)), path_(path) {
-  if (std::filesystem::exists(path_))
-    old_rooms_ = roomsOf(loadModel(path_), path_, recordings_, progress);
+  std::vector<std::string> of_old_model;
+  if (std::filesystem::exists(path_)) {
+    old_rooms_ = roomsOf(loadModel(path_), path_, progress, of_old_model);
+  }
 }
 
 std::vector<Replacement::Room> Replacement::roomsOf(const Model& model, const std::string& whose,
-                                                    const std::vector<RecordingOpener>& recordings,
-                                                    const Progress& progress) {
-  requireNotLearned(model, whose, recordings);
+                                                    const Progress& progress,
+                                                    std::vector<std::string>& warnings) const {
+  requireNotLearned(model, whose, recordings_);
   const std::shared_ptr<const Model> borrowed(std::shared_ptr<const Model>(), &model);
-  const Summary summary = summarize(evaluate(borrowed, recordings, 0, progress));
+  const Evaluation evaluation = evaluate(borrowed, recordings_, 0, progress);
+  warnings = evaluation.warnings;
+  const Summary summary = summarize(evaluation);
   std::vector<Room> rooms;
   for (const RoomSummary& room : summary.rooms) {
     const double rate = room.rate();
@@ -50,15 +54,17 @@ std::pair<double, double> Replacement::meanRate(const std::vector<Room>& rooms,
   return {sum / count, std::sqrt(variance) / count};
 }
 
-double Replacement::judge(const Model& model, const Progress& progress) const {
-  const std::vector<Room> rooms = roomsOf(model, "the new model", recordings_, progress);
-  const double rate = meanRate(rooms, old_rooms_).first;
+Replacement::Verdict Replacement::judge(const Model& model, const Progress& progress) const {
+  Verdict verdict;
+  const std::vector<Room> rooms = roomsOf(model, "the new model", progress, verdict.warnings);
+  verdict.rate = meanRate(rooms, old_rooms_).first;
   const auto [old_rate, error] = meanRate(old_rooms_, rooms);
-  if (!old_rooms_.empty() && rate < old_rate - error) {
-    throw Error("The old model is kept: on the runs of --validate, " + path_ + " is right for " +
-                percent(old_rate) + " (mean of the rooms), the new one for " + percent(rate) + ".");
+  if (!old_rooms_.empty() && verdict.rate < old_rate - error) {
+    verdict.objection = "The old model is kept: on the runs of --validate, " + path_ +
+                        " is right for " + percent(old_rate) +
+                        " (mean of the rooms), the new one for " + percent(verdict.rate) + ".";
   }
-  return rate;
+  return verdict;
 }
 
 }  // namespace place_recognition::tool

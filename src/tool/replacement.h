@@ -22,9 +22,15 @@ class Replacement {
   Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
               const Progress& progress);
 
-  /// The rate of `model` on the runs, 0..1. Throws Error if that of the old model is better, or if
-  /// `model` was trained on one of them.
-  double judge(const Model& model, const Progress& progress) const;
+  struct Verdict {
+    double rate = 0;                    ///< of the new model on the runs, 0..1
+    std::string objection;              ///< why the old model is better; empty: it is not
+    std::vector<std::string> warnings;  ///< for a person, about the runs and their images
+  };
+
+  /// Recognizes the runs with the new model. Throws Error, also if it was trained on one of them;
+  /// Cancelled.
+  Verdict judge(const Model& model, const Progress& progress) const;
 
  private:
   struct Room {
@@ -33,9 +39,8 @@ class Replacement {
     double variance;  // of the rate
   };
   /// `whose`: the name of the model in errors.
-  static std::vector<Room> roomsOf(const Model& model, const std::string& whose,
-                                   const std::vector<RecordingOpener>& recordings,
-                                   const Progress& progress);
+  std::vector<Room> roomsOf(const Model& model, const std::string& whose, const Progress& progress,
+                            std::vector<std::string>& warnings) const;
   /// Mean and standard error over the rooms of both models.
   static std::pair<double, double> meanRate(const std::vector<Room>& rooms,
                                             const std::vector<Room>& others);

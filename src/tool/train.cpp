@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
-#include <iostream>
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <ostream>
 #include <sstream>
 
 #include "base/text.h"
+#include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
 #include "place_recognition/training.h"
 #include "tool/configuration.h"
@@ -110,32 +111,44 @@ void printSummary(const Training& training, const std::string& path, std::uint64
       << std::endl;
 }
 
+/// The models from which a training continues, if any.
+struct Sources {
+  std::optional<Model> model;
+  std::optional<Model> other;
+};
+
+Sources loadSources(const TrainOptions& options) {
+  Sources sources;
+  if (!options.add_to.empty()) sources.model = loadModel(modelPath(options.add_to));
+  if (!options.from_model.empty()) sources.other = loadModel(modelPath(options.from_model));
+  return sources;
+}
+
 /// Trains from scratch, or continues from a model, with or without another one.
-Training learn(const TrainOptions& options, const std::vector<RecordingOpener>& recordings,
+Training learn(const TrainOptions& options, const Sources& sources,
+               const std::vector<RecordingOpener>& recordings,
                const TrainingOptions& training_options, const Progress& progress) {
-  if (options.add_to.empty()) {
+  if (!sources.model) {
     return place_recognition::train(recordings, training_options, options.threads, progress);
   }
   IncrementalOptions incremental;
   incremental.vector_limit = options.limit;
   incremental.forgetting = options.forgetting;
-  std::optional<Model> other;
-  if (!options.from_model.empty()) {
-    other = loadModel(modelPath(options.from_model));
-    incremental.other = &*other;
-  }
-  return trainIncrementally(loadModel(modelPath(options.add_to)), recordings, incremental,
-                            options.threads, progress);
+  if (sources.other) incremental.other = &*sources.other;
+  return trainIncrementally(*sources.model, recordings, incremental, options.threads, progress);
 }
 
 /// Judges the new model by the given runs against the model that it replaces or, if there is none,
 /// the one that it continues from; nothing if the user gives no runs.
-std::optional<Replacement> replacementOf(const TrainOptions& options, const std::string& path,
-                                         const Progress& progress) {
+std::optional<Replacement> replacementOf(const TrainOptions& options, const Sources& sources,
+                                         const std::string& path, const Progress& progress) {
   if (options.validate.empty()) return std::nullopt;
-  const bool goes_on = !std::filesystem::exists(path) && !options.add_to.empty();
-  return Replacement(options.input.withoutLabels().openers(options.validate, false),
-                     goes_on ? modelPath(options.add_to) : path, progress);
+  const std::vector<RecordingOpener> runs =
+      options.input.withoutLabels().openers(options.validate, false);
+  if (sources.model) requireNotLearned(*sources.model, modelPath(options.add_to), runs);
+  if (sources.other) requireNotLearned(*sources.other, modelPath(options.from_model), runs);
+  const bool goes_on = !std::filesystem::exists(path) && sources.model;
+  return Replacement(runs, goes_on ? modelPath(options.add_to) : path, progress);
 }
 
 /// Throws UsageError for options that are missing or contradict each other.
@@ -165,20 +178,29 @@ void train(const TrainOptions& options) {
       options.input.openers(options.inputs, options.validate.empty());
 
   ProgressDisplay display(options.output.progress);
-  const std::optional<Replacement> replacement = replacementOf(options, path, display.callback());
-  const Training training = learn(options, recordings, training_options, display.callback());
-  std::optional<double> rate;
-  if (replacement) rate = replacement->judge(training.model, display.callback());
+  const Sources sources = loadSources(options);
+  const std::optional<Replacement> replacement =
+      replacementOf(options, sources, path, display.callback());
+  Training training = learn(options, sources, recordings, training_options, display.callback());
+  Replacement::Verdict verdict;
+  if (replacement) verdict = replacement->judge(training.model, display.callback());
+  if (!verdict.objection.empty()) {
+    display.clear();
+    printWarnings(verdict.warnings);
+    throw Error(verdict.objection);
+  }
   const std::uint64_t bytes = saveModel(training.model, path);
   display.clear();
 
+  training.warnings.insert(training.warnings.end(), verdict.warnings.begin(),
+                           verdict.warnings.end());
   printWarnings(training.warnings);
   printSummary(training, path, bytes, options.from_model, options.output.text());
   Json json = figures(training, path, bytes);
-  if (rate) {
-    options.output.text() << "On the runs of --validate " << percent(*rate)
+  if (replacement) {
+    options.output.text() << "On the runs of --validate " << percent(verdict.rate)
                           << " right (mean of the rooms)" << std::endl;
-    json["validate_rate"] = *rate;
+    json["validate_rate"] = verdict.rate;
   }
   options.output.writeJson(json);
 }

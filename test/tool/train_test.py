@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Tests place_tool train on painted rooms, as used by people and by programs."""
+import json
 import unittest
 
-from tool_case import ROOMS, ToolCase
+from tool_case import ROOMS, ToolCase, paint
 
 COLOUR = ("--config", "crfh_colour")
 
@@ -118,8 +119,12 @@ class TrainTest(ToolCase):
                                *COLOUR)
         self.assertEqual(figures["validate_rate"], 1)
         before = (self.folder / "home.places").read_bytes()
-        complaint = self.refuse("train", "wrong", "--model", "./home.places", "--validate", "tuesday",
-                                *COLOUR)
+        result = self.run_tool("train", "wrong", "--model", "./home.places", "--validate", "tuesday",
+                               *COLOUR)
+        self.assertEqual(result.returncode, 1)
+        warning, complaint = self.without_progress(result.stderr)
+        self.assertEqual(warning,
+                         "warning: The runs show 'kitchen', which the model has not learned.")
         self.assertIn("The old model is kept: on the runs of --validate, ./home.places is right for 100.0 %",
                       complaint)
         self.assertEqual((self.folder / "home.places").read_bytes(), before)
@@ -144,6 +149,48 @@ class TrainTest(ToolCase):
                              "--set", change)
                 key, value = change.rsplit(".", 1)[1].split("=")
                 self.assertIn(f"{key}: {value}", self.succeed("info", "./home.places"))
+
+    def test_a_run_is_known_by_its_images_wherever_it_lies(self):
+        train = ("train", "run", "--model", "./home.places", *COLOUR)
+        self.write_run("run")
+        self.succeed(*train)
+        (self.folder / "run").rename(self.folder / "first")
+        self.write_run("run", seed=1)
+        self.write_run("more", seed=2)
+        add = ("train", "more", "--add-to", "./home.places", "--model", "./more.places")
+        self.assertEqual(self.figures(*add, "--validate", "run")["validate_rate"], 1)
+        self.assertIn("./home.places was trained on first; give another run",
+                      self.refuse(*add, "--validate", "first"))
+        result = self.run_tool("calibrate", "first", "--model", "./home.places", "--out", "./c.places")
+        self.assertIn("was trained on first", result.stderr)
+
+    def test_a_learned_run_is_refused_before_the_training(self):
+        for name, seed in (("first", 0), ("second", 1)):
+            self.write_run(name, seed=seed)
+            self.succeed("train", name, "--model", f"./{name}.places", *COLOUR)
+        self.write_run("third", seed=2)
+        self.succeed("train", "third", "--model", "./home.places", *COLOUR)
+        self.write_run("empty", views=0)
+        self.write_image("empty/kitchen/0.png", paint("kitchen", 0)).write_bytes(b"rubbish")
+        for run in ("first", "second"):
+            complaint = self.refuse("train", "empty", "--add-to", "./first.places", "--from-model",
+                                    "./second.places", "--model", "./home.places", "--validate", run)
+            self.assertIn(f"--validate: ./{run}.places was trained on {run}; give another run",
+                          complaint)
+
+    def test_it_names_what_cannot_be_used_to_validate(self):
+        self.write_run("monday")
+        self.write_run("tuesday", seed=1)
+        self.write_image("tuesday/attic/0.png", paint("kitchen", 0))
+        self.write_image("tuesday/kitchen/8.png", paint("kitchen", 8)).write_bytes(b"rubbish")
+        train = ("train", "monday", "--validate", "tuesday", "--model", "./home.places", *COLOUR)
+        for _ in range(2):  # without and with a model to replace
+            result = self.run_tool(*train, "--json", "-")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            for words in ("The runs show 'attic', which", "8.png"):
+                self.assertEqual(result.stderr.count(words), 1, result.stderr)
+                self.assertTrue(any(words in warning for warning in
+                                    json.loads(result.stdout)["warnings"]))
 
     def test_a_kernel_that_overflows_leaves_the_good_model_alone(self):
         self.write_run("monday")
