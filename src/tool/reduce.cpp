@@ -1,6 +1,6 @@
-#include <iostream>
 #include <iterator>
 #include <memory>
+#include <ostream>
 
 #include "learning/classifier_parts.h"
 #include "learning/reduction.h"
@@ -35,9 +35,8 @@ class Reducer {
       : options_(options),
         progress_(progress),
         model_(loadModel(modelPath(options.model))),
-        training_(collect(options.train, options.input)),
-        validation_(collect(options.validate,
-                            options.train.empty() ? options.input : options.input.withoutLabels())),
+        validation_(collectValidation()),
+        training_(collectTraining()),
         reduction_(model_, options.train.empty() ? nullptr : &training_, progress) {
     if (!options.validate.empty()) {
       rate_ = std::make_unique<RateOnSamples>(model_, validation_, progress);
@@ -89,12 +88,31 @@ class Reducer {
     return "the " + std::to_string(training_.origins.size()) + " images given by --train";
   }
 
+  /// About the runs and their images, for a person.
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> warnings = training_.warnings;
+    warnings.insert(warnings.end(), validation_.warnings.begin(), validation_.warnings.end());
+    return warnings;
+  }
+
  private:
-  Samples collect(const std::vector<std::string>& inputs, const InputOptions& input) const {
-    if (inputs.empty()) return {};
-    const bool is_only = options_.train.empty() || options_.validate.empty();
-    return collectSamplesFor(model_, input.openers(inputs, is_only), model_.options, 0, progress_,
-                             1);
+  bool readsBoth() const { return !options_.train.empty() && !options_.validate.empty(); }
+
+  /// The images as recorded, because a rate on made-up ones is not that of a run.
+  Samples collectValidation() const {
+    if (options_.validate.empty()) return {};
+    const InputOptions input = readsBoth() ? options_.input.withoutLabels() : options_.input;
+    const std::vector<RecordingOpener> runs = input.openers(options_.validate, !readsBoth());
+    requireNotLearned(model_, modelPath(options_.model), runs);
+    TrainingOptions options = model_.options;
+    options.augmentation.other_light = false;
+    return collectSamplesFor(model_, runs, options, 0, progress_, 1);
+  }
+
+  Samples collectTraining() const {
+    if (options_.train.empty()) return {};
+    return collectSamplesFor(model_, options_.input.openers(options_.train, !readsBoth()),
+                             model_.options, 0, progress_, 1);
   }
 
   ReductionFigures measured(const Model& model) const {
@@ -119,8 +137,8 @@ class Reducer {
   const ReduceOptions& options_;
   const Progress& progress_;
   Model model_;
-  Samples training_;
   Samples validation_;
+  Samples training_;
   ModelReduction reduction_;
   std::unique_ptr<RateOnSamples> rate_;  // on the validation runs, if there are any
   double rate_before_ = 0;
@@ -137,7 +155,7 @@ void reduceModel(const ReduceOptions& options) {
   ProgressDisplay display(options.output.progress);
   const Progress progress = display.callback();
   const Reducer reducer(options, progress);
-  ReductionReport report{path, reducer.valuesOf(), reducer.before(), {}};
+  ReductionReport report{path, reducer.valuesOf(), reducer.before(), {}, reducer.warnings()};
   report.methods.push_back(reducer.reduce(options.reduction.method, path));
   for (const char* method : kReductionMethods) {
     if (options.report.empty() || method == options.reduction.method) continue;
@@ -145,6 +163,7 @@ void reduceModel(const ReduceOptions& options) {
   }
   display.clear();
 
+  printWarnings(report.warnings);
   options.output.text() << reductionTable(report) << "Model: " << path << std::endl;
   if (!options.report.empty()) {
     writeText(page, reductionPage(report));

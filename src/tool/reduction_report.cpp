@@ -71,7 +71,8 @@ Json reductionJson(const ReductionReport& report) {
                {"comparison_ms", after.comparison_ms},
                {"model", report.model},
                {"before", figuresJson(report.before)},
-               {"methods", Json::object()}};
+               {"methods", Json::object()},
+               {"warnings", report.warnings}};
   for (const ReductionFigures& figures : report.methods) {
     json["methods"][figures.method] = figuresJson(figures);
   }

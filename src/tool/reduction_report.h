@@ -29,6 +29,7 @@ struct ReductionReport {
   std::string values_of;  ///< in words: the images on which changes of decision values are measured
   ReductionFigures before;                ///< the original model
   std::vector<ReductionFigures> methods;  ///< the saved one is first
+  std::vector<std::string> warnings;      ///< for a person: skipped images
 };
 
 /// One line for the original model and one for each method, in aligned columns.

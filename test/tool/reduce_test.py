@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Tests place_tool reduce on painted rooms."""
+import json
 import unittest
 
-from trained_case import TrainedCase
+from trained_case import COLOUR, TrainedCase
 
 
 class ReduceTest(TrainedCase):
@@ -66,6 +67,30 @@ class ReduceTest(TrainedCase):
                      "--no-normalise")
         self.assertIn("support vectors", self.succeed(*arguments))
         self.assertIn("24 images", self.succeed(*arguments, "--train", "monday"))
+
+    def test_a_run_that_the_model_learned_is_no_judge(self):
+        self.assertIn("./home.places was trained on monday; give another run",
+                      self.refuse("reduce", "--model", "./home.places", "--out", "./small.places",
+                                  "--share", 0.5, "--validate", "tuesday", "monday"))
+
+    def test_it_names_what_it_left_out_of_the_runs(self):
+        for run in ("monday", "tuesday"):
+            (self.folder / run / "kitchen/000.png").write_bytes(b"rubbish")
+        result = self.run_tool("reduce", "--model", "./home.places", "--out", "./small.places",
+                               "--train", "monday", "--validate", "tuesday", "--json", "-")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        warnings = json.loads(result.stdout)["warnings"]
+        for run in ("monday", "tuesday"):
+            self.assertIn(f"warning: {run}: 1 image", result.stderr)
+            self.assertTrue(any(run in warning for warning in warnings), warnings)
+
+    def test_it_is_judged_by_the_images_as_recorded(self):
+        self.succeed("train", "monday", "--model", "./home.places", *COLOUR, "--set",
+                     "augmentation.other_light=true")
+        evaluated = self.figures("evaluate", "tuesday", "--model", "./home.places")
+        figures = self.reduce("--share", 0.5, "--validate", "tuesday")
+        self.assertAlmostEqual(figures["validation"]["average_rate_before"],
+                               evaluated["average_rate"])
 
 
 if __name__ == "__main__":
