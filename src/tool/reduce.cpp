@@ -207,7 +207,8 @@ void addReduce(CommandLine& tool) {
       .excludes("--support-vectors")
       .excludes("--share");
   verb.option("--validate", "INPUT", options->validate,
-              "Labelled runs on which the rate is measured before and after")
+              "Labelled runs on which the rate is measured before and after; the model must not "
+              "have been trained on them")
       .many();
   verb.option("--train", "INPUT", options->train,
               "The runs that the model was trained on: decision values are then preserved on all "
