@@ -32,6 +32,15 @@ class Recording {
   /// The cameras of the recording, by the topics of their images; at least one.
   virtual std::vector<std::string> cameras() const { return {""}; }
 
+  /// The size of most images if that can be found without decoding them all, else of the first one;
+  /// 0 x 0 if no image can be decoded. May advance the recording.
+  virtual cv::Size usualSize() {
+    for (Frame frame; next(frame);) {
+      if (!frame.image.empty()) return frame.image.size();
+    }
+    return {};
+  }
+
   /// The part read so far, 0..1.
   virtual double fraction() const = 0;
 
@@ -40,8 +49,8 @@ class Recording {
   /// next().
   virtual void setDepthExtent(const DepthExtent& /*extent*/) {}
 
-  /// The extent of a few images from the whole recording, once next() has been called; unknown if
-  /// they do not have 16 bits per channel.
+  /// The extent of a few images from the whole recording, once next() or usualSize() has been
+  /// called; unknown if they do not have 16 bits per channel.
   virtual DepthExtent depthExtent() const { return {}; }
 
   /// The name that the user gave.

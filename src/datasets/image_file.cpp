@@ -1,8 +1,6 @@
 #include "datasets/image_file.h"
 
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <system_error>
@@ -54,6 +52,10 @@ bool lacksEnd(const ImageHeader& header, const std::uint8_t* bytes, std::size_t 
          (bytes[size - 2] != 0xff || bytes[size - 1] != 0xd9);
 }
 
+ImageHeader headerOf(const std::string& file) {
+  return readImageHeader(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
+}
+
 DecodedImage decode(const ImageHeader& header, const std::uint8_t* bytes, std::size_t size) {
   DecodedImage decoded{{}, problemOf(header, bytes, size)};
   if (!decoded.problem.empty()) return decoded;
@@ -85,20 +87,26 @@ DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size) {
 }
 
 bool startsAsImage(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  std::array<char, 64> start{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), start.size());
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(start.data());
-  return isStreamed(readImageHeader(bytes, static_cast<std::size_t>(file.gcount())).format);
+  return isStreamed(headerOf(startOfFile(path)).format);
+}
+
+cv::Size declaredSize(const std::string& path) {
+  constexpr std::size_t kUsualHeader = 1 << 16;
+  try {
+    ImageHeader header = headerOf(startOfFile(path, kUsualHeader));
+    if (header.width == 0) header = headerOf(readFile(path, kMaxFileSize));
+    const bool sound = header.width <= kMaxPixels && header.height <= kMaxPixels;
+    if (sound) return {static_cast<int>(header.width), static_cast<int>(header.height)};
+  } catch (const Error&) {
+  }
+  return {};
 }
 
 DecodedImage readDeepImageFile(const std::string& path) {
   try {
     const std::string file = readFile(path, kMaxFileSize);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.data());
-    return decode(readImageHeader(bytes, file.size()), bytes, file.size());
+    return decode(headerOf(file), bytes, file.size());
   } catch (const Error&) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) return {{}, "it is a folder, not an image"};

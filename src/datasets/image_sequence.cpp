@@ -1,6 +1,8 @@
 #include "datasets/image_sequence.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace place_recognition {
 
@@ -18,6 +20,27 @@ DecodedImage ImageSequence::read(std::size_t i) {
   }
   decoded.image = scale_.toEightBits(decoded.image);
   return decoded;
+}
+
+cv::Size ImageSequence::usualSize() {
+  std::vector<cv::Size> sizes;
+  std::map<std::pair<int, int>, int> counts;
+  for (const std::string& path : paths_) {
+    sizes.push_back(declaredSize(path));
+    ++counts[{sizes.back().width, sizes.back().height}];
+  }
+  const auto countOf = [&](std::size_t i) { return counts.at({sizes[i].width, sizes[i].height}); };
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (!sizes[i].empty()) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return countOf(a) > countOf(b); });
+  for (const std::size_t i : order) {
+    const cv::Mat image = read(i).image;
+    if (!image.empty()) return image.size();
+  }
+  return {};
 }
 
 std::string ImageSequence::note() const {

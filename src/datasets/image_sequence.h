@@ -25,6 +25,10 @@ class ImageSequence {
   /// Reads image `i` of size(): CV_8UC3 BGR or CV_8UC1, or the reason why there is none.
   DecodedImage read(std::size_t i);
 
+  /// The size, after decoding, of the first image that declares the commonest size; 0 x 0 if none
+  /// can be decoded.
+  cv::Size usualSize();
+
   /// How images with 16 bits were converted to 8, a sentence; empty if there was none yet.
   std::string note() const;
 

@@ -27,6 +27,8 @@ class ThinnedRecording : public Recording {
 
   std::vector<std::string> cameras() const override { return recording_->cameras(); }
 
+  cv::Size usualSize() override { return recording_->usualSize(); }
+
   void setDepthExtent(const DepthExtent& extent) override { recording_->setDepthExtent(extent); }
   DepthExtent depthExtent() const override { return recording_->depthExtent(); }
   double fraction() const override { return recording_->fraction(); }

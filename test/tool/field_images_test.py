@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""10-bit images, and images with other orders of channels."""
+"""Images of several sizes, 10-bit images, and images with other orders of channels."""
 import json
 import unittest
 
@@ -11,6 +11,34 @@ from field_case import FieldCase
 from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import String
 from tool_case import ROOMS, paint
+
+
+class SizesTest(FieldCase):
+    def resize(self, path, width, height):
+        image = cv2.imread(str(self.folder / path))
+        self.write_image(path, cv2.resize(image, (width, height)))
+
+    def test_most_images_decide_the_size(self):
+        self.write_run("run")
+        self.resize("run/corridor/000.png", 16, 12)  # the first image
+        said = self.train("run")[1]
+        self.assertIn("run: 1 of 24 images has another size than the usual 128 x 96: "
+                      "run/corridor/000.png, 16 x 12.", said)
+        self.assertEqual(self.figures("info", "./home.places")["image_size"], [128, 96])
+        self.resize("run/office/003.png", 64, 48)
+        self.assertIn("run: 2 of 24 images have another size than the usual 128 x 96 (such as "
+                      "run/corridor/000.png, 16 x 12).", self.train("run")[1])
+
+    def test_images_that_the_camera_turned(self):
+        self.write_run("run")
+        for path in sorted((self.folder / "run").glob("*/*.png")):
+            picture = cv2.imencode(".jpg", cv2.imread(str(path)))[1].tobytes()
+            turned = (b"\xff\xe1\0\x22Exif\0\0MM\0*\0\0\0\x08\0\x01"
+                      b"\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0")
+            path.with_suffix(".jpg").write_bytes(picture[:2] + turned + picture[2:])
+            path.unlink()
+        self.train("run")
+        self.assertEqual(self.figures("info", "./home.places")["image_size"], [96, 128])
 
 
 class InfraredTest(FieldCase):

@@ -25,14 +25,6 @@ bool showsColour(const cv::Mat& image) {
   return false;
 }
 
-/// Size of the first image of a run; 0 x 0 if it has none.
-cv::Size firstSize(Recording& recording) {
-  for (Frame frame; recording.next(frame);) {
-    if (!frame.image.empty()) return frame.image.size();
-  }
-  return {};
-}
-
 }  // namespace
 
 cv::Mat sampledRows(const cv::Mat& image) {
@@ -70,7 +62,7 @@ ImageProfile commonSize(const std::vector<RecordingOpener>& recordings, const Pr
     report(progress, "Looking at the images",
            static_cast<double>(r) / static_cast<double>(recordings.size()));
     const std::unique_ptr<Recording> recording = recordings[r]();
-    const cv::Size size = firstSize(*recording);
+    const cv::Size size = recording->usualSize();
     depth = united(depth, recording->depthExtent());
     const bool smaller =
         std::max(size.width, size.height) < std::max(smallest.width, smallest.height);

@@ -31,10 +31,9 @@ bool isUniform(const ImageStatistics& image);
 /// The problem of a uniform image; follows a noun for the image.
 constexpr const char* kUniformProblem = "shows nothing but one colour";
 
-/// The size at which `recordings` are learned: that of the recording whose first image is the
-/// smallest, because detail can be removed from an image but not added; and the depth of all
-/// recordings. Not known if no recording has an image. Reads the recordings up to their first
-/// image.
+/// The size at which `recordings` are learned: the smallest Recording::usualSize(), because detail
+/// can be removed from an image but not added; and the depth of all recordings. Not known if no
+/// recording has an image.
 ImageProfile commonSize(const std::vector<RecordingOpener>& recordings, const Progress& progress);
 
 /// Widens the ranges of `profile` to include `image`, or all of `others`; its size stays.
