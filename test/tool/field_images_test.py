@@ -29,6 +29,17 @@ class SizesTest(FieldCase):
         self.assertIn("run: 2 of 24 images have another size than the usual 128 x 96 (such as "
                       "run/corridor/000.png, 16 x 12).", self.train("run")[1])
 
+    def test_a_folder_has_no_camera_to_set(self):
+        self.write_run("run")
+        self.resize("run/corridor/000.png", 128, 64)
+        self.resize("run/corridor/001.png", 64, 48)
+        said = self.train("run")[1]
+        self.assert_names(said, "run: Images of 128 x 64 have another aspect ratio than the 128 x 96 that are "
+                          "learned; crop them to that ratio, or leave them out.",
+                          "run: Images of 64 x 48 are enlarged to 128 x 96, the size that is learned, and lack "
+                          "its finest detail; leave them out, or train with image.max_width=64.")
+        self.assertNotIn("camera", said)
+
     def test_images_that_the_camera_turned(self):
         self.write_run("run")
         for path in sorted((self.folder / "run").glob("*/*.png")):

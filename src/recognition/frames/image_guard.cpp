@@ -29,8 +29,8 @@ double ratio(cv::Size size) { return static_cast<double>(size.width) / size.heig
 
 }  // namespace
 
-ImageGuard::ImageGuard(const ImageProfile& trained, const ImageOptions& options)
-    : trained_(trained), scaler_(trained, options.max_width) {}
+ImageGuard::ImageGuard(const ImageProfile& trained, const ImageOptions& options, Use use)
+    : use_(use), trained_(trained), scaler_(trained, options.max_width) {}
 
 std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
   problem_.clear();
@@ -57,20 +57,23 @@ std::vector<std::string> ImageGuard::judge(const cv::Mat& image, double stamp) {
 void ImageGuard::judgeSize(cv::Size size) {
   const cv::Size trained{trained_.width, trained_.height};
   const cv::Size used = scaler_.sizeFor(size);
+  const bool learns = use_ == Use::kTraining;
+  const std::string whose =
+      learns ? ", the size that is learned" : ", the working size of the model";
   if (std::abs(ratio(size) / ratio(trained) - 1) > kSameRatio) {
     fault(kAspectRatio,
           "Images of " + text(size) + " have another aspect ratio than the " + text(trained) +
-              " of the model",
-          "set the camera to that ratio, or train with its present one");
+              (learns ? " that are learned" : " of the model"),
+          learns ? "crop them to that ratio, or leave them out"
+                 : "set the camera to that ratio, or train with its present one");
   } else if (used.width > kHarmlessEnlargement * size.width) {
-    fault(
-        kSize,
-        "Images of " + text(size) + " are enlarged to " + text(used) +
-            ", the working size of the model, and lack its finest detail",
-        "set the camera to that size, or train with image.max_width=" + std::to_string(size.width));
+    fault(kSize,
+          "Images of " + text(size) + " are enlarged to " + text(used) + whose +
+              ", and lack its finest detail",
+          std::string(learns ? "leave them out" : "set the camera to that size") +
+              ", or train with image.max_width=" + std::to_string(size.width));
   } else if (size != trained && size != used) {
-    say(kSize, "Images of " + text(size) + " are scaled to " + text(used) +
-                   ", the working size of the model.");
+    say(kSize, "Images of " + text(size) + " are scaled to " + text(used) + whose + ".");
   }
 }
 

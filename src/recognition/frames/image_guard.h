@@ -15,8 +15,11 @@ namespace place_recognition {
 /// reads a few rows of each image. Not thread-safe.
 class ImageGuard {
  public:
+  /// What the images are for, on which the advice depends.
+  enum class Use { kRecognition, kTraining };
+
   explicit ImageGuard(const Model& model) : ImageGuard(model.images, model.options.image) {}
-  ImageGuard(const ImageProfile& trained, const ImageOptions& options);
+  ImageGuard(const ImageProfile& trained, const ImageOptions& options, Use use = Use::kRecognition);
 
   /// Judges the next image (CV_8UC3 or CV_8UC1, not empty), with its `stamp`, s. Returns new
   /// remarks, not made about an earlier image: sentences for a person.
@@ -38,6 +41,7 @@ class ImageGuard {
   void fault(Kind kind, const std::string& what, const std::string& advice);
   void say(Kind kind, const std::string& sentence);
 
+  Use use_;
   ImageProfile trained_;
   ImageScaler scaler_;
   std::array<bool, kKinds> said_{};

@@ -83,7 +83,7 @@ class Collector {
       }
       const auto known = std::find(cameras.begin(), cameras.end(), camera);
       streams.push_back({static_cast<int>(known - cameras.begin()),
-                         ImageGuard(expected_, image_options_),
+                         ImageGuard(expected_, image_options_, ImageGuard::Use::kTraining),
                          FrameRate(rate_),
                          LabelledLight(model_),
                          {}});
