@@ -41,6 +41,9 @@ class Recording {
     return {};
   }
 
+  /// What a person can do if none of the images has a label; a phrase without a full stop.
+  virtual std::string howToLabel() const { return "label them with their places"; }
+
   /// The part read so far, 0..1.
   virtual double fraction() const = 0;
 

@@ -1,6 +1,7 @@
 #include "datasets/image_recording.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -10,6 +11,8 @@
 
 namespace place_recognition {
 namespace {
+
+namespace fs = std::filesystem;
 
 class ImageRecording : public Recording {
  public:
@@ -47,6 +50,14 @@ class ImageRecording : public Recording {
   DepthExtent depthExtent() const override { return sequence_.depthExtent(); }
 
   cv::Size usualSize() override { return sequence_.usualSize(); }
+
+  std::string howToLabel() const override {
+    fs::path room = fs::path(name()).lexically_normal();
+    if (!room.has_filename()) room = room.parent_path();
+    const fs::path above = (room.has_parent_path() ? room : fs::absolute(room)).parent_path();
+    return "if " + name() + " is a room, give the folder above it, " + above.string() +
+           ", in which the folders are the rooms";
+  }
 
   double fraction() const override {
     return static_cast<double>(position_) / static_cast<double>(images_.size());

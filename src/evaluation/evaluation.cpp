@@ -53,6 +53,7 @@ class Evaluator {
 
   void read(Recording& recording, const Progress& progress) {
     evaluation_.recordings.push_back(recording.name());
+    if (how_to_label_.empty()) how_to_label_ = recording.howToLabel();
     recognizer_.begin(recording);
     camera_of_.clear();
     for (const std::string& camera : recording.cameras()) {
@@ -146,8 +147,8 @@ class Evaluator {
                   first_problem_ + "); give a run with usable ones.");
     }
     if (evaluation_.frames.empty()) {
-      throw Error("None of the " + std::to_string(images_) + " images in " + recordings +
-                  " has a label; label them with their places.");
+      throw Error("None of " + counted(images_, "image") + " in " + recordings + " has a label; " +
+                  how_to_label_ + ".");
     }
     const bool any = std::any_of(evaluation_.frames.begin(), evaluation_.frames.end(),
                                  [this](const FrameResult& f) { return evaluation_.learned(f); });
@@ -163,6 +164,7 @@ class Evaluator {
   std::size_t smoothed_ = 0;    // number of frames with a smoothed answer
   std::size_t wrong_images_;
   std::uint64_t images_ = 0;
+  std::string how_to_label_;   // Recording::howToLabel() of the first one
   std::string first_problem_;  // of a labelled image that cannot be used
   Evaluation evaluation_;
 };

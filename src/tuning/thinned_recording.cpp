@@ -28,6 +28,7 @@ class ThinnedRecording : public Recording {
   std::vector<std::string> cameras() const override { return recording_->cameras(); }
 
   cv::Size usualSize() override { return recording_->usualSize(); }
+  std::string howToLabel() const override { return recording_->howToLabel(); }
 
   void setDepthExtent(const DepthExtent& extent) override { recording_->setDepthExtent(extent); }
   DepthExtent depthExtent() const override { return recording_->depthExtent(); }

@@ -107,6 +107,16 @@ class BagTest(FieldCase):
             "labels: [{from: 0, to: 5, place: kitchen}, {from: 5, place: office}]")
         self.assertEqual(self.rooms_of("run.bag"), ["kitchen", "office"])
 
+    def test_where_the_labels_of_a_bag_may_be(self):
+        self.train(self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
+                                       [(0, "kitchen"), (5, "office")]))
+        self.write_labelled("room.bag", 1000, ["kitchen"] * 5, [(0, "kitchen")], topic="/room")
+        self.write_labelled("plain.bag", 1000, ["kitchen"] * 5, [])
+        for bag, words in (("room.bag", "if a topic of text has its labels, name it: --label-topic /room"),
+                           ("plain.bag", "label it with: place_tool label plain.bag")):
+            for verb in (("train", bag, "--model", "./other.places"), ("evaluate", bag, *MODEL[:2])):
+                self.assert_names(self.run_tool(*verb).stderr, f"in {bag} has a label; {words}.")
+
     def test_labels_with_commas_are_labels(self):
         self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5, [])
         (self.folder / "labels.dat").write_text("stamp,label\n1000.0,kitchen\n1004.5,office\n")

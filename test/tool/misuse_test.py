@@ -192,6 +192,16 @@ class InputsTest(MisuseCase):
         self.assertEqual((self.folder / "answers").read_text().count('"image"'), 1)
 
     def test_images_after_several_cameras(self):
+    def test_the_folder_of_one_room_is_no_run(self):
+        self.train()
+        self.write_run(".", rooms=["office"])
+        for verb in ("train", "evaluate"):
+            options = ("--model", "./new.places") if verb == "train" else MODEL
+            for given, above in (("monday/kitchen", "monday"), ("monday/kitchen/", "monday"),
+                                 ("office", str(self.folder))):
+                self.assertIn(f"has a label; if {given} is a room, give the folder above it, {above}, in "
+                              "which the folders are the rooms.", self.refuse(verb, given, *options))
+
         self.train()
         self.succeed("simulate", "--out", "drives", "--protocol", "drive", "--cameras",
                      "front,rear", "--conditions", "night", "--size", "64x48", "--rate", 0.3)

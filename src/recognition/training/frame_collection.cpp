@@ -50,6 +50,7 @@ class Collector {
     collected_.inputs.push_back(recording.name());
     collected_.fingerprints.emplace_back();
     collected_.left_out.emplace_back();
+    if (collected_.how_to_label.empty()) collected_.how_to_label = recording.howToLabel();
     recording.setDepthExtent(expected_.depth);
     continuity_.begin(recording.cameras());
     std::vector<CameraStream> streams = streamsOf(recording);

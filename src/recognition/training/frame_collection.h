@@ -52,6 +52,7 @@ struct FrameCollection {
   std::uint64_t passed_over = 0;      ///< by sampling.rate
   ImageProfile profile;               ///< of the images in use and the expected one
   HalvingSample sample;               ///< the sample to which `frames` is limited
+  std::string how_to_label = {};      ///< Recording::howToLabel() of the first one
 };
 
 /// Reads the recordings and extracts the features of their labelled frames, and keeps at most about

@@ -65,8 +65,8 @@ std::string whyTooFewPlaces(const FrameCollection& collected) {
     return "None of the images in " + recordings + " can be used (" + recording.firstProblem() +
            "); give a run with usable ones.";
   }
-  return "None of the " + std::to_string(collected.images) + " images in " + recordings +
-         " has a label; label them with their places.";
+  return "None of " + counted(collected.images, "image") + " in " + recordings + " has a label; " +
+         collected.how_to_label + ".";
 }
 
 /// Places of the usable frames, in ascending order.

@@ -92,6 +92,12 @@ bool isRos2Bag(const std::string& folder) {
     const std::string name = entry->path().filename().string();
     metadata |= name == "metadata.yaml";
     data |= name.find(".db3") != std::string::npos || name.find(".mcap") != std::string::npos;
+std::string bareName(const std::string& topic) {
+  const std::size_t start = topic.find_first_not_of('/');
+  return start == std::string::npos ? ""
+                                    : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
+}
+
   }
   return metadata && data;
 }

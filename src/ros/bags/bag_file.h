@@ -43,6 +43,10 @@ bool isCompressedDepth(const std::string& topic);
 std::string whyNoImages(const std::vector<std::string>& topics);
 
 /// Whether the folder is a ROS 2 bag.
+/// The name of a topic without leading slashes, which old recorders omit, and without trailing
+/// ones.
+std::string bareName(const std::string& topic);
+
 bool isRos2Bag(const std::string& folder);
 
 /// Throws Error, saying what is there instead, unless `path` can be read and begins like a bag.

@@ -156,11 +156,8 @@ struct OpenBag {
 class BagRecording : public Recording {
  public:
   BagRecording(const std::string& path, const BagRecordingOptions& options)
-      : Recording(path), bag_(path, "images", options) {
-    if (isActiveBag(path)) {
-      warnings_.push_back(path +
-                          " is complete but has the name of an active recording; rename it.");
-    }
+      : Recording(path), label_topic_(options.label_topic), bag_(path, "images", options) {
+    if (isActiveBag(path)) warnings_.push_back(whyMisnamed(path) + ".");
     if (!bag_.labels.note().empty()) warnings_.push_back(bag_.labels.note());
     if (bag_.depth.known()) scale_.see(bag_.depth);
   }
@@ -198,6 +195,19 @@ class BagRecording : public Recording {
   }
 
   DepthExtent depthExtent() const override { return bag_.depth; }
+  std::string howToLabel() const override {
+    std::vector<std::string> topics;
+    for (const BagTopic& topic : bag_.info.topics) {
+      const bool is_read = bareName(topic.name) == bareName(label_topic_);
+      if (topic.type == kLabelType && topic.messages > 0 && !is_read) topics.push_back(topic.name);
+    }
+    if (topics.empty() || !bag_.labels_file.empty()) {
+      return "label it with: place_tool label " + name();
+    }
+    return "if a topic of text has its labels, name it: --label-topic " +
+           listed(topics, " or --label-topic ");
+  }
+
 
   double fraction() const override {
     if (bag_.info.duration <= 0) return bag_.following.kind == BagRecordKind::kEnd ? 1 : 0;
@@ -214,6 +224,7 @@ class BagRecording : public Recording {
                               "' is not used, because no image was recorded while it was valid.");
         });
   }
+  std::string label_topic_;
 
   OpenBag bag_;
   DepthScale scale_;

@@ -13,15 +13,6 @@
 namespace place_recognition {
 namespace {
 
-const std::string kLabelType = "std_msgs/String";
-
-/// A name without leading slashes, which old recorders omit, and without trailing ones.
-std::string bareName(const std::string& topic) {
-  const std::size_t start = topic.find_first_not_of('/');
-  return start == std::string::npos ? ""
-                                    : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
-}
-
 /// Names and types, for a message.
 std::string listed(const RecordedTopics& topics, bool images_only) {
   std::string text;

@@ -12,6 +12,7 @@
 namespace place_recognition {
 
 inline const std::string kImageType = "sensor_msgs/Image";
+inline const std::string kLabelType = "std_msgs/String";
 inline const std::string kCompressedImageType = "sensor_msgs/CompressedImage";
 
 /// A topic of a bag.
