@@ -3,7 +3,8 @@
 
 BAG is an absolute path, a path that starts with ~/ or $HOME/, or a path relative to the folder in
 which roslaunch was called; it may contain blanks and quotes. A list in brackets names the parts of
-a split recording. IMAGE and ODOMETRY are topics, with or without a leading slash. RATE is the
+a split recording. IMAGE and ODOMETRY are topics, with or without a leading slash. TRANSPORT
+is the form in which the recognizer takes the images, raw or compressed. RATE is the
 playback speed relative to the recording, LOOP whether to start again at the end. Playback starts
 once the image topic has a subscriber; rosbag's --wait-for-subscribers would also wait for a
 subscriber to the labels.
@@ -77,6 +78,20 @@ def meant(names, recorded):
     return [topic for topic in recorded if topic.lstrip("/") in bare]
 
 
+def image_topics(image, transport, recorded, bags):
+    """Returns the recorded topics of the images of a camera in the form that is listened to."""
+    kinds = {"raw": ("", "sensor_msgs/Image"), "compressed": ("/compressed", "sensor_msgs/CompressedImage")}
+    forms = {form: [topic for topic in meant([image + ending], recorded) if recorded[topic] == kind]
+             for form, (ending, kind) in kinds.items()}
+    if not any(forms.values()):
+        there = ", ".join(name for name, kind in sorted(recorded.items()) if "Image" in kind)
+        sys.exit(f"{bags} has no images on {image}; image topics: {there or 'none'}.")
+    for form, other in (("raw", "compressed"), ("compressed", "raw")):
+        if transport == form and not forms[form]:
+            sys.exit(f"{bags} has {other} images on {image}; add image_transport:={other}.")
+    return forms["raw"] + forms["compressed"]
+
+
 def wait_for_listener(topics):
     """Waits until the master lists a subscriber to one of the topics."""
     master = rosgraph.Master("/play")
@@ -98,10 +113,7 @@ def main():
         options.append("--loop")
     recorded = {name: kind for path in paths for name, kind in recorded_topics(path).items()}
     image = os.environ["IMAGE"]
-    images = meant([image, image + "/compressed"], recorded)
-    if not images:
-        there = ", ".join(name for name, kind in sorted(recorded.items()) if "Image" in kind)
-        sys.exit(f"{' '.join(paths)} has no images on {image}; image topics: {there or 'none'}.")
+    images = image_topics(image, os.environ["TRANSPORT"], recorded, " ".join(paths))
     others = meant(["/place_label", "/tf", "/tf_static", os.environ["ODOMETRY"]], recorded)
     wait_for_listener(images)
     print(f"Playing {', '.join(paths)}.", flush=True)

@@ -8,8 +8,8 @@ import cv2
 import rosbag
 import rospy
 from place_recognition.msg import PlaceRecognition
-from sensor_msgs.msg import CompressedImage
-from std_msgs.msg import String
+from sensor_msgs.msg import CompressedImage, Image
+from std_msgs.msg import Header, String
 
 sys.path.append(os.environ["PLACE_RECOGNITION_SOURCE_DIR"] + "/test/ros")
 from node_case import PROGRAMS, NodeCase, paint  # noqa: E402
@@ -82,7 +82,10 @@ class ReplayTest(NodeCase):
         (self.trip / "notes.bag").write_text("notes")
         (self.trip / "noise.bag").write_bytes(bytes(range(128, 256)))
         settings = {"BAG": run, "RATE": "1", "LOOP": "false", "IMAGE": "/camera/image_raw",
-                    "ODOMETRY": "none"}
+                    "TRANSPORT": "compressed", "ODOMETRY": "none"}
+        raw = self.trip / "raw.bag"
+        with rosbag.Bag(str(raw), "w") as bag:
+            bag.write("/camera/image_raw", Image(header=Header(stamp=rospy.Time(1000))), rospy.Time(1000))
         for name, value, words in (
                 ("BAG", self.trip / "the lost run.bag", "There is no file"),
                 ("BAG", self.trip, "There is no file"),
@@ -92,6 +95,9 @@ class ReplayTest(NodeCase):
                 ("BAG", "[", "give a path, or a list as in bag:='[run_0.bag, run_1.bag]'"),
                 ("RATE", "fast", "The argument rate is 'fast'; give a number above 0"),
                 ("RATE", "0", "give a number above 0"), ("RATE", "nan", "give a number above 0"),
+                ("BAG", raw, "raw.bag has raw images on /camera/image_raw; add image_transport:=raw."),
+                ("TRANSPORT", "raw", "has compressed images on /camera/image_raw; add "
+                                     "image_transport:=compressed."),
                 ("LOOP", "maybe", "The argument loop is 'maybe'; give true or false"),
                 ("IMAGE", "/front", "has no images on /front; image topics: "
                                     "/camera/image_raw/compressed")):
