@@ -49,7 +49,7 @@ std::string reliabilityPlot(const Summary& summary) {
     if (bin.count == 0) continue;
     const double radius = 3 + 6 * static_cast<double>(bin.count) / static_cast<double>(most);
     plot.svg().circle(plot.x(bin.confidence), plot.y(bin.rate), radius, kBlue,
-                      std::to_string(bin.count) + " images, " + percent(bin.rate) + " right");
+                      counted(bin.count, "image") + ", " + percent(bin.rate) + " right");
   }
   return plot.svg().str();
 }

@@ -111,7 +111,7 @@ std::string overTimeTable(const Summary& summary) {
     const auto row = [&](const std::string& name, const AnswerCounts& counts) {
       rows.push_back({name, std::to_string(counts.wrong), std::to_string(counts.unknown)});
     };
-    const std::string title = which + ", " + std::to_string(answers.frames) + " frames";
+    const std::string title = which + ", " + counted(answers.frames, "frame");
     rows.push_back({title, rows.empty() ? "wrong room" : "", rows.empty() ? "'unknown'" : ""});
     row("frame by frame", answers.single);
     row("over time, as ~place", answers.filtered);

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "base/place_name.h"
+#include "base/text.h"
+#include "datasets/image_folder.h"
 #include "datasets/image_sequence.h"
 #include "datasets/layouts.h"
 #include "labels/labels.h"
@@ -49,6 +51,24 @@ void warnOfGap(const std::vector<LabelledImage>& images, std::vector<std::string
   warnings.push_back("More than a day lies between " + before->path + " and " +
                      std::next(before)->path +
                      "; a bag holds one recording, so import each into a bag of its own.");
+}
+
+/// The folder of the images to import: for the layout of rooms, `folder` or the one run in it.
+std::string folderOfRun(const std::string& folder, const std::string& layout) {
+  const std::string what = whyNoRecording(folder);
+  if (!what.empty()) throw Error(folder + " is " + what + ".");
+  if (layout != "rooms" || holdsRoomImages(folder)) return folder;
+  std::vector<std::string> runs;
+  for (const std::string& name : entriesOf(folder).folders) {
+    const std::string path = (std::filesystem::path(folder) / name).string();
+    if (holdsRoomImages(path)) runs.push_back(path);
+  }
+  if (runs.size() > 1) {
+    throw Error("The folder " + folder + " contains " + counted(runs.size(), "recording") +
+                "; give one of them, such as " + runs.front() +
+                ", or put the images of each room directly into its folder.");
+  }
+  return runs.empty() ? folder : runs.front();
 }
 
 bool hasStamps(const Layout& layout) { return layout.name == "idol" || layout.name == "cold"; }
@@ -138,18 +158,19 @@ void importImages(const ImportOptions& options) {
   const Layout layout = layoutOf(options);
   requireWritable(options.out, Contents::kBag);
   requireNoLabelsBeside(options.out);
+  const std::string folder = folderOfRun(options.folder, layout.name);
   std::vector<std::string> warnings;
-  const std::vector<LabelledImage> images = imagesFor(options.folder, layout, warnings);
+  const std::vector<LabelledImage> images = imagesFor(folder, layout, warnings);
   ProgressDisplay display(options.output.progress);
   const WrittenBag written = writeBag(options, images, display.callback());
-  if (!written.note.empty()) warnings.push_back(options.folder + ": " + written.note);
+  if (!written.note.empty()) warnings.push_back(folder + ": " + written.note);
   warnOfPlaces(written, warnings);
   display.clear();
   printWarnings(warnings);
   written.unusable.warn(std::cerr);
   const std::size_t count = images.size() - written.unusable.count();
-  options.output.text() << options.out << ": " << count << " images of " << written.places.size()
-                        << " places" << std::endl;
+  options.output.text() << options.out << ": " << counted(count, "image") << " of "
+                        << counted(written.places.size(), "place") << std::endl;
   options.output.writeJson({{"path", options.out},
                             {"images", count},
                             {"unusable_images", written.unusable.count()},

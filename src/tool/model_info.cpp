@@ -50,7 +50,8 @@ void printValidation(const Model& model, std::ostream& out) {
 void printPlaces(const Model& model, std::ostream& out) {
   out << "places\n" << std::right;
   for (std::size_t i = 0; i < model.places.size(); ++i) {
-    out << std::setw(8) << model.provenance.place_images[i] << " images  " << model.places[i]
+    out << std::setw(8) << model.provenance.place_images[i]
+        << (model.provenance.place_images[i] == 1 ? " image   " : " images  ") << model.places[i]
         << "\n";
   }
   if (!model.adjacency.empty()) {

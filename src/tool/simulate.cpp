@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/labelled_bag_writer.h"
 #include "simulation/simulation.h"
@@ -101,11 +103,11 @@ void simulateRuns(SimulateOptions options) {
     const std::string path = runPath(condition);
     const auto render = as_bag ? renderBag : renderFolder;
     const Counts counts = render(options.simulation, path, display.callback());
-    int images = 0;
-    for (const auto& [room, count] : counts) images += count;
+    std::uint64_t images = 0;
+    for (const auto& [room, count] : counts) images += static_cast<std::uint64_t>(count);
     display.clear();
-    options.output.text() << path << ": " << images << " images of " << counts.size() << " rooms"
-                          << std::endl;
+    options.output.text() << path << ": " << counted(images, "image") << " of "
+                          << counted(counts.size(), "room") << std::endl;
     recordings.push_back(
         {{"path", path}, {"condition", condition}, {"images", images}, {"rooms", counts}});
   }

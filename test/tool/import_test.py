@@ -4,7 +4,7 @@ import json
 import unittest
 
 import rosbag
-from tool_case import ToolCase, paint
+from tool_case import ROOMS, ToolCase, paint
 
 
 class ImportTest(ToolCase):
@@ -31,6 +31,25 @@ class ImportTest(ToolCase):
         start = labels[0][0]
         self.assertEqual([(stamp - start, label) for stamp, label in labels],
                          [(0, "hall"), (0.5, "hall"), (1, "kitchen")])
+
+    def test_a_folder_of_runs_is_read_as_train_reads_it(self):
+        self.write_run("parent/monday", views=1)
+        self.assertEqual(self.figures("import", "parent", "--out", "run.bag")["places"], sorted(ROOMS))
+        self.write_run("parent/tuesday", views=1)
+        line = self.refuse("import", "parent", "--out", "two.bag")
+        self.assertIn("The folder parent contains 2 recordings; give one of them, such as parent/monday, "
+                      "or put the images of each room directly into its folder.", line)
+
+    def test_one_of_a_kind_is_counted_as_one(self):
+        self.write_run("rooms", views=1, rooms=["kitchen"])
+        self.assertEqual(self.succeed("import", "rooms", "--out", "run.bag"),
+                         "run.bag: 1 image of 1 place\n")
+
+    def test_a_ros_2_bag_is_named(self):
+        (self.folder / "ros2").mkdir()
+        (self.folder / "ros2/metadata.yaml").write_text("rosbag2_bagfile_information:\n")
+        (self.folder / "ros2/ros2_0.db3").write_bytes(b"SQLite format 3\0")
+        self.assertIn("ros2 is a ROS 2 bag; convert it", self.refuse("import", "ros2", "--out", "run.bag"))
 
     def test_indecs_finds_light_room_marker_and_angle_wherever_they_stand(self):
         for names in (["cloudy/kitchen/kitchen_07_120.png", "cloudy/kitchen/kitchen_07_30.png",

@@ -79,8 +79,7 @@ class BagRecords {
   /// The position that the reader reached; empty if it has not read any image yet.
   std::string position(std::uint64_t offset) const {
     if (images_ == 0 && offset == 0) return "";
-    return " (after " + std::to_string(images_) + " images, near byte " + std::to_string(offset) +
-           ")";
+    return " (after " + counted(images_, "image") + ", near byte " + std::to_string(offset) + ")";
   }
 
   [[noreturn]] void throwCrash(const std::optional<BagRecord>& crash) {
