@@ -190,6 +190,21 @@ TEST(ModelPath, IsANameOrAFile) {
   unsetenv("ROS_HOME");
 }
 
+TEST(ModelPath, SaysWhereAFileBelongs) {
+  setenv("ROS_HOME", "/ros", 1);
+  try {
+    namedModelPath("elsewhere/rooms.places");
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    const std::string message = e.what();
+    EXPECT_NE(message.find("; copy the file to /ros/place_recognition/models/rooms.places and give "
+                           "the name rooms."),
+              std::string::npos)
+        << message;
+  }
+  unsetenv("ROS_HOME");
+}
+
 TEST(ModelPath, DoesNotFollowLinks) {
   const ScratchFolder folder;
   setenv("ROS_HOME", (folder / "").c_str(), 1);

@@ -151,6 +151,18 @@ class FilesTest(MisuseCase):
         self.assertFalse(left.exists())
 
 
+class ModelNamesTest(MisuseCase):
+    def test_a_model_that_was_meant_is_named(self):
+        self.train()
+        self.assertIn("home.places: No such file or directory; for the file in this folder, give "
+                      "./home.places.", self.refuse("info", "home"))
+        self.succeed("train", "monday", "--model", "mine", *COLOUR)
+        for verb in (("info", "mines"), ("recognize", "monday", "--model", "mines"),
+                     ("info", "./hone.places")):
+            self.assertRegex(self.refuse(*verb), r"; did you mean (mine|./home.places)\?$")
+        self.assertIn("check the name", self.refuse("info", "entirely_different"))
+
+
 class InputsTest(MisuseCase):
     def test_bags_are_found_beside_images(self):
         self.write_labelled_bag("site/tuesday.bag")
@@ -180,6 +192,16 @@ class InputsTest(MisuseCase):
         for word in ("'office'", "2 places", "one/attic/1.png"):
             self.assertIn(word, line)
 
+    def test_the_folder_of_one_room_is_no_run(self):
+        self.train()
+        self.write_run(".", rooms=["office"])
+        for verb in ("train", "evaluate"):
+            options = ("--model", "./new.places") if verb == "train" else MODEL
+            for given, above in (("monday/kitchen", "monday"), ("monday/kitchen/", "monday"),
+                                 ("office", str(self.folder))):
+                self.assertIn(f"has a label; if {given} is a room, give the folder above it, {above}, in "
+                              "which the folders are the rooms.", self.refuse(verb, given, *options))
+
     def test_recognize_needs_no_labels_and_keeps_its_answers(self):
         self.train()
         bag = self.write_labelled_bag("run.bag")
@@ -192,16 +214,6 @@ class InputsTest(MisuseCase):
         self.assertEqual((self.folder / "answers").read_text().count('"image"'), 1)
 
     def test_images_after_several_cameras(self):
-    def test_the_folder_of_one_room_is_no_run(self):
-        self.train()
-        self.write_run(".", rooms=["office"])
-        for verb in ("train", "evaluate"):
-            options = ("--model", "./new.places") if verb == "train" else MODEL
-            for given, above in (("monday/kitchen", "monday"), ("monday/kitchen/", "monday"),
-                                 ("office", str(self.folder))):
-                self.assertIn(f"has a label; if {given} is a room, give the folder above it, {above}, in "
-                              "which the folders are the rooms.", self.refuse(verb, given, *options))
-
         self.train()
         self.succeed("simulate", "--out", "drives", "--protocol", "drive", "--cameras",
                      "front,rear", "--conditions", "night", "--size", "64x48", "--rate", 0.3)

@@ -6,8 +6,10 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
+#include <vector>
 
 #include "base/atomic_file.h"
+#include "base/nearest_name.h"
 #include "features/feature_extractor.h"
 #include "place_recognition/error.h"
 #include "recognition/model/classifier_numbers.h"
@@ -76,11 +78,32 @@ bool isOther(const std::string& path) {
   return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
 }
 
+/// What to do if there is no model at `path`; a phrase that ends a sentence.
+std::string remedyForMissing(const std::string& path) {
+  const fs::path file(path), folder = file.parent_path();
+  const bool is_named = folder == modelFolder();
+  std::error_code ignored;
+  if (is_named && fs::exists(file.filename(), ignored)) {
+    return "for the file in this folder, give ./" + file.filename().string() + ".";
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    const fs::path& other = entry.path();
+    if (other.extension() == file.extension()) names.push_back(other.stem().string());
+  }
+  const std::string nearest = nearestName(file.stem().string(), names);
+  if (nearest.empty()) return "check the name.";
+  const fs::path meant = (folder / nearest).concat(file.extension().string());
+  return "did you mean " + (is_named ? nearest : meant.string()) + "?";
+}
+
 std::ifstream openFile(const std::string& path) {
   if (isOther(path)) throw Error("Cannot read " + path + ": not a file; check the name.");
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw Error("Cannot read " + path + ": " + std::strerror(errno) + "; check the name.");
+    const int failure = errno;
+    const std::string remedy = failure == ENOENT ? remedyForMissing(path) : "check the name.";
+    throw Error("Cannot read " + path + ": " + std::strerror(failure) + "; " + remedy);
   }
   return file;
 }

@@ -23,6 +23,11 @@ std::string modelPath(const std::string& name) {
 }
 
 std::string namedModelPath(const std::string& name) {
+  const std::string stem = fs::path(name).stem().string();
+  if (isFileName(name, kExtension) && isPlainName(stem)) {
+    throw Error(inQuotes(name) + " is a file, not the name of a model; copy the file to " +
+                modelFolder() + "/" + stem + kExtension + " and give the name " + stem + ".");
+  }
   if (!isPlainName(name)) {
     throw Error(inQuotes(name) + " cannot name a model; use " + kPlainNameRule + ".");
   }
