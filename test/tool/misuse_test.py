@@ -158,7 +158,7 @@ class ModelNamesTest(MisuseCase):
                       "./home.places.", self.refuse("info", "home"))
         self.succeed("train", "monday", "--model", "mine", *COLOUR)
         for verb in (("info", "mines"), ("recognize", "monday", "--model", "mines"),
-                     ("info", "./hone.places")):
+                     ("info", "./hone.places"), ("restore", "mines")):
             self.assertRegex(self.refuse(*verb), r"; did you mean (mine|./home.places)\?$")
         self.assertIn("check the name", self.refuse("info", "entirely_different"))
 

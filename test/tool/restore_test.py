@@ -43,11 +43,15 @@ class RestoreTest(ToolCase):
         self.assertIn("backup 3", self.succeed("restore", "home", "--list"))
 
     def test_what_cannot_be_restored(self):
-        self.assertIn("home.places.2", self.refuse("restore", "home", "--age", "2"))
+        for age in (1, 2):
+            self.assertIn("home.places has no earlier version", self.refuse("restore", "home", "--age", age))
+        self.assertIn("There is no model", self.refuse("restore", "absent"))
         self.assertIn("absent", self.refuse("restore", "absent", "--list"))
         self.refuse("restore", "home", "--age", "4", status=2)
         models = self.folder / "ros_home/place_recognition/models"
         (models / "home.places.1").write_bytes(b"no model")
+        self.assertIn("home.places has no backup 2; place_tool restore --list",
+                      self.refuse("restore", "home", "--age", 2))
         self.assertIn("home.places.1", self.refuse("restore", "home"))
         self.assertIn("not a place_recognition model", self.succeed("restore", "home", "--list"))
         self.assertEqual(len(self.rooms()), 3)

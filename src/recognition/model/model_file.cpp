@@ -108,6 +108,22 @@ std::ifstream openFile(const std::string& path) {
   return file;
 }
 
+/// Throws Error, saying what there is instead, unless the model at `path` has such a backup.
+void requireBackup(const std::string& path, int age) {
+  std::error_code ignored;
+  if (fs::exists(backupPath(path, age), ignored)) return;
+  for (int other = 1; other <= kModelBackups; ++other) {
+    if (!fs::exists(backupPath(path, other), ignored)) continue;
+    throw Error("The model " + path + " has no backup " + std::to_string(age) +
+                "; place_tool restore --list shows those that it has.");
+  }
+  if (fs::exists(path, ignored)) {
+    throw Error("The model " + path +
+                " has no earlier version to restore, because it has not been replaced yet.");
+  }
+  throw Error("There is no model " + path + ", nor a backup of it; " + remedyForMissing(path));
+}
+
 /// A model that cannot be loaded must not replace one that can.
 void requireLoadable(const std::string& bytes, const std::string& path) {
   try {
@@ -165,6 +181,7 @@ bool startsAsModel(const std::string& path) {
 }
 
 void restoreModel(const std::string& path, int age) {
+  requireBackup(path, age);
   const std::string backup = backupPath(path, age);
   const std::string bytes = readFile(backup, kMaxModelBytes);
   parseModel(bytes, backup);
