@@ -42,4 +42,9 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
   return nearest;
 }
 
+std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
+  const std::string meant = nearestName(name, known);
+  return meant.empty() ? "" : " (did you mean " + meant + "?)";
+}
+
 }  // namespace place_recognition

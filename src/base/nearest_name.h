@@ -10,4 +10,7 @@ namespace place_recognition {
 /// is at most a third of the name's length, or 2 for a short name. Empty if none is that close.
 std::string nearestName(const std::string& name, const std::vector<std::string>& known);
 
+/// " (did you mean X?)" for the nearestName() X; empty if there is none.
+std::string suggestion(const std::string& name, const std::vector<std::string>& known);
+
 }  // namespace place_recognition

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "base/contains.h"
+#include "base/nearest_name.h"
 #include "base/text.h"
 #include "base/yaml_guard.h"
 
@@ -92,15 +93,29 @@ void readScalar(const YAML::Node& node, const std::string& where, std::string& v
 
 namespace {
 
-/// The value of `key` in a mapping, or the element of a list with the name or index `key`.
-YAML::Node childOf(YAML::Node parent, const std::string& key, const std::string& assignment) {
+/// The names of the values in a mapping, or of the elements of a list.
+std::vector<std::string> namesIn(const YAML::Node& parent) {
+  std::vector<std::string> names;
+  for (const auto& child : parent) {
+    if (parent.IsMap()) {
+      names.push_back(child.first.Scalar());
+    } else if (child.IsMap() && child["name"]) {
+      names.push_back(child["name"].Scalar());
+    }
+  }
+  return names;
+}
+
+/// The value of `key` in a mapping, or the element of a list with the name or index `key`; not
+/// defined if there is none.
+YAML::Node childOf(YAML::Node parent, const std::string& key) {
   if (parent.IsMap()) return parent[key];
   for (std::size_t i = 0; parent.IsSequence() && i < parent.size(); ++i) {
     const YAML::Node element = parent[i];
     const bool named = element.IsMap() && element["name"] && element["name"].Scalar() == key;
     if (named || key == std::to_string(i)) return element;
   }
-  throw Error("'" + assignment + "' sets no option: '" + key + "' does not exist there.");
+  return YAML::Node(YAML::NodeType::Undefined);
 }
 
 }  // namespace
@@ -132,9 +147,18 @@ void assignOption(const YAML::Node& root, const std::string& assignment) {
     throw Error("'" + assignment + "' sets no option; write key=value, such as svm.c=10.");
   }
   YAML::Node node = root;
+  std::string where;
   std::istringstream path(assignment.substr(0, equals));
   for (std::string key; std::getline(path, key, '.');) {
-    node.reset(childOf(node, key, assignment));
+    const YAML::Node child = childOf(node, key);
+    const bool is_reported_later = node.IsMap() && path.eof();  // with the known keys
+    if (!child.IsDefined() && !is_reported_later) {
+      throw Error("'" + assignment + "' sets no option: there is no '" + key + "'" +
+                  (where.empty() ? "" : " in '" + where + "'") + suggestion(key, namesIn(node)) +
+                  ".");
+    }
+    node.reset(child);
+    where += (where.empty() ? "" : ".") + key;
   }
   node = parseYaml(assignment.substr(equals + 1), "'" + assignment + "'");
 }

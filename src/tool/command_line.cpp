@@ -5,6 +5,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "base/nearest_name.h"
 #include "tool/usage_text.h"
 
 namespace place_recognition::tool {

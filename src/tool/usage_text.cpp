@@ -4,14 +4,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "base/nearest_name.h"
-
 namespace place_recognition::tool {
-
-std::string suggestion(const std::string& word, const Words& known) {
-  const std::string meant = nearestName(word, known);
-  return meant.empty() ? "" : " (did you mean " + meant + "?)";
-}
 
 std::string orList(const Words& choices) {
   std::string text = choices.front();

@@ -8,9 +8,6 @@ namespace place_recognition::tool {
 
 using Words = std::vector<std::string>;
 
-/// " (did you mean X?)" if one of `known` is similar enough to `word`; else empty.
-std::string suggestion(const std::string& word, const Words& known);
-
 /// "a, b or c". `choices` must not be empty.
 std::string orList(const Words& choices);
 

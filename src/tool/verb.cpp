@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/contains.h"
+#include "base/nearest_name.h"
 #include "tool/usage_text.h"
 
 namespace place_recognition::tool {
