@@ -198,7 +198,8 @@ bool naturalLess(const std::string& a, const std::string& b) {
       if (x.size() != y.size()) return x.size() < y.size();
       if (x != y) return x < y;
     } else {
-      if (a[i] != b[j]) return a[i] < b[j];
+      const auto x = static_cast<unsigned char>(a[i]), y = static_cast<unsigned char>(b[j]);
+      if (x != y) return x < y;
       ++i, ++j;
     }
   }

@@ -15,7 +15,7 @@ bool isImageName(const std::string& name);
 /// macOS, Windows and file servers add ('__MACOSX', 'Thumbs.db', '@eaDir', 'lost+found').
 bool isSystemEntry(const std::string& name);
 
-/// Natural order of file names: frame_9 before frame_10.
+/// Natural order of file names: frame_9 before frame_10; else by bytes.
 bool naturalLess(const std::string& a, const std::string& b);
 
 /// The entries directly in a folder, each kind in natural order; symbolic links are followed, and

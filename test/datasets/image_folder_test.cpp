@@ -170,5 +170,10 @@ TEST_F(ImageFolders, NothingThereIsAnError) {
   EXPECT_THROW(findImagesBelow(scratch_ / "nowhere"), Error);
 }
 
+TEST(NaturalLess, ComparesBytesWhateverTheMachine) {
+  EXPECT_TRUE(naturalLess("zoo", "\u00c4mter"));
+  EXPECT_FALSE(naturalLess("\u00c4mter", "zoo"));
+}
+
 }  // namespace
 }  // namespace place_recognition
