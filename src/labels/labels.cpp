@@ -38,7 +38,8 @@ struct LabelsFile {
   }
 };
 
-/// Nothing if the file says `labels: []`, which means that there deliberately are none.
+/// In order of time. Nothing if the file says `labels: []`, which means that there deliberately are
+/// none.
 std::optional<std::vector<Interval>> readIntervals(const std::string& path, double start) {
   LabelsFile file;
   const YAML::Node tree = readYamlFile(path);
@@ -66,12 +67,12 @@ std::optional<std::vector<Interval>> readIntervals(const std::string& path, doub
     interval.from += origin;
     interval.to += origin;
   }
+  std::stable_sort(file.labels.begin(), file.labels.end(),
+                   [](const Interval& a, const Interval& b) { return a.from < b.from; });
   return std::move(file.labels);
 }
 
-void addIntervals(std::vector<Interval> intervals, const std::string& path, Labels& labels) {
-  std::stable_sort(intervals.begin(), intervals.end(),
-                   [](const Interval& a, const Interval& b) { return a.from < b.from; });
+void addIntervals(const std::vector<Interval>& intervals, const std::string& path, Labels& labels) {
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const Interval& interval = intervals[i];
     labels.add(interval.from, interval.place);
@@ -106,10 +107,33 @@ std::string addLines(const std::vector<LabelLine>& lines, const std::string& pat
   return note;
 }
 
+/// "1000 to 1100 s", or "from 1000 s" if it has no end.
+std::string spanText(double from, double to) {
+  if (!std::isfinite(to)) return "from " + significant(from, 13) + " s";
+  return significant(from, 13) + " to " + significant(to, 13) + " s";
+}
+
+/// Returns a sentence if intervals lie outside a bag, else nothing.
+std::string noteOnOutside(const std::vector<Interval>& intervals, const std::string& path,
+                          double start, double end) {
+  std::uint64_t count = 0;
+  std::string first;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const auto& [from, to, place] = intervals[i];
+    const double last = i + 1 < intervals.size() ? std::min(to, intervals[i + 1].from) : to;
+    if (from <= end && last > start) continue;
+    if (count++ == 0) first = inQuotes(place) + ", " + spanText(from, last);
+  }
+  if (count == 0) return "";
+  return path + ": " + counted(count, "interval") + (count == 1 ? " lies" : " lie") +
+         " outside the bag, which extends from " + spanText(start, end) + " (" +
+         (count == 1 ? "" : "the first: ") + first + "); correct the times.";
+}
+
 [[noreturn]] void throwNoneFits(const std::string& path, double start, double end,
                                 const std::string& hint) {
-  throw Error(path + ": no label falls into the bag, which extends from " + significant(start, 13) +
-              " to " + significant(end, 13) + " s; correct the times or remove the file. " + hint);
+  throw Error(path + ": no label falls into the bag, which extends from " + spanText(start, end) +
+              "; correct the times or remove the file. " + hint);
 }
 
 }  // namespace
@@ -130,9 +154,9 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
   const std::string extension = std::filesystem::path(path).extension().string();
   Labels labels;
   if (extension == ".yaml" || extension == ".yml") {
-    std::optional<std::vector<Interval>> intervals = readIntervals(path, start);
+    const std::optional<std::vector<Interval>> intervals = readIntervals(path, start);
     if (!intervals) return labels;
-    addIntervals(*std::move(intervals), path, labels);
+    addIntervals(*intervals, path, labels);
     bool fits = false;
     labels.forEach(start, end, [&fits](double, double, const std::string&) { fits = true; });
     if (!fits) {
@@ -140,6 +164,7 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
                     "Times relative to the bag's start need 'times: relative', and bag times "
                     "'times: absolute'.");
     }
+    labels.note_ = noteOnOutside(*intervals, path, start, end);
     return labels;
   }
   const LabelLines lines = readLabelLines(path);

@@ -39,7 +39,8 @@ class Labels {
   /// The place at `time`, empty before the first label.
   const std::string& at(double time) const;
 
-  /// For a person: how a file was read if it deviates from the format; else empty.
+  /// For a person: how a file was read if it deviates from the format, and which of its
+  /// intervals lie outside the bag; else empty.
   const std::string& note() const { return note_; }
 
   /// Calls visit(from, to, place) for each labelled interval between `start` and `end`.

@@ -57,6 +57,20 @@ TEST_F(LabelFiles, AbsoluteIntervalsInAnyOrder) {
   EXPECT_EQ(stretches, (decltype(stretches){{1000, 1050, "a"}, {1050, 1060, "b"}}));
 }
 
+TEST_F(LabelFiles, IntervalsOutsideTheBagAreTold) {
+  EXPECT_EQ(read("run.labels.yaml", "labels: [{from: 0, to: 100, place: a}]").note(), "");
+  const std::string one = "times: absolute\nlabels: [{from: 900, to: 1000, place: a}, ";
+  EXPECT_EQ(read("run.labels.yaml", one + "{from: 1050, place: b}]").note(),
+            (scratch_ / "run.labels.yaml") +
+                ": 1 interval lies outside the bag, which extends from 1000 to 1100 s ('a', 900 to "
+                "1000 s); correct the times.");
+  const std::string note =
+      read("run.labels.yaml", one + "{from: 1050, to: 1090, place: b}, {from: 1101, place: c}]")
+          .note();
+  EXPECT_NE(note.find(": 2 intervals lie outside the bag"), std::string::npos) << note;
+  EXPECT_NE(note.find("(the first: 'a', 900 to 1000 s); correct"), std::string::npos);
+}
+
 TEST_F(LabelFiles, AnEmptyListMeansNoLabels) {
   EXPECT_EQ(read("run.labels.yaml", "labels: []\n").at(1050), "");
   EXPECT_NE(errorIn("run.labels.yaml", "times: relative\n"), "");
