@@ -48,6 +48,7 @@ TEST(CameraList, RefusesWhatCannotBeMeant) {
     return errorOf([&] { readCameras(parameters); });
   };
   EXPECT_NE(refuses("[front, 'a b']", "", "m").find("'a b'"), std::string::npos);
+  EXPECT_NE(refuses("front, rear", "", "m").find("; write [front, rear]."), std::string::npos);
   EXPECT_NE(refuses("[front, front]", "", "m").find("twice"), std::string::npos);
   EXPECT_NE(refuses("[front, /front]", "", "m").find("'/front' twice"), std::string::npos);
   EXPECT_NE(refuses("[a, b, c, d, e, f, g, h, i]", "", "m").find("at most 8"), std::string::npos);

@@ -13,9 +13,10 @@ namespace {
 CameraName cameraOf(const std::string& text) {
   std::string problem;
   if (text.empty() || text[0] == '~' || !ros::names::validate(text, problem)) {
+    const bool is_list = text.find(',') != std::string::npos;
     throw Error(
-        "The parameter ~cameras has '" + text +
-        "', which is not the name of a topic; give image topics, or names before /image_raw.");
+        "The parameter ~cameras has '" + text + "', which is not the name of a topic; " +
+        (is_list ? "write [" + text + "]." : "give image topics, or names before /image_raw."));
   }
   const bool is_topic = text.find('/') != std::string::npos;
   const std::string name = text[0] == '/' ? text.substr(1) : text;
