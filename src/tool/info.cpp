@@ -43,10 +43,7 @@ std::string modelPathOf(const std::string& name) {
 
 void showBag(const InfoOptions& options) {
   const BagInfo bag = bagInfo(options.name, options.input.bag);
-  if (isActiveBag(options.name)) {
-    std::cerr << "warning: " << options.name
-              << " is complete but has the name of an active recording; rename it.\n";
-  }
+  if (isActiveBag(options.name)) std::cerr << "warning: " << whyMisnamed(options.name) << ".\n";
   if (bag.other_images > 0) {
     std::cerr << "warning: " << options.name << ": " << counted(bag.other_images, "image")
               << (bag.other_images == 1 ? " is" : " are")

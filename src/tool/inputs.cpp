@@ -129,7 +129,9 @@ void findRecordingsOf(const std::string& input, std::vector<std::string>& record
   std::error_code failure;
   if (!fs::exists(input, failure)) {
     const bool is_link = fs::is_symlink(input, failure);
-    throw Error(input + (is_link ? " is a broken link" : " does not exist") + "; check the path.");
+    const std::string active = activeBagBeside(input);
+    throw Error(input + (is_link ? " is a broken link" : " does not exist") + "; " +
+                (active.empty() ? "check the path" : active) + ".");
   }
   const std::string what = whyNoRecording(input);
   if (!what.empty()) throw Error(input + " is " + what + ".");

@@ -132,6 +132,9 @@ class BagTest(FieldCase):
         for verb in (("info", "monday.bag.active"), ("train", "monday.bag.active", *MODEL)):
             self.assert_names(self.refuse(*verb), "rosbag reindex monday.bag.active",
                               "rename it to monday.bag")
+        for verb in (("info", "monday.bag"), ("train", "monday.bag", *MODEL)):
+            self.assert_names(self.refuse(*verb), "monday.bag.active lies beside it",
+                              "rosbag reindex monday.bag.active")
         (self.folder / "runs").mkdir()
         self.write_labelled("runs/sound.bag", 1000, ["kitchen"] * 4 + ["office"] * 4,
                             [(0, "kitchen"), (4, "office")])
@@ -180,8 +183,8 @@ class BagTest(FieldCase):
         (self.folder / "run.bag").rename(self.folder / "run.bag.active")
         figures, said = self.train("run.bag.active")
         self.assertEqual(figures["images"], 8)
-        self.assert_names(said, "run.bag.active is complete", "rename it")
-        self.assert_names(self.run_tool("info", "run.bag.active").stderr, "rename it")
+        for text in (said, self.run_tool("info", "run.bag.active").stderr):
+            self.assert_names(text, "run.bag.active is complete", "run: mv run.bag.active run.bag")
 
     def test_recordings_of_other_kinds_are_named(self):
         ros2 = self.folder / "rosbag2_run"

@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string kActive = ".active";
 constexpr const char* kStart = "#ROSBAG V2.0";
 constexpr const char* kRos2Remedy = "convert it to a ROS 1 bag, for instance with rosbags-convert";
 
@@ -25,6 +26,10 @@ bool isTaken(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
+std::string withoutActive(const std::string& path) {
+  return path.substr(0, path.size() - kActive.size());
+}
+
 bool startsAsBag(const std::string& path) { return startsWith(startOfFile(path), kStart); }
 
 }  // namespace
@@ -32,7 +37,7 @@ bool startsAsBag(const std::string& path) { return startsWith(startOfFile(path),
 bool isActiveBag(const std::string& path) { return endsWith(lowerCase(path), ".bag.active"); }
 
 std::string howToRepair(const std::string& path) {
-  const std::string name = path.substr(0, path.size() - std::string(".active").size());
+  const std::string name = withoutActive(path);
   return "rosbag reindex " + path + ", and rename it to " + name + " (" + name +
          ".orig.active is its backup)";
 }
@@ -40,6 +45,17 @@ std::string howToRepair(const std::string& path) {
 std::string whyActive(const std::string& path) {
   return "it is being recorded, or was left behind by a killed recorder; in the latter case run: " +
          howToRepair(path);
+}
+
+std::string whyMisnamed(const std::string& path) {
+  return path + " is complete but has the name of an active recording; run: mv " + path + " " +
+         withoutActive(path);
+}
+
+std::string activeBagBeside(const std::string& path) {
+  const std::string active = path + kActive;
+  if (!isActiveBag(active) || !isTaken(active)) return "";
+  return active + " lies beside it: " + whyActive(active);
 }
 
 bool isBag(const std::string& path) {
@@ -76,6 +92,12 @@ void requireNoLabelsBeside(const std::string& path) {
               ", which lies beside it; rename or remove that file, or write the bag elsewhere.");
 }
 
+std::string bareName(const std::string& topic) {
+  const std::size_t start = topic.find_first_not_of('/');
+  return start == std::string::npos ? ""
+                                    : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
+}
+
 bool isCompressedDepth(const std::string& topic) { return endsWith(topic, "compressedDepth"); }
 
 std::string whyNoImages(const std::vector<std::string>& topics) {
@@ -92,12 +114,6 @@ bool isRos2Bag(const std::string& folder) {
     const std::string name = entry->path().filename().string();
     metadata |= name == "metadata.yaml";
     data |= name.find(".db3") != std::string::npos || name.find(".mcap") != std::string::npos;
-std::string bareName(const std::string& topic) {
-  const std::size_t start = topic.find_first_not_of('/');
-  return start == std::string::npos ? ""
-                                    : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
-}
-
   }
   return metadata && data;
 }
@@ -122,7 +138,9 @@ void requireBag(const std::string& path) {
       throw Error(path + " is a broken link; check " + fs::read_symlink(path, ignored).string() +
                   ".");
     }
-    throw Error("There is no bag " + path + "; check the path.");
+    const std::string active = activeBagBeside(path);
+    throw Error("There is no bag " + path + "; " + (active.empty() ? "check the path" : active) +
+                ".");
   }
   const std::string why_not = whyNoRecording(path);
   if (!why_not.empty()) throw Error(path + " is " + why_not + ".");

@@ -20,6 +20,14 @@ std::string howToRepair(const std::string& path);
 /// follows "PATH: ", without a full stop.
 std::string whyActive(const std::string& path);
 
+/// What is wrong with the name of an active bag that is complete, and what to do; a phrase
+/// without a full stop.
+std::string whyMisnamed(const std::string& path);
+
+/// What lies beside `path`, which does not exist, if it is the active bag of that name; a phrase
+/// that follows "; ", without a full stop. Empty if there is none.
+std::string activeBagBeside(const std::string& path);
+
 /// The file that `place_tool label` writes for the bag: RUN.labels.yaml beside RUN.bag or
 /// RUN.bag.active.
 std::string writtenLabelsFile(const std::string& path);
@@ -35,6 +43,10 @@ std::string labelsFileBeside(const std::string& path);
 /// Throws Error if a labelled bag that is written to `path` would not be read with its own labels.
 void requireNoLabelsBeside(const std::string& path);
 
+/// The name of a topic without leading slashes, which old recorders omit, and without trailing
+/// ones.
+std::string bareName(const std::string& topic);
+
 /// Whether the images of a topic are distances, by its name; they cannot be used as a camera's.
 bool isCompressedDepth(const std::string& topic);
 
@@ -43,10 +55,6 @@ bool isCompressedDepth(const std::string& topic);
 std::string whyNoImages(const std::vector<std::string>& topics);
 
 /// Whether the folder is a ROS 2 bag.
-/// The name of a topic without leading slashes, which old recorders omit, and without trailing
-/// ones.
-std::string bareName(const std::string& topic);
-
 bool isRos2Bag(const std::string& folder);
 
 /// Throws Error, saying what is there instead, unless `path` can be read and begins like a bag.

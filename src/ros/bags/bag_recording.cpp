@@ -194,6 +194,7 @@ class BagRecording : public Recording {
   }
 
   DepthExtent depthExtent() const override { return bag_.depth; }
+
   std::string howToLabel() const override {
     std::vector<std::string> topics;
     for (const BagTopic& topic : bag_.info.topics) {
@@ -206,7 +207,6 @@ class BagRecording : public Recording {
     return "if a topic of text has its labels, name it: --label-topic " +
            listed(topics, " or --label-topic ");
   }
-
 
   double fraction() const override {
     if (bag_.info.duration <= 0) return bag_.following.kind == BagRecordKind::kEnd ? 1 : 0;
@@ -223,8 +223,8 @@ class BagRecording : public Recording {
                               "' is not used, because no image was recorded while it was valid.");
         });
   }
-  std::string label_topic_;
 
+  std::string label_topic_;
   OpenBag bag_;
   DepthScale scale_;
   bool is_deep_ = false;        // an image with 16 bits was read
