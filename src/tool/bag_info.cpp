@@ -6,8 +6,12 @@
 namespace place_recognition::tool {
 
 void printBag(const BagInfo& bag, const std::string& path, std::ostream& out) {
-  out << "bag       " << path << "\n"
-      << std::fixed << std::setprecision(1) << "duration  " << bag.duration << " s from "
+  out << "bag       " << path << "\n";
+  if (bag.topics.empty()) {
+    out << "no messages" << std::endl;
+    return;
+  }
+  out << std::fixed << std::setprecision(1) << "duration  " << bag.duration << " s from "
       << bag.start << "\n"
       << "topics\n";
   for (const BagTopic& topic : bag.topics) {

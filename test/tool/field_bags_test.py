@@ -186,6 +186,12 @@ class BagTest(FieldCase):
         for text in (said, self.run_tool("info", "run.bag.active").stderr):
             self.assert_names(text, "run.bag.active is complete", "run: mv run.bag.active run.bag")
 
+    def test_an_empty_bag_says_so(self):
+        rosbag.Bag(str(self.folder / "empty.bag"), "w").close()
+        text = self.succeed("info", "empty.bag")
+        self.assert_names(text, "no messages")
+        self.assertNotIn("duration", text)
+
     def test_recordings_of_other_kinds_are_named(self):
         ros2 = self.folder / "rosbag2_run"
         ros2.mkdir()
