@@ -52,7 +52,8 @@ class PathsTest(NodeCase):
 
     def test_refusals_name_the_whole_path(self):
         node = self.start_node("place_labeler", "_bag:=nowhere/run.bag", cwd=self.trip)
-        self.expect_end(node, 1, str(self.trip / "nowhere/run.bag"))
+        self.expect_end(node, 1, f"Cannot write {self.trip / 'nowhere/run.bag'}: the folder "
+                        f"{self.trip / 'nowhere'} does not exist; create it, or choose another.")
         (self.trip / "run.bag").touch()
         node = self.start_node("place_labeler", "_bag:=run.bag", cwd=self.trip)
         self.expect_end(node, 1, f"The file {self.trip / 'run.bag'} already exists")

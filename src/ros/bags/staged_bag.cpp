@@ -20,6 +20,11 @@ StagedBag::StagedBag(const std::string& path, const std::string& suffix)
   if (std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind)) {
     throw Error(path + " is a folder or a device; give the bag another name.");
   }
+  const std::filesystem::path folder = std::filesystem::absolute(path_).parent_path();
+  if (!std::filesystem::exists(folder, ignored)) {
+    throw Error("Cannot write " + path_ + ": the folder " + folder.string() +
+                " does not exist; create it, or choose another.");
+  }
   try {
     bag_->open(staged_path_, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& e) {
