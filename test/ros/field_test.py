@@ -91,6 +91,7 @@ class TrainerTest(FieldCase):
         both = ask(part, whole)
         self.assertEqual((both.success, both.images), (True, 23), both.message)
         self.assertIn("/run_1.bag has no labels.", node.output)
+        self.assertIn(f"{part} continues where {whole} ends", both.message)
         self.assertIn(f"{part} continues where {whole} ends, and starts in 'office'", node.output)
         self.assertIn("is a folder; name the bags in it", ask(self.folder).message)
         self.assertEqual(node.interrupt(), 0)

@@ -186,3 +186,6 @@ class TrainerTest(FieldCase):
 
 if __name__ == "__main__":
     unittest.main()
+        answer = retrain(bags=[bag], model="home", add_to="home", from_model="home")
+        self.assertIn("--from-model and --add-to name the same model", answer.message)
+        self.assertNotIn("--help", answer.message)

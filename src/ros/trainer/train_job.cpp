@@ -95,6 +95,11 @@ TrainResult toResult(const Json& figures, const std::string& model) {
   return result;
 }
 
+/// An error of place_tool without the reference to its help, which has no options of a goal.
+std::string withoutHelp(const std::string& line) {
+  return endsWith(line, " --help.") ? line.substr(0, line.rfind("; see ")) + "." : line;
+}
+
 TrainResult failure(const std::string& message) {
   TrainResult result;
   result.success = false;
@@ -130,11 +135,15 @@ class ToolOutput {
       if (warnings_.size() < kMaxWarningBytes) warnings_ += " " + sentence;
       return;
     }
-    if (!line.empty()) last_error_ = line;
+    if (!line.empty()) last_error_ = withoutHelp(line);
   }
 
   TrainResult result(int exit_status) const {
-    if (exit_status == 0 && result_) return *result_;
+    if (exit_status == 0 && result_) {
+      TrainResult result = *result_;
+      result.message += warnings_;
+      return result;
+    }
     return failure((last_error_.empty() ? "Training ended with " + describeExit(exit_status) + "."
                                         : last_error_) +
                    warnings_);
