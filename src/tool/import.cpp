@@ -161,6 +161,7 @@ void importImages(const ImportOptions& options) {
   const std::string folder = folderOfRun(options.folder, layout.name);
   std::vector<std::string> warnings;
   const std::vector<LabelledImage> images = imagesFor(folder, layout, warnings);
+  const bool replaces = std::filesystem::exists(options.out);
   ProgressDisplay display(options.output.progress);
   const WrittenBag written = writeBag(options, images, display.callback());
   if (!written.note.empty()) warnings.push_back(folder + ": " + written.note);
@@ -168,6 +169,7 @@ void importImages(const ImportOptions& options) {
   display.clear();
   printWarnings(warnings);
   written.unusable.warn(std::cerr);
+  if (replaces) std::cerr << "note: " << options.out << " existed and was replaced.\n";
   const std::size_t count = images.size() - written.unusable.count();
   options.output.text() << options.out << ": " << counted(count, "image") << " of "
                         << counted(written.places.size(), "place") << std::endl;

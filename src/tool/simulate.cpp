@@ -1,10 +1,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
-#include <ostream>
 #include <set>
 #include <vector>
 
@@ -101,11 +101,13 @@ void simulateRuns(SimulateOptions options) {
   for (const std::string& condition : conditions) {
     options.simulation.condition = conditionFromName(condition);
     const std::string path = runPath(condition);
+    const bool replaces = fs::exists(path);
     const auto render = as_bag ? renderBag : renderFolder;
     const Counts counts = render(options.simulation, path, display.callback());
     std::uint64_t images = 0;
     for (const auto& [room, count] : counts) images += static_cast<std::uint64_t>(count);
     display.clear();
+    if (replaces) std::cerr << "note: " << path << " existed and was replaced.\n";
     options.output.text() << path << ": " << counted(images, "image") << " of "
                           << counted(counts.size(), "room") << std::endl;
     recordings.push_back(

@@ -45,6 +45,14 @@ class ImportTest(ToolCase):
         self.assertEqual(self.succeed("import", "rooms", "--out", "run.bag"),
                          "run.bag: 1 image of 1 place\n")
 
+    def test_a_bag_that_is_replaced_is_told(self):
+        self.write_run("rooms", views=1)
+        for command, bag in ((("import", "rooms", "--out", "run.bag"), "run.bag"),
+                             (("simulate", "--out", "runs", "--conditions", "night", "--size", "32x24"),
+                              "runs/night.bag")):
+            self.assertNotIn("replaced", self.run_tool(*command).stderr)
+            self.assertIn(f"note: {bag} existed and was replaced.", self.run_tool(*command).stderr)
+
     def test_a_ros_2_bag_is_named(self):
         (self.folder / "ros2").mkdir()
         (self.folder / "ros2/metadata.yaml").write_text("rosbag2_bagfile_information:\n")
