@@ -25,6 +25,9 @@ def answer_of(message):
     return message.place if message.known else "unknown"
 
 
+PATIENCE = 5  # time without a publisher after which to say so, s
+
+
 class Count:
     """The fraction of right answers among the labelled frames."""
 
@@ -55,7 +58,9 @@ class Monitor:
         rospy.Subscriber(label_topic, String, self.on_label, queue_size=10)
         rospy.Subscriber(recognizer + "/recognition", PlaceRecognition, self.on_answer,
                          queue_size=1000)
-        rospy.Subscriber(recognizer + "/belief", PlaceRecognition, self.on_belief, queue_size=1000)
+        self.beliefs = rospy.Subscriber(recognizer + "/belief", PlaceRecognition, self.on_belief,
+                                        queue_size=1000)
+        self.is_heard = False  # whether somebody has published the room over time, or this was said
         rospy.Subscriber(recognizer + "/place", String, self.on_place, queue_size=10)
 
     def on_label(self, message):
@@ -90,6 +95,14 @@ class Monitor:
             if silent and self.shown and self.shown[0] != "unknown":
                 self.shown = ("unknown", self.truth)
                 print("       - s   unknown", flush=True)
+
+    def look_for_publisher(self):
+        """Prints once that nobody publishes the room over time."""
+        self.is_heard = self.is_heard or self.beliefs.get_num_connections() > 0
+        if not self.is_heard and time.time() - self.start > PATIENCE:
+            self.is_heard = True
+            print(f"Nobody publishes {self.beliefs.resolved_name}; start place_recognizer, or name it "
+                  "with --recognizer.", flush=True)
 
     def print_line(self, message, answer):
         verdict = ""
@@ -139,6 +152,7 @@ def main():
     while not rospy.is_shutdown():
         time.sleep(0.1)
         monitor.look_for_silence()
+        monitor.look_for_publisher()
         if options.idle_exit and monitor.is_idle(options.idle_exit):
             break
     print(monitor.summary(), flush=True)

@@ -133,6 +133,12 @@ class RecognizerTest(RecognizerCase):
             return "unknown" in monitor.output
         self.wait_for(is_shown, lambda: monitor.output)
 
+    def test_the_monitor_says_that_nobody_answers(self):
+        monitor = self.start(sys.executable, SOURCE / "scripts/place_monitor.py", "--recognizer", "/eyes")
+        self.expect(monitor, "Nobody publishes /eyes/belief; start place_recognizer, or name it with "
+                    "--recognizer.")
+        self.assertEqual(monitor.interrupt(), 0)
+
     def subscribers(self, topic):
         _, subscribers, _ = rospy.get_master().getSystemState()[2]
         return [nodes for name, nodes in subscribers if name == topic]
@@ -181,11 +187,11 @@ class TrainerTest(FieldCase):
         self.assertFalse(answer.success)
         self.assertIn("yaml of the goal", answer.message)
         self.assertNotIn("/tmp", answer.message.replace(str(self.folder), ""))
+        answer = retrain(bags=[bag], model="home", add_to="home", from_model="home")
+        self.assertIn("--from-model and --add-to name the same model", answer.message)
+        self.assertNotIn("--help", answer.message)
         self.assertIn("empty name", retrain(bags=[bag], model="home", recognizers=[""]).message)
 
 
 if __name__ == "__main__":
     unittest.main()
-        answer = retrain(bags=[bag], model="home", add_to="home", from_model="home")
-        self.assertIn("--from-model and --add-to name the same model", answer.message)
-        self.assertNotIn("--help", answer.message)
