@@ -127,7 +127,7 @@ std::string noteOnOutside(const std::vector<Interval>& intervals, const std::str
   if (count == 0) return "";
   return path + ": " + counted(count, "interval") + (count == 1 ? " lies" : " lie") +
          " outside the bag, which extends from " + spanText(start, end) + " (" +
-         (count == 1 ? "" : "the first: ") + first + "); correct the times.";
+         (count == 1 ? "" : "the first: ") + first + "); left out.";
 }
 
 [[noreturn]] void throwNoneFits(const std::string& path, double start, double end,

@@ -63,7 +63,7 @@ TEST_F(LabelFiles, IntervalsOutsideTheBagAreTold) {
   EXPECT_EQ(read("run.labels.yaml", one + "{from: 1050, place: b}]").note(),
             (scratch_ / "run.labels.yaml") +
                 ": 1 interval lies outside the bag, which extends from 1000 to 1100 s ('a', 900 to "
-                "1000 s); correct the times.");
+                "1000 s); left out.");
   const std::string note =
       read("run.labels.yaml", one + "{from: 1050, to: 1090, place: b}, {from: 1101, place: c}]")
           .note();
