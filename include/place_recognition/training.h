@@ -53,8 +53,8 @@ struct IncrementalOptions {
 /// another model, the weights of the cues and what is "unknown" in known places stay. Otherwise,
 /// the held-out frames of the new runs and those on which the models were validated determine the
 /// weights of the cues and the calibration. Fewer images than SamplingOptions::most are learned if
-/// the models have many support vectors, but at least 1000. Throws like train(), but one new place is
-/// enough; also if the models were trained with different features.
+/// the models have many support vectors, but at least 1000. Throws like train(), but one new place
+/// is enough; also if the models were trained with different features.
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             const IncrementalOptions& incremental, unsigned threads = 0,
                             const Progress& progress = {});

@@ -18,8 +18,8 @@ namespace place_recognition {
 /// During recording the file name ends in `.active`. Thread-safe.
 class LabelledRecording {
  public:
-  /// Throws Error if the file already exists, complete or not, if a file beside it would replace its
-  /// labels, or if it cannot be written.
+  /// Throws Error if the file already exists, complete or not, if a file beside it would replace
+  /// its labels, or if it cannot be written.
   LabelledRecording(const ros::NodeHandle& node, Parameters& parameters);
 
   /// Calls finish(), but only logs errors.
