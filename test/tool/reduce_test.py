@@ -87,9 +87,9 @@ class ReduceTest(TrainedCase):
     def test_it_is_judged_by_the_images_as_recorded(self):
         self.succeed("train", "monday", "--model", "./home.places", *COLOUR, "--set",
                      "augmentation.other_light=true")
-        evaluated = self.figures("evaluate", "tuesday", "--model", "./home.places")
-        figures = self.reduce("--share", 0.5, "--validate", "tuesday")
-        self.assertAlmostEqual(figures["validation"]["average_rate_before"],
+        figures = self.reduce("--support-vectors", 2, "--validate", "tuesday")
+        evaluated = self.figures("evaluate", "tuesday", "--model", "./small.places")
+        self.assertAlmostEqual(figures["validation"]["average_rate_after"],
                                evaluated["average_rate"])
 
 

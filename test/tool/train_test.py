@@ -129,7 +129,7 @@ class TrainTest(ToolCase):
                       complaint)
         self.assertEqual((self.folder / "home.places").read_bytes(), before)
         # Runs for validation keep their own labels.
-        self.write_bag("judge.bag", [(room, room) for room in ROOMS for _ in range(4)])
+        self.write_bag("judge.bag", [(room, room) for room in sorted(ROOMS) for _ in range(4)])
         self.write_bag("more.bag", [("kitchen", None)] * 4)
         figures = self.figures("train", "more.bag", "--label", "kitchen", "--add-to", "./home.places",
                                "--model", "./more.places", "--validate", "judge.bag")
