@@ -22,8 +22,8 @@ struct Provenance {
   std::vector<std::uint64_t> place_images;  ///< training images of each place
   std::uint64_t skipped_images = 0;         ///< unlabelled, unreadable, or without any feature
   std::string package_version;
-  /// Of each input: identifies the run by its first image, wherever it lies and whatever its name;
-  /// 64 hex digits. Empty: unknown, as in files of earlier versions.
+  /// For each input, the SHA-256 of its first image, 64 hex digits: it does not depend on the path
+  /// or the name of the run. Empty: unknown, as in files of earlier versions.
   std::vector<std::string> fingerprints;
 };
 

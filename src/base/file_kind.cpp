@@ -74,10 +74,10 @@ bool matches(std::string_view start, const Signature& signature) {
 
 }  // namespace
 
-std::string startOfFile(const std::string& path, std::size_t size) {
+std::string startOfFile(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return "";
-  std::string start(size, '\0');
+  std::string start(512, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));

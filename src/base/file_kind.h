@@ -12,9 +12,9 @@ struct FileKind {
   std::string_view remedy;  ///< what to do, in the imperative
 };
 
-/// The first `size` bytes of a file; fewer if it is shorter, and none if it is not a regular file
-/// or cannot be read.
-std::string startOfFile(const std::string& path, std::size_t size = 512);
+/// The first 512 bytes of a file; fewer if it is shorter, and none if it is not a regular file or
+/// cannot be read.
+std::string startOfFile(const std::string& path);
 
 /// Identifies a file of the wrong kind by its first bytes (64 are enough); nullptr if the kind is
 /// not known.

@@ -156,7 +156,7 @@ YAML::Node write(const T& value) {
         },
         value);
   } else if constexpr (std::is_same_v<T, double>) {
-    node = formatDouble(value);
+    node = shortest(value);
   } else {
     node = value;
   }

@@ -117,7 +117,7 @@ std::string significant(double number, int digits) {
   return text;
 }
 
-std::string formatDouble(double number) {
+std::string shortest(double number) {
   std::string text;
   for (int digits = 15; digits <= 17; ++digits) {
     text = significant(number, digits);

@@ -22,6 +22,12 @@ std::string tidied(const std::string& text);
 /// "1 image", "2 images".
 std::string counted(std::uint64_t count, const std::string& noun);
 
+/// The size of an image: "640 x 480".
+template <typename Integer>
+std::string sizeText(Integer width, Integer height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
 /// A number with a fixed number of decimals.
 std::string fixed(double number, int decimals);
 
@@ -29,7 +35,7 @@ std::string fixed(double number, int decimals);
 std::string significant(double number, int digits = 6);
 
 /// The shortest text that reads back as the same double.
-std::string formatDouble(double number);
+std::string shortest(double number);
 
 /// 0.123 as "12.3 %".
 std::string percent(double fraction, int decimals = 1);

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/file_kind.h"
+#include "base/text.h"
 #include "datasets/image_header.h"
 #include "datasets/image_sequence.h"
 #include "datasets/jpeg_check.h"
@@ -37,8 +38,7 @@ std::string problemOf(const ImageHeader& header, const std::uint8_t* bytes, std:
   if (header.width == 0 || header.height == 0) return "its header is damaged";
   if (header.width > kMaxPixels || header.height > kMaxPixels ||
       header.width * header.height > kMaxPixels) {
-    return "it declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
-           " pixels, more than 64 million";
+    return "it declares " + sizeText(header.width, header.height) + " pixels, more than 64 million";
   }
   if (size > std::numeric_limits<int>::max()) return "it is larger than 2 GB";
   const bool is_jpeg = header.format == ImageFormat::kJpeg;
@@ -88,18 +88,6 @@ DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size) {
 
 bool startsAsImage(const std::string& path) {
   return isStreamed(headerOf(startOfFile(path)).format);
-}
-
-cv::Size declaredSize(const std::string& path) {
-  constexpr std::size_t kUsualHeader = 1 << 16;
-  try {
-    ImageHeader header = headerOf(startOfFile(path, kUsualHeader));
-    if (header.width == 0) header = headerOf(readFile(path, kMaxFileSize));
-    const bool sound = header.width <= kMaxPixels && header.height <= kMaxPixels;
-    if (sound) return {static_cast<int>(header.width), static_cast<int>(header.height)};
-  } catch (const Error&) {
-  }
-  return {};
 }
 
 DecodedImage readDeepImageFile(const std::string& path) {

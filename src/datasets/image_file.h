@@ -19,10 +19,6 @@ DecodedImage decodeImage(const std::uint8_t* bytes, std::size_t size);
 /// Whether a file begins like such an image, whatever its name. False if it cannot be read.
 bool startsAsImage(const std::string& path);
 
-/// The size in the header of an image file, before the image is turned as its camera was held;
-/// 0 x 0 if it cannot be determined.
-cv::Size declaredSize(const std::string& path);
-
 /// Reads an image file in one of these formats, or in BMP, TIFF, PNM (P4 to P6), JPEG 2000 or Sun
 /// raster.
 DecodedImage readDeepImageFile(const std::string& path);

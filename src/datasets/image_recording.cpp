@@ -1,13 +1,10 @@
 #include "datasets/image_recording.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <map>
 #include <utility>
 
-#include "base/text.h"
 #include "datasets/image_sequence.h"
+#include "datasets/size_count.h"
 
 namespace place_recognition {
 namespace {
@@ -27,7 +24,7 @@ class ImageRecording : public Recording {
 
   bool next(Frame& frame) override {
     if (position_ == images_.size()) {
-      warnOfSizes();
+      if (!sizes_.note().empty()) warnings_.push_back(name() + ": " + sizes_.note());
       if (!sequence_.note().empty()) warnings_.push_back(name() + ": " + sequence_.note());
       return false;
     }
@@ -35,10 +32,7 @@ class ImageRecording : public Recording {
     const LabelledImage& image = images_[position_++];
     frame = Frame{};
     frame.image = std::move(decoded.image);
-    if (!frame.image.empty()) {
-      ++sizes_.try_emplace({frame.image.cols, frame.image.rows}, SameSize{image.path, 0})
-            .first->second.count;
-    }
+    sizes_.add(frame.image.size(), image.path);
     frame.place = image.place;
     frame.stamp = image.stamp;
     frame.name = image.path;
@@ -64,37 +58,10 @@ class ImageRecording : public Recording {
   }
 
  private:
-  /// The images of one size that were read.
-  struct SameSize {
-    std::string first;  // its path
-    std::size_t count;
-  };
-  using Sizes = std::map<std::pair<int, int>, SameSize>;  // by width and height
-
-  void warnOfSizes() {
-    if (sizes_.size() < 2) return;
-    const auto usual = std::max_element(sizes_.begin(), sizes_.end(),
-                                        [](const Sizes::value_type& a, const Sizes::value_type& b) {
-                                          return a.second.count < b.second.count;
-                                        });
-    std::size_t count = 0;
-    for (const auto& [size, same] : sizes_) count += same.count;
-    const std::size_t others = count - usual->second.count;
-    const auto text = [](const std::pair<int, int>& size) {
-      return std::to_string(size.first) + " x " + std::to_string(size.second);
-    };
-    const auto other = usual == sizes_.begin() ? std::next(usual) : sizes_.begin();
-    const std::string example = other->second.first + ", " + text(other->first);
-    warnings_.push_back(name() + ": " + std::to_string(others) + " of " + counted(count, "image") +
-                        (others == 1 ? " has" : " have") + " another size than the usual " +
-                        text(usual->first) +
-                        (others == 1 ? ": " + example : " (such as " + example + ")") + ".");
-  }
-
   std::vector<LabelledImage> images_;
   ImageSequence sequence_;
   std::size_t position_ = 0;
-  Sizes sizes_;
+  SizeCount sizes_;
 };
 
 }  // namespace

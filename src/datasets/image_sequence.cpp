@@ -1,8 +1,8 @@
 #include "datasets/image_sequence.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
+
+#include "datasets/size_count.h"
 
 namespace place_recognition {
 
@@ -11,11 +11,9 @@ DecodedImage ImageSequence::read(std::size_t i) {
   if (decoded.image.depth() != CV_16U) return decoded;
   is_deep_ = true;
   if (!scale_.hasSeen()) {
-    constexpr std::size_t kSamples = 16;
-    for (std::size_t k = 0; k < std::min(kSamples, paths_.size()); ++k) {
-      const cv::Mat sample =
-          readDeepImageFile(paths_[k * paths_.size() / std::min(kSamples, paths_.size())]).image;
-      if (!sample.empty() && sample.depth() == CV_16U) scale_.see(depthExtentOf(sample));
+    for (const std::size_t k : sample()) {
+      const cv::Mat image = readDeepImageFile(paths_[k]).image;
+      if (!image.empty() && image.depth() == CV_16U) scale_.see(depthExtentOf(image));
     }
   }
   decoded.image = scale_.toEightBits(decoded.image);
@@ -23,24 +21,20 @@ DecodedImage ImageSequence::read(std::size_t i) {
 }
 
 cv::Size ImageSequence::usualSize() {
-  std::vector<cv::Size> sizes;
-  std::map<std::pair<int, int>, int> counts;
-  for (const std::string& path : paths_) {
-    sizes.push_back(declaredSize(path));
-    ++counts[{sizes.back().width, sizes.back().height}];
+  SizeCount sizes;
+  for (const std::size_t i : sample()) sizes.add(read(i).image.size(), paths_[i]);
+  for (std::size_t i = 0; i < paths_.size() && sizes.usual().empty(); ++i) {
+    sizes.add(read(i).image.size(), paths_[i]);
   }
-  const auto countOf = [&](std::size_t i) { return counts.at({sizes[i].width, sizes[i].height}); };
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (!sizes[i].empty()) order.push_back(i);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return countOf(a) > countOf(b); });
-  for (const std::size_t i : order) {
-    const cv::Mat image = read(i).image;
-    if (!image.empty()) return image.size();
-  }
-  return {};
+  return sizes.usual();
+}
+
+std::vector<std::size_t> ImageSequence::sample() const {
+  constexpr std::size_t kMost = 16;
+  const std::size_t count = std::min(kMost, paths_.size());
+  std::vector<std::size_t> indices;
+  for (std::size_t k = 0; k < count; ++k) indices.push_back(k * paths_.size() / count);
+  return indices;
 }
 
 std::string ImageSequence::note() const {

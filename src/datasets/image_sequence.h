@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,16 @@ class ImageSequence {
   /// Reads image `i` of size(): CV_8UC3 BGR or CV_8UC1, or the reason why there is none.
   DecodedImage read(std::size_t i);
 
-  /// The size, after decoding, of the first image that declares the commonest size; 0 x 0 if none
-  /// can be decoded.
+  /// The commonest size of a few images of the whole sequence; 0 x 0 if no image can be decoded.
   cv::Size usualSize();
 
   /// How images with 16 bits were converted to 8, a sentence; empty if there was none yet.
   std::string note() const;
 
  private:
+  /// The indices of a few images, spread evenly over the sequence.
+  std::vector<std::size_t> sample() const;
+
   std::vector<std::string> paths_;
   DepthScale scale_;
   bool is_deep_ = false;  // an image with 16 bits was read

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "features/crfh_descriptor.h"
 #include "features/logarithmic_levels.h"
 
@@ -40,9 +41,9 @@ void CrfhExtractor::extract(const cv::Mat& image, Feature& feature) {
   const int columns = image.cols - 2 * border_;
   const int rows = image.rows - 2 * border_;
   if (columns <= 0 || rows <= 0) {
-    missing_reason_ = "the image of " + std::to_string(image.cols) + " x " +
-                      std::to_string(image.rows) + " pixels has no pixel farther than " +
-                      std::to_string(border_) + " from its edges";
+    missing_reason_ = "the image of " + sizeText(image.cols, image.rows) +
+                      " pixels has no pixel farther than " + std::to_string(border_) +
+                      " from its edges";
     feature = std::monostate();
     return;
   }

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/require.h"
+#include "base/text.h"
 #include "features/grey_levels.h"
 
 namespace place_recognition {
@@ -87,8 +88,8 @@ void HogExtractor::extract(const cv::Mat& image, Feature& feature) {
   const double total = std::accumulate(sums_.begin(), sums_.end(), 0.0);
   if (total == 0) {
     missing_reason_ = fits ? "the image has no gradient"
-                           : "the image of " + std::to_string(image.cols) + " x " +
-                                 std::to_string(image.rows) + " pixels is too small for its cells";
+                           : "the image of " + sizeText(image.cols, image.rows) +
+                                 " pixels is too small for its cells";
     feature = std::monostate();
     return;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/simd.h"
+#include "base/text.h"
 #include "features/grey_levels.h"
 #include "place_recognition/error.h"
 
@@ -101,9 +102,9 @@ void LbpExtractor::extract(const cv::Mat& image, Feature& feature) {
   int border = 0;
   for (const LbpOperator& op : operators_) border = std::max(border, op.border());
   if (std::min(image.cols, image.rows) <= 2 * border) {
-    missing_reason_ = "the image of " + std::to_string(image.cols) + " x " +
-                      std::to_string(image.rows) + " pixels has no pixel farther than " +
-                      std::to_string(border) + " from its edges";
+    missing_reason_ = "the image of " + sizeText(image.cols, image.rows) +
+                      " pixels has no pixel farther than " + std::to_string(border) +
+                      " from its edges";
     feature = std::monostate();
     return;
   }

@@ -39,7 +39,7 @@ struct PlacesFile {
 };
 
 std::string cornerText(const Eigen::Vector2d& corner) {
-  return "[" + formatDouble(corner.x()) + ", " + formatDouble(corner.y()) + "]";
+  return "[" + shortest(corner.x()) + ", " + shortest(corner.y()) + "]";
 }
 
 /// Normalizes an outline drawn by a person: the last corner may repeat the first, and a corner may

@@ -25,7 +25,7 @@ Json validationJson(const Model& model) {
 void printImages(const Model& model, std::ostream& out) {
   const ImageProfile& images = model.images;
   if (images.known()) {
-    out << "images           " << images.width << " x " << images.height << ", "
+    out << "images           " << sizeText(images.width, images.height) << ", "
         << (images.colour ? "colour" : "grey") << ", mean brightness "
         << std::lround(images.darkest) << " to " << std::lround(images.brightest);
     if (images.depth.known()) {

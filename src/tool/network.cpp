@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/data_folder.h"
 #include "base/sha256.h"
+#include "base/text.h"
 #include "place_recognition/error.h"
 #include "tool/download.h"
 #include "tool/network_trial.h"
@@ -43,10 +44,8 @@ Json describe(const std::string& name) {
 }
 
 /// 0: not fixed.
-std::string sizeText(int width, int height) {
-  return width > 0 && height > 0
-             ? "images of " + std::to_string(width) + " x " + std::to_string(height)
-             : "images of any size";
+std::string inputText(int width, int height) {
+  return width > 0 && height > 0 ? "images of " + sizeText(width, height) : "images of any size";
 }
 
 void print(const Json& network, std::ostream& out) {
@@ -56,7 +55,7 @@ void print(const Json& network, std::ostream& out) {
     return;
   }
   out << network["bytes"] << " bytes, " << network["layers"] << " layers, "
-      << sizeText(network["width"], network["height"]) << " in, " << network["dimension"]
+      << inputText(network["width"], network["height"]) << " in, " << network["dimension"]
       << " values out\n"
       << "  SHA-256 " << network["sha256"].get<std::string>() << std::endl;
 }

@@ -97,6 +97,23 @@ TEST(DepthScale, LeavesEightBitsAloneAndTakesColour) {
   EXPECT_EQ(scale.toEightBits(cv::Mat(1, 1, CV_16UC1, cv::Scalar(7))).type(), CV_8UC1);
 }
 
+TEST(ImageSequence, HasTheSizeOfMostImages) {
+  const ScratchFolder scratch;
+  std::vector<std::string> paths;
+  for (int i = 0; i < 40; ++i) {
+    paths.push_back(scratch / (std::to_string(i) + ".png"));
+    const cv::Size size = i < 3 ? cv::Size(8, 6) : cv::Size(16, 12);
+    if (i > 0) cv::imwrite(paths.back(), cv::Mat(size, CV_8UC3, cv::Scalar::all(9)));
+  }
+  EXPECT_EQ(ImageSequence(paths).usualSize(), cv::Size(16, 12));
+  EXPECT_EQ(ImageSequence({paths[0], paths[1], paths[4], paths[2]}).usualSize(), cv::Size(8, 6));
+  // All that is sampled is missing.
+  std::vector<std::string> missing(32, paths[0]);
+  missing[31] = paths[1];
+  EXPECT_EQ(ImageSequence(missing).usualSize(), cv::Size(8, 6));
+  EXPECT_EQ(ImageSequence({paths[0]}).usualSize(), cv::Size());
+}
+
 TEST(ImageSequence, ShowsAllImagesAlike) {
   const ScratchFolder scratch;
   std::vector<std::string> paths;

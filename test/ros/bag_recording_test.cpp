@@ -147,6 +147,36 @@ TEST_F(Bags, AMessageLongBeforeOrAfterDoesNotCount) {
   }
 }
 
+/// Some drivers give all images the same stamp, others repeat one for a moment.
+TEST_F(Bags, StampsThatStandStillGiveWayToTheTimesOfTheBag) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    std_msgs::Header header;
+    header.stamp = ros::Time(7);
+    for (int i = 0; i < 12; ++i) {  // four per second
+      bag.write("/still", ros::Time(1.5e9 + 0.25 * i), toImageMessage(image(i), header));
+      header.stamp = ros::Time(100 + i / 2);
+      bag.write("/repeated", ros::Time(1.5e9 + 0.25 * i + 0.1), toImageMessage(image(i), header));
+      header.stamp = ros::Time(7);
+    }
+  }
+  BagRecordingOptions options;
+  options.image_topics = {"/still", "/repeated"};
+  const std::unique_ptr<Recording> recording = openBagRecording(path_, options);
+  std::map<int, std::vector<double>> stamps;  // by camera
+  for (Frame frame; recording->next(frame);) stamps[frame.camera].push_back(frame.stamp);
+  ASSERT_EQ(stamps[0].size(), 12u);
+  ASSERT_EQ(stamps[1].size(), 12u);
+  for (int i = 0; i < 12; ++i) {
+    EXPECT_DOUBLE_EQ(stamps[0][i], i < 4 ? 7 : 1.5e9 + 0.25 * i);
+    EXPECT_DOUBLE_EQ(stamps[1][i], 100 + i / 2);
+  }
+  EXPECT_EQ(recording->warnings(),
+            std::vector<std::string>{path_ +
+                                     ": the stamps of the images on /still stand still at 7.000 s; "
+                                     "images count at the times of their recording."});
+}
+
 TEST_F(Bags, ACameraThatStartsLateOrPausesDoesNotCutTheRecording) {
   {
     rosbag::Bag bag(path_, rosbag::bagmode::Write);

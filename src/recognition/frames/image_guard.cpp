@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "base/text.h"
 #include "recognition/frames/image_profile.h"
 
 namespace place_recognition {
@@ -22,7 +23,7 @@ constexpr double kSameRatio = 0.02;
 constexpr double kHarmlessEnlargement = 1.1;
 
 std::string text(cv::Size size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
+  return sizeText(size.width, size.height);
 }
 
 double ratio(cv::Size size) { return static_cast<double>(size.width) / size.height; }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <set>
 
 #include "base/child_process.h"
 #include "base/place_name.h"
+#include "base/standing_stamp.h"
 #include "base/text.h"
 #include "datasets/depth_scale.h"
 #include "labels/labels.h"
@@ -175,8 +177,8 @@ class BagRecording : public Recording {
     time_ = record.time;
     frame.place = bag_.labels.at(record.time);
     seen_.insert(frame.place);
-    frame.stamp = record.stamp;
     frame.camera = static_cast<int>(record.number);
+    frame.stamp = stampOf(record);
     frame.name = record.text;
     frame.problem = record.detail;
     frame.image = record.kind == BagRecordKind::kImage ? bag_.records.pixels(record) : cv::Mat();
@@ -214,6 +216,19 @@ class BagRecording : public Recording {
   }
 
  private:
+  /// When the image was taken: its stamp, or the time of the bag if the stamps stand still.
+  double stampOf(const BagRecord& record) {
+    if (!standing_stamps_[record.number].standsStill(record.stamp, record.time)) {
+      return record.stamp;
+    }
+    if (standing_.insert(record.number).second) {
+      warnings_.push_back(name() + ": the stamps of the images on " + bag_.cameras[record.number] +
+                          " stand still at " + fixed(record.stamp, 3) +
+                          " s; images count at the times of their recording.");
+    }
+    return record.time;
+  }
+
   void warnOfUnseenPlaces() {
     bag_.labels.forEach(
         bag_.info.start, std::numeric_limits<double>::infinity(),
@@ -227,9 +242,11 @@ class BagRecording : public Recording {
   std::string label_topic_;
   OpenBag bag_;
   DepthScale scale_;
-  bool is_deep_ = false;        // an image with 16 bits was read
-  double time_ = 0;             // bag time of the last frame, s
-  std::set<std::string> seen_;  // places of the frames
+  bool is_deep_ = false;                                    // an image with 16 bits was read
+  double time_ = 0;                                         // bag time of the last frame, s
+  std::set<std::string> seen_;                              // places of the frames
+  std::map<std::uint64_t, StandingStamp> standing_stamps_;  // by camera
+  std::set<std::uint64_t> standing_;                        // cameras that were reported
 };
 
 }  // namespace

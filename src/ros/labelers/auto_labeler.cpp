@@ -71,7 +71,9 @@ void AutoLabeler::finish() {
 void AutoLabeler::onImage(const ImageMessage& image) {
   const ros::Time time = recording_.add(image);
   if (time.isZero()) return;
-  waiting_.push_back({image.header().stamp, ros::Time::now(), time});
+  const ros::Time stamp = image.header().stamp;
+  const bool is_stamped = !standing_stamp_.standsStill(stamp.toSec(), time.toSec());
+  waiting_.push_back({is_stamped ? stamp : ros::Time(), ros::Time::now(), time});
   labelWaiting();
 }
 
@@ -103,7 +105,8 @@ void AutoLabeler::label(const Waiting& image, const std::optional<Eigen::Vector2
 
 std::optional<Eigen::Vector2d> AutoLabeler::positionAt(const ros::Time& stamp) {
   if (stamp.isZero()) {  // tf would interpret it as "the latest"
-    problem_ = "The images have no stamps, so they cannot be labelled by the pose.";
+    problem_ =
+        "The images have no stamps, or all the same, so they cannot be labelled by the pose.";
     return std::nullopt;
   }
   try {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "base/standing_stamp.h"
 #include "labels/room_polygons.h"
 #include "ros/labelers/labelled_recording.h"
 #include "ros/nodes/image_input.h"
@@ -60,6 +61,7 @@ class AutoLabeler {
   const double max_deviation_;    // m
   const ros::Duration patience_;  // maximum delay of a pose
   double deviation_ = 0;          // m, of the pose; 0 until it is known
+  StandingStamp standing_stamp_;
   std::deque<Waiting> waiting_;
   std::string problem_;  // why the last pose looked up is not known
   std::uint64_t labelled_ = 0;

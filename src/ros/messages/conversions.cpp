@@ -46,10 +46,6 @@ PixelLayout layoutOf(const std::string& encoding) {
           static_cast<std::uint64_t>(encodings::bitDepth(encoding)) / 8};
 }
 
-std::string sizeText(std::uint64_t width, std::uint64_t height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
-
 /// Bytes of a row without its padding.
 std::uint64_t rowBytes(const sensor_msgs::Image& message, const PixelLayout& layout) {
   return message.width * layout.channels * layout.bytes;

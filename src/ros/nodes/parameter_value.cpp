@@ -23,7 +23,7 @@ std::string describe(const XmlRpcValue& value) {
     case XmlRpcValue::TypeInt:
       return std::to_string(static_cast<const int&>(value));
     case XmlRpcValue::TypeDouble:
-      return formatDouble(static_cast<const double&>(value));
+      return shortest(static_cast<const double&>(value));
     case XmlRpcValue::TypeString:
       return inQuotes(static_cast<const std::string&>(value));
     case XmlRpcValue::TypeArray:

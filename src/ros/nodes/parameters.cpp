@@ -37,7 +37,7 @@ std::string whereElement(const std::string& name, std::size_t i) {
 template <typename Number>
 void requireWithin(Number value, Number least, Number most, const std::string& name) {
   if (value >= least && value <= most) return;
-  const auto format = [](Number number) { return formatDouble(static_cast<double>(number)); };
+  const auto format = [](Number number) { return shortest(static_cast<double>(number)); };
   const bool bounded = most < std::numeric_limits<Number>::max();
   throw Error(
       where(name) + " is " + format(value) + "; give a number " +

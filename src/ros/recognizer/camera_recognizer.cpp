@@ -68,17 +68,16 @@ bool CameraRecognizer::follow(const PlaceRecognizerConfig& config) {
 }
 
 double CameraRecognizer::timeOf(const ros::Time& stamp, ImageStatus::Clock::time_point arrival) {
-  if (stamp != message_stamp_) {
-    message_stamp_ = stamp;
-    first_arrival_ = arrival;
-  }
   if (stamp.isZero()) return ros::Time::now().toSec();
-  if (secondsOf(arrival) - secondsOf(first_arrival_) < kTimeJump) return stamp.toSec();
-  ROS_WARN_THROTTLE(
-      60,
-      "The stamps of the images on %s stand still at %.3f s; images count at the time "
-      "of their arrival. Check the camera's driver.",
-      topic().c_str(), stamp.toSec());
+  const bool stood_still = stands_still_;
+  stands_still_ = standing_stamp_.standsStill(stamp.toSec(), secondsOf(arrival));
+  if (!stands_still_) return stamp.toSec();
+  if (!stood_still) {
+    ROS_WARN(
+        "The stamps of the images on %s stand still at %.3f s; images count at the time of their "
+        "arrival. Check the camera's driver.",
+        topic().c_str(), stamp.toSec());
+  }
   return ros::Time::now().toSec();
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/rate_limit.h"
+#include "base/standing_stamp.h"
 #include "datasets/depth_scale.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/frames/image_guard.h"
@@ -88,11 +89,11 @@ class CameraRecognizer {
   double unknown_threshold_ = 0;
   double deadline_ = 0;  // s; 0 if none
   RateLimit rate_limit_;
-  DepthScale depth_scale_;                        // of the model, or of the images so far
-  std::string depth_text_;                        // as last logged
-  double last_stamp_ = 0;                         // s
-  ros::Time message_stamp_;                       // of the last message
-  ImageStatus::Clock::time_point first_arrival_;  // of a message with that stamp
+  DepthScale depth_scale_;  // of the model, or of the images so far
+  std::string depth_text_;  // as last logged
+  double last_stamp_ = 0;   // s
+  StandingStamp standing_stamp_;
+  bool stands_still_ = false;
   image_transport::Publisher debug_image_publisher_;
 };
 
