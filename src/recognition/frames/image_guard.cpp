@@ -22,9 +22,7 @@ constexpr double kSameRatio = 0.02;
 /// Images enlarged by more than this lack detail that the model uses.
 constexpr double kHarmlessEnlargement = 1.1;
 
-std::string text(cv::Size size) {
-  return sizeText(size.width, size.height);
-}
+std::string text(cv::Size size) { return sizeText(size.width, size.height); }
 
 double ratio(cv::Size size) { return static_cast<double>(size.width) / size.height; }
 
