@@ -32,8 +32,8 @@ class Recording {
   /// The cameras of the recording, by the topics of their images; at least one.
   virtual std::vector<std::string> cameras() const { return {""}; }
 
-  /// The size of most images if that can be found without decoding them all, else of the first one;
-  /// 0 x 0 if no image can be decoded. May advance the recording.
+  /// The size of most images, as far as a few of them show it; 0 x 0 if no image can be decoded.
+  /// May advance the recording.
   virtual cv::Size usualSize() {
     for (Frame frame; next(frame);) {
       if (!frame.image.empty()) return frame.image.size();

@@ -62,9 +62,12 @@ class Evaluator {
     const std::string stage = "Recognizing " + recording.name();
     report(progress, stage, 0);
     LeftOutFrames left_out;
+    bool is_first = true;
     for (Frame frame; recording.next(frame);) {
       ++images_;
       recognizer_.take(frame);
+      if (is_first && recognizer_.continues()) evaluation_.recordings.pop_back();
+      is_first = false;
       if (!left_out.leavesOut(frame)) {
         for (const std::string& warning : recognizer_.judge(frame)) {
           evaluation_.warnings.push_back(recording.name() + ": " + warning);
@@ -73,9 +76,6 @@ class Evaluator {
       }
       report(progress, stage, recording.fraction());
     }
-    recognizer_.smoother().finish();
-    takeSmoothed();
-    evaluation_.continues.push_back(recognizer_.continues());
     evaluation_.warnings.insert(evaluation_.warnings.end(), recording.warnings().begin(),
                                 recording.warnings().end());
     for (const std::string& sentence : left_out.sentences(recording.name())) {
@@ -85,6 +85,8 @@ class Evaluator {
   }
 
   Evaluation finish() {
+    recognizer_.smoother().finish();
+    takeSmoothed();
     requireLearnedPlaces();
     for (std::size_t k = evaluation_.model_places; k < evaluation_.places.size(); ++k) {
       evaluation_.warnings.push_back("The runs show '" + evaluation_.places[k] +

@@ -41,9 +41,10 @@ struct Evaluation {
   std::string model;                ///< its name
   std::vector<std::string> places;  ///< those of the model, in its order, then others that occur
   std::size_t model_places = 0;     ///< number of the model's places among them
-  std::vector<std::string> recordings;  ///< names; a run is one condition
-  std::vector<bool> continues;          ///< of each: as the next part of the one before it
-  std::vector<std::string> cameras;     ///< of all recordings, by the topics of their images
+  /// The names of the runs, each of one condition. The parts of a split recording are one run, with
+  /// the name of the first.
+  std::vector<std::string> recordings;
+  std::vector<std::string> cameras;  ///< of all recordings, by the topics of their images
   std::vector<FrameResult> frames;
   std::vector<WrongImage> wrong;  ///< the most confidently wrong ones, worst first
   std::size_t support_vectors = 0;

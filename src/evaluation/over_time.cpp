@@ -95,11 +95,7 @@ double OverTime::followedWithin(double seconds) const {
 std::optional<OverTime> overTime(const Evaluation& evaluation) {
   OverTime result;
   for (std::size_t r = 0; r < evaluation.recordings.size(); ++r) {
-    std::vector<const FrameResult*> recording = evaluation.framesOf(static_cast<int>(r));
-    for (; r + 1 < evaluation.continues.size() && evaluation.continues[r + 1]; ++r) {
-      const std::vector<const FrameResult*> part = evaluation.framesOf(static_cast<int>(r + 1));
-      recording.insert(recording.end(), part.begin(), part.end());
-    }
+    const std::vector<const FrameResult*> recording = evaluation.framesOf(static_cast<int>(r));
     if (isDrive(recording, evaluation.places.size())) addDrive(recording, evaluation, result);
   }
   if (result.all.frames == 0) return std::nullopt;

@@ -73,11 +73,13 @@ class Recognitions {
 
   /// A single image.
   void addImage(const Frame& frame) {
+    endStream();
     if (isUsable(frame)) add(frame, recognizer_.recognizeImage(frame.image));
   }
 
   /// Begins the frames of `recording`. `in_time`: their stamps are in order of time.
   void startRecording(Recording& recording, bool in_time) {
+    if (!in_time) endStream();
     recognizer_.begin(recording);
     smooths_ = in_time;
   }
@@ -87,14 +89,9 @@ class Recognitions {
     if (isUsable(frame)) add(frame, recognizer_.recognize(frame));
   }
 
-  void endRecording() {
-    recognizer_.smoother().finish();
-    writeSmoothed();
-    smooths_ = false;
-  }
-
   /// Throws Error if there was no usable image.
   void finish() {
+    endStream();
     unusable_.requireOthers(frames_);
     unusable_.warn(std::cerr);
     writeJson();
@@ -107,6 +104,13 @@ class Recognitions {
   }
 
  private:
+  /// No frame will follow those of the recordings so far.
+  void endStream() {
+    recognizer_.smoother().finish();
+    writeSmoothed();
+    smooths_ = false;
+  }
+
   /// An object, and whether its smoothed answer is still to come.
   struct Waiting {
     Json object;
@@ -192,7 +196,7 @@ class Recognitions {
   UnusableImages unusable_;
   std::size_t frames_ = 0;
   bool smooths_ = false;
-  std::deque<Waiting> waiting_;  // of the current run
+  std::deque<Waiting> waiting_;
   std::string json_lines_;
   std::size_t name_width_ = 0;
   std::size_t place_width_ = std::string(kUnknownPlace).size();
@@ -234,7 +238,6 @@ void recognizeRun(const std::string& run, const InputOptions& input, Recognition
     recognitions.addFrame(frame);
   }
   printWarnings(recording->warnings());
-  recognitions.endRecording();
 }
 
 void recognize(const RecognizeOptions& options) {

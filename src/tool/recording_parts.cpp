@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <regex>
 
 #include "place_recognition/error.h"
@@ -31,21 +30,56 @@ bool isLaterPart(const std::string& recording) {
   return name.size() < 256 && std::regex_match(name, part);
 }
 
-/// The bag that ends where bag `i` starts, preferably the one given before it; -1 if there is none.
-int partBefore(const std::vector<BagInfo>& bags, int i) {
-  const BagInfo& bag = bags[static_cast<std::size_t>(i)];
-  int nearest = -1;
-  double smallest_gap = std::numeric_limits<double>::infinity();
-  for (int j = 0; j < static_cast<int>(bags.size()); ++j) {
-    const BagInfo& other = bags[static_cast<std::size_t>(j)];
-    const double gap = std::abs(bag.start - other.start - other.duration);
-    if (other.topics.empty() || other.start >= bag.start || gap > kMaxGapOfParts) continue;
-    if (j == i - 1) return j;
-    if (gap >= smallest_gap) continue;
-    nearest = j;
-    smallest_gap = gap;
+bool shareCamera(const BagInfo& a, const BagInfo& b) {
+  return std::any_of(a.topics.begin(), a.topics.end(), [&b](const BagTopic& topic) {
+    return hasImages(topic) && topic.messages > 0 &&
+           std::any_of(b.topics.begin(), b.topics.end(), [&topic](const BagTopic& other) {
+             return other.name == topic.name && other.messages > 0;
+           });
+  });
+}
+
+/// The mean time between two images of the quickest camera, s.
+double intervalOf(const BagInfo& bag) {
+  std::uint64_t most = 0;
+  for (const BagTopic& topic : bag.topics) {
+    if (hasImages(topic)) most = std::max(most, topic.messages);
   }
-  return nearest;
+  return most > 1 ? bag.duration / static_cast<double>(most - 1) : 0;
+}
+
+/// Whether `bag` may be the part of a recording that follows `before`.
+bool mayContinue(const BagInfo& before, const BagInfo& bag) {
+  const double gap = std::abs(bag.start - before.start - before.duration);
+  return before.start < bag.start && gap <= largestGapOfParts(intervalOf(before)) &&
+         shareCamera(before, bag);
+}
+
+/// What the names of all parts of a recording share: everything but the digits.
+std::string seriesOf(const std::string& recording) {
+  static const std::regex digits(R"(\d+)");
+  return std::regex_replace(recording, digits, "#");
+}
+
+/// The bag that bag `i` continues; -1 if there is none. Of several, such as those of two robots, it
+/// is the one whose name differs only in its digits; none if that does not decide.
+int partBefore(const std::vector<std::string>& names, const std::vector<BagInfo>& bags, int i) {
+  std::vector<int> candidates, of_series;
+  const auto own = static_cast<std::size_t>(i);
+  for (std::size_t j = 0; j < bags.size(); ++j) {
+    if (!mayContinue(bags[j], bags[own])) continue;
+    candidates.push_back(static_cast<int>(j));
+    if (seriesOf(names[j]) == seriesOf(names[own])) of_series.push_back(static_cast<int>(j));
+  }
+  if (!of_series.empty()) candidates = of_series;
+  if (candidates.size() == 1) return candidates.front();
+  if (candidates.size() > 1) {
+    std::cerr << "warning: " << names[own] << " may continue "
+              << names[static_cast<std::size_t>(candidates[0])] << " or "
+              << names[static_cast<std::size_t>(candidates[1])]
+              << ", so it is treated as a recording of its own.\n";
+  }
+  return -1;
 }
 
 /// All numbers of `before`, each directly followed by those that it is before.
@@ -62,14 +96,17 @@ std::vector<int> inOrder(const std::vector<int>& before) {
   return order;
 }
 
-void warnOfStart(const std::string& recording, const BagInfo& bag, bool among_others) {
+bool startsWithoutLabel(const BagInfo& bag) {
   constexpr double kAtOnce = 0.5;  // s
-  const bool none = bag.labels.empty();
-  if (!none && bag.labels.front().from <= kAtOnce) return;
-  if (!isLaterPart(recording) && !(none && among_others)) return;
-  std::cerr << "warning: " << recording << (none ? " has no labels." : " starts without a label.")
-            << " A label from another part of its recording is carried over if that part is "
-               "given, too; rosbag record --repeat-latched repeats labels in every part.\n";
+  return bag.labels.empty() || bag.labels.front().from > kAtOnce;
+}
+
+void warnOfStart(const std::string& recording, const BagInfo& bag) {
+  std::cerr << "warning: " << recording
+            << (bag.labels.empty() ? " has no labels." : " starts without a label.")
+            << " If it is a part of a split recording, give the part before it, too, or label it: "
+               "place_tool label "
+            << recording << " (rosbag record --repeat-latched repeats labels in every part).\n";
 }
 
 }  // namespace
@@ -80,23 +117,33 @@ std::vector<RecordingPart> partsInOrder(const std::vector<std::string>& recordin
   std::vector<BagInfo> bags;
   std::vector<int> before;
   for (const std::string& recording : recordings) bags.push_back(infoOf(recording, options));
-  for (int i = 0; i < static_cast<int>(bags.size()); ++i) before.push_back(partBefore(bags, i));
+  for (int i = 0; i < static_cast<int>(bags.size()); ++i) {
+    before.push_back(partBefore(recordings, bags, i));
+  }
   std::vector<RecordingPart> parts;
   for (const int number : inOrder(before)) {
     const auto i = static_cast<std::size_t>(number);
     RecordingPart& part = parts.emplace_back(RecordingPart{recordings[i], ""});
     const bool has_labels = !options.label.empty() || !bags[i].labels_file.empty();
     if (has_labels || bags[i].topics.empty()) continue;
+    if (before[i] < 0) {
+      const bool expects_more = bags[i].labels.empty() && recordings.size() > 1;
+      if (startsWithoutLabel(bags[i]) && (isLaterPart(part.path) || expects_more)) {
+        warnOfStart(part.path, bags[i]);
+      }
+      continue;
+    }
     const auto previous = static_cast<std::size_t>(before[i]);
-    if (before[i] < 0 || bags[previous].last_label.empty()) {
-      warnOfStart(part.path, bags[i], recordings.size() > 1);
+    const std::string note =
+        "note: " + part.path + " continues where " + recordings[previous] + " ends, ";
+    if (bags[previous].last_label.empty()) {
+      if (startsWithoutLabel(bags[i])) std::cerr << note << "in no place.\n";
       continue;
     }
     BagRecordingOptions own = options;
     own.initial_label = part.initial_label = bags[previous].last_label;
     bags[i] = infoOf(part.path, own);
-    std::cerr << "note: " << part.path << " continues where " << recordings[previous]
-              << " ends, and starts in '" << part.initial_label << "'.\n";
+    std::cerr << note << "and starts in '" << part.initial_label << "'.\n";
   }
   return parts;
 }

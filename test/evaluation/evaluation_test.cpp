@@ -116,11 +116,14 @@ TEST(Evaluate, PartsOfARecordingAreAnsweredAsTheWhole) {
   std::vector<Frame> two(whole.begin() + 70, whole.end());
   const Evaluation expected = evaluate(model(), {opener(whole, "run.bag")});
   const Evaluation parts = evaluate(model(), {opener(one, "run_0.bag"), opener(two, "run_1.bag")});
-  EXPECT_EQ(parts.continues, (std::vector<bool>{false, true}));
+  EXPECT_EQ(parts.recordings, std::vector<std::string>{"run_0.bag"});
+  EXPECT_EQ(summarize(parts).recordings.size(), 1u);
   ASSERT_EQ(parts.frames.size(), whole.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
     EXPECT_EQ(parts.frames[i].evidence, expected.frames[i].evidence) << i;
     EXPECT_EQ(parts.frames[i].place_over_time, expected.frames[i].place_over_time) << i;
+    EXPECT_EQ(parts.frames[i].place_smoothed, expected.frames[i].place_smoothed) << i;
+    EXPECT_EQ(parts.frames[i].recording, 0) << i;
   }
   ASSERT_TRUE(overTime(parts));
   EXPECT_EQ(overTime(parts)->all.frames, overTime(expected)->all.frames);
@@ -128,7 +131,7 @@ TEST(Evaluate, PartsOfARecordingAreAnsweredAsTheWhole) {
 
   for (Frame& frame : two) frame.stamp += 10;  // another drive
   const Evaluation drives = evaluate(model(), {opener(one, "1.bag"), opener(two, "2.bag")});
-  EXPECT_EQ(drives.continues, (std::vector<bool>{false, false}));
+  EXPECT_EQ(drives.recordings.size(), 2u);
   bool differs = false;
   for (std::size_t i = 70; i < whole.size(); ++i) {
     differs = differs || drives.frames[i].evidence != expected.frames[i].evidence;
@@ -136,10 +139,11 @@ TEST(Evaluate, PartsOfARecordingAreAnsweredAsTheWhole) {
   EXPECT_TRUE(differs);
 }
 
-std::vector<bool> continues(const std::vector<Frame>& one, const std::vector<Frame>& two,
-                            const std::vector<std::string>& cameras) {
+/// How many runs two recordings are.
+std::size_t runsOf(const std::vector<Frame>& one, const std::vector<Frame>& two,
+                   const std::vector<std::string>& cameras) {
   return evaluate(model(), {opener(one, "run_0.bag", cameras), opener(two, "run_1.bag", cameras)})
-      .continues;
+      .recordings.size();
 }
 
 TEST(Evaluate, APartMayStartBetweenTheImagesOfOneMoment) {
@@ -151,11 +155,11 @@ TEST(Evaluate, APartMayStartBetweenTheImagesOfOneMoment) {
   const std::vector<std::string> cameras{"/front", "/rear"};
   const auto parts = [&](std::size_t border) {
     const auto middle = frames.begin() + static_cast<std::ptrdiff_t>(border);
-    return continues({frames.begin(), middle}, {middle, frames.end()}, cameras);
+    return runsOf({frames.begin(), middle}, {middle, frames.end()}, cameras);
   };
-  EXPECT_EQ(parts(30), (std::vector<bool>{false, true}));
-  EXPECT_EQ(parts(31), (std::vector<bool>{false, true}));
-  EXPECT_EQ(continues(frames, frames, cameras), (std::vector<bool>{false, false}));
+  EXPECT_EQ(parts(30), 1u);
+  EXPECT_EQ(parts(31), 1u);
+  EXPECT_EQ(runsOf(frames, frames, cameras), 2u);
 }
 
 TEST(Evaluate, APartMayStartAmongFramesThatAreLeftOut) {
@@ -163,8 +167,7 @@ TEST(Evaluate, APartMayStartAmongFramesThatAreLeftOut) {
   for (std::size_t i = 25; i < 30; ++i) frames[i].place.clear();
   for (std::size_t i = 30; i < 35; ++i) frames[i].image = cv::Mat();
   const auto middle = frames.begin() + 30;
-  EXPECT_EQ(continues({frames.begin(), middle}, {middle, frames.end()}, {""}),
-            (std::vector<bool>{false, true}));
+  EXPECT_EQ(runsOf({frames.begin(), middle}, {middle, frames.end()}, {""}), 1u);
 }
 
 TEST(Evaluate, KeepsTheMostConfidentMistakes) {

@@ -10,6 +10,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
 
@@ -175,6 +176,18 @@ TEST_F(Bags, StampsThatStandStillGiveWayToTheTimesOfTheBag) {
             std::vector<std::string>{path_ +
                                      ": the stamps of the images on /still stand still at 7.000 s; "
                                      "images count at the times of their recording."});
+}
+
+TEST_F(Bags, OneOddImageAtTheStartDoesNotDecideTheSize) {
+  {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    for (int i = 0; i < 5; ++i) {
+      cv::Mat shown = image(i);
+      if (i == 0) cv::resize(shown, shown, cv::Size(4, 3));
+      bag.write("/image", ros::Time(1.5e9 + i), toImageMessage(shown, std_msgs::Header()));
+    }
+  }
+  EXPECT_EQ(openBagRecording(path_)->usualSize(), image(0).size());
 }
 
 TEST_F(Bags, ACameraThatStartsLateOrPausesDoesNotCutTheRecording) {

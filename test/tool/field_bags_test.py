@@ -21,47 +21,6 @@ def unindexed(content):
 
 
 class BagTest(FieldCase):
-    def test_labels_of_a_split_recording_hold_in_its_next_part(self):
-        self.write_labelled("run_0.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
-                            [(0, "kitchen"), (5, "office")])
-        self.write_labelled("run_1.bag", 1010, ["office"] * 6, [])
-        self.write_labelled("run_2.bag", 1016, ["office"] * 3 + ["corridor"] * 6, [(3, "corridor")])
-        self.write_labelled("late.bag", 5000, ["office"] * 6, [])
-        figures, said = self.train("run_0.bag", "run_1.bag", "run_2.bag", "late.bag")
-        self.assertEqual({room: of["count"] for room, of in figures["rooms"].items()},
-                         {"kitchen": 5, "office": 14, "corridor": 6})
-        self.assert_names(said, "run_1.bag continues where run_0.bag ends, and starts in 'office'",
-                          "late.bag has no labels", "--repeat-latched")
-        figures, said = self.train("run_2.bag", "run_1.bag", "run_0.bag")  # in any order
-        self.assertEqual(figures["rooms"]["office"]["count"], 14)
-        self.assertNotIn("warning: run_", said)
-        self.assert_names(self.train("run_2.bag", "run_0.bag")[1],
-                          "run_2.bag starts without a label", "--repeat-latched")
-        self.assert_names(self.run_tool("train", "run_1.bag", *MODEL).stderr,
-                          "run_1.bag has no labels", "--repeat-latched")
-        (self.folder / "late.bag").unlink()
-        self.assertEqual(self.train(".")[0]["images"], 25)
-
-    def test_parts_follow_each_other_in_whatever_order_they_are_given(self):
-        frames = [room for room in ("kitchen", "office", "corridor", "office") for _ in range(9)]
-        parts = [self.write_labelled(f"run_{number}.bag", 1000 + start, frames[start:start + 12],
-                                     enumerate(frames[start:start + 12]))
-                 for number, start in ((1, 0), (2, 12), (10, 24))]
-        other = self.write_labelled("other.bag", 9000, frames[:9], [(0, "kitchen")])
-        models = []
-        for runs in ((other, *parts), (other, *sorted(parts))):  # run_10 before run_2
-            self.train(*runs)
-            models.append((self.folder / "home.places").read_bytes())
-        self.assertEqual(*models)
-        figures = [self.figures("evaluate", *runs, *MODEL[:2])["over_time"]
-                   for runs in (parts, sorted(parts))]
-        self.assertEqual(*figures)
-        images = [[json.loads(line)["image"] for line in self.succeed(
-            "recognize", *runs, *MODEL[:2], "--json", "-").splitlines()]
-            for runs in (parts, sorted(parts))]
-        self.assertEqual(len(images[0]), len(frames))
-        self.assertEqual(*images)
-
     def test_an_image_that_cannot_be_used_does_not_stop_recognition(self):
         self.write_labelled("run.bag", 1000, ["kitchen"] * 5 + ["office"] * 5,
                             [(0, "kitchen"), (5, "office")])

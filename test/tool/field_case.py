@@ -31,8 +31,9 @@ class FieldCase(ToolCase):
                               stdout=stdout, stderr=subprocess.PIPE, env=self.environment(),
                               preexec_fn=lambda: os.setuid(NOBODY))
 
-    def write_labelled(self, name, start, frames, labels, topic="/place_label"):
-        """Writes a bag with one JPEG frame per second from `start`; `labels`: (second, text)."""
+    def write_labelled(self, name, start, frames, labels, topic="/place_label",
+                       camera="/camera/image_raw", interval=1):
+        """Writes a bag with a JPEG frame every `interval` s from `start`; `labels`: (s, text)."""
         import rosbag
         import rospy
         from sensor_msgs.msg import CompressedImage
@@ -41,9 +42,9 @@ class FieldCase(ToolCase):
             for second, text in labels:
                 bag.write(topic, String(text), rospy.Time(start + second))
             for i, room in enumerate(frames):
-                stamp = rospy.Time(start + i)
+                stamp = rospy.Time(start + i * interval)
                 image = CompressedImage(format="bgr8; jpeg compressed bgr8")
                 image.header.stamp = stamp
                 image.data = cv2.imencode(".jpg", paint(room, start % 100 + i))[1].tobytes()
-                bag.write("/camera/image_raw/compressed", image, stamp)
+                bag.write(camera + "/compressed", image, stamp)
         return name

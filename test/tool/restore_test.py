@@ -42,6 +42,27 @@ class RestoreTest(ToolCase):
         self.assertEqual([len(model["rooms"]) for model in models], [2, 2, 2, 2])
         self.assertIn("backup 3", self.succeed("restore", "home", "--list"))
 
+    def test_no_version_is_lost_or_kept_twice(self):
+        rooms = sorted(ROOMS)
+        for run, named in (("tuesday", rooms[:2]), ("friday", rooms[1:3])):
+            self.write_run(run, rooms=named)
+            self.succeed("train", run, "--model", "home", *COLOUR)
+        self.succeed("train", "monday", "--model", "home", *COLOUR, "--set", "svm.c=7")
+
+        def versions():
+            models = self.figures("restore", "home", "--list")["models"]
+            return [model["version"] for model in models]
+        a, b, c, d = versions()
+        for age, expected in ((1, [b, a, c, d]), (1, [a, b, c, d]), (3, [d, a, b, c]),
+                              (2, [b, d, a, c])):
+            self.succeed("restore", "home", "--age", age)
+            self.assertEqual(versions(), expected)
+        models = self.folder / "ros_home/place_recognition/models"
+        (models / "home.places").unlink()
+        self.succeed("restore", "home", "--age", 2)
+        self.assertEqual(versions(), [a, d, c])
+        self.assertFalse((models / "home.places.4").exists())
+
     def test_what_cannot_be_restored(self):
         for age in (1, 2):
             self.assertIn("home.places has no earlier version", self.refuse("restore", "home", "--age", age))

@@ -18,15 +18,22 @@ bool Continuity::beginsStream(const Frame& frame) {
   const bool first = starts_;
   starts_ = false;
   if (first) {
-    continues_ = may_continue_ && frame.stamp > last_stamps_[camera] &&
-                 std::abs(frame.stamp - *std::max_element(last_stamps_.begin(),
-                                                          last_stamps_.end())) <= kMaxGapOfParts;
+    continues_ = may_continue_ && frame.stamp > last_stamps_[camera] && followsClosely(frame.stamp);
     if (!continues_) {
       last_stamps_.assign(cameras_.size(), -std::numeric_limits<double>::infinity());
+      begin_ = frame.stamp;
+      moments_ = 0;
     }
   }
   last_stamps_[camera] = frame.stamp;
+  moments_ += 1.0 / static_cast<double>(cameras_.size());
   return first && !continues_;
+}
+
+bool Continuity::followsClosely(double stamp) const {
+  const double end = *std::max_element(last_stamps_.begin(), last_stamps_.end());
+  const double interval = moments_ > 1 ? (end - begin_) / (moments_ - 1) : 0;
+  return std::abs(stamp - end) <= largestGapOfParts(interval);
 }
 
 }  // namespace place_recognition

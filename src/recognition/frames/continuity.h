@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -7,8 +8,9 @@
 
 namespace place_recognition {
 
-/// Largest gap between two parts of a split recording, s: a message or two.
-constexpr double kMaxGapOfParts = 2;
+/// Largest gap between two parts of a split recording, s: a message or two, or the next image of a
+/// camera that sends one every `interval`, s.
+inline double largestGapOfParts(double interval) { return std::max(2.0, 1.5 * interval); }
 
 /// Tells which of the recordings that are read one after another continue the one before, like the
 /// parts of a split recording. Not thread-safe.
@@ -23,13 +25,17 @@ class Continuity {
   bool beginsStream(const Frame& frame);
 
   /// Whether the recording, of which a frame was taken, has the cameras of the one before, and
-  /// starts at most kMaxGapOfParts from its end. The border may lie between the images of one
+  /// starts at most largestGapOfParts() from its end. The border may lie between the images of one
   /// moment, so the first frame has to be later only than the last one of its own camera.
   bool continues() const { return continues_; }
 
  private:
+  bool followsClosely(double stamp) const;
+
   std::vector<std::string> cameras_;
   std::vector<double> last_stamps_;  // of each camera; -infinity: no frame
+  double begin_ = 0;                 // stamp of the first frame of the stream, s
+  double moments_ = 0;               // number of its frames, per camera
   bool starts_ = true;               // no frame of the recording was taken
   bool may_continue_ = false;
   bool continues_ = false;

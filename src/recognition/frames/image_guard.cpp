@@ -72,7 +72,8 @@ void ImageGuard::judgeSize(cv::Size size) {
           std::string(learns ? "leave them out" : "set the camera to that size") +
               ", or train with image.max_width=" + std::to_string(size.width));
   } else if (size != trained && size != used) {
-    say(kSize, "Images of " + text(size) + " are scaled to " + text(used) + whose + ".");
+    say(kSize, "Images of " + text(size) + " are scaled to " + text(used) + whose +
+                   (learns ? " (that of the smallest run)." : "."));
   }
 }
 

@@ -11,4 +11,9 @@ namespace place_recognition {
 /// fails.
 void replaceKeepingBackups(const std::string& path, std::string_view bytes);
 
+/// Puts the backup of this age, which must exist, in place of the file at `path`, which becomes the
+/// newest backup: no version is lost, and none is kept twice. Throws Error, keeping both, if the
+/// backup cannot be loaded or writing fails.
+void restoreBackup(const std::string& path, int age);
+
 }  // namespace place_recognition

@@ -182,10 +182,7 @@ bool startsAsModel(const std::string& path) {
 
 void restoreModel(const std::string& path, int age) {
   requireBackup(path, age);
-  const std::string backup = backupPath(path, age);
-  const std::string bytes = readFile(backup, kMaxModelBytes);
-  parseModel(bytes, backup);
-  replaceKeepingBackups(path, bytes);
+  restoreBackup(path, age);
 }
 
 }  // namespace place_recognition

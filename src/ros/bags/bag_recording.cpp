@@ -12,6 +12,7 @@
 #include "base/standing_stamp.h"
 #include "base/text.h"
 #include "datasets/depth_scale.h"
+#include "datasets/size_count.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
@@ -189,6 +190,16 @@ class BagRecording : public Recording {
   }
 
   std::vector<std::string> cameras() const override { return bag_.cameras; }
+
+  cv::Size usualSize() override {
+    constexpr int kFrames = 16;  // some drivers begin with images of another size
+    SizeCount sizes;
+    Frame frame;
+    for (int count = 0; (count < kFrames || sizes.usual().empty()) && next(frame); ++count) {
+      sizes.add(frame.image.size(), frame.name);
+    }
+    return sizes.usual();
+  }
 
   void setDepthExtent(const DepthExtent& extent) override {
     scale_ = DepthScale(extent);
