@@ -117,7 +117,7 @@ struct CueOptions {
 
 /// The cues that `train` uses by default: two of colour and two of edges, of which one works as
 /// long as the light stays the same and the other in changed light, and the directions of edges at
-/// each height (doc/experiments.md).
+/// each height (doc/choices.md).
 std::vector<CueOptions> defaultCues();
 
 /// Additional training images, derived from those of the recordings.

@@ -15,7 +15,7 @@ struct Family {
 };
 
 /// One family for each set of descriptors in `space`, without cues of too many dimensions. As in
-/// the default cues (doc/experiments.md), derivatives have logarithmic levels, and colours are
+/// the default cues (doc/choices.md), derivatives have logarithmic levels, and colours are
 /// normalized both by the light of the recording and by grey-world. Each cue has a descriptive,
 /// unique name.
 std::vector<Family> candidateFamilies(const SearchSpace& space);
