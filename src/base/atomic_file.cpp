@@ -5,54 +5,20 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
-#include <vector>
 
+#include "base/descriptor_io.h"
+#include "base/temporary_file.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
 
-/// Separates the name of a file from the part that mkstemp() makes up.
+/// Separates the name of a file from the random part of its temporary one.
 constexpr const char* kTemporary = ".tmp-";
-
-/// Closes the descriptor, and removes the temporary file unless it was renamed.
-struct TemporaryFile {
-  std::vector<char> path;
-  int fd = -1;
-  bool renamed = false;
-
-  explicit TemporaryFile(const std::string& target) {
-    const std::string pattern = target + kTemporary + "XXXXXX";
-    path.assign(pattern.c_str(), pattern.c_str() + pattern.size() + 1);
-    fd = mkstemp(path.data());
-  }
-  ~TemporaryFile() {
-    if (fd < 0) return;
-    close(fd);
-    if (!renamed) unlink(path.data());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-};
-
-[[noreturn]] void throwCannotWrite(const std::string& path) {
-  throw Error("Cannot write " + path + ": " + std::strerror(errno) +
-              "; make room, or choose a writable folder.");
-}
-
-bool writeAll(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) return false;
-    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
 
 void syncFolder(const std::filesystem::path& folder) {
   const int fd = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
@@ -64,7 +30,7 @@ void syncFolder(const std::filesystem::path& folder) {
 /// Writes directly to what must not be replaced by a file: a terminal, a pipe, /dev/null.
 void writeInto(const std::string& path, std::string_view bytes) {
   const int fd = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  const bool written = fd >= 0 && writeAll(fd, bytes);
+  const bool written = fd >= 0 && writeAll(fd, bytes.data(), bytes.size());
   const int reason = errno;
   if (fd >= 0) close(fd);
   errno = reason;
@@ -106,28 +72,29 @@ void writeFileAtomically(const std::string& given_path, std::string_view bytes,
     return;
   }
   const std::string path = behindLinks(given_path);
-  TemporaryFile file(path);
-  const mode_t mask = umask(0);
-  umask(mask);
-  if (file.fd < 0 || fchmod(file.fd, 0666 & ~mask) != 0 || !writeAll(file.fd, bytes) ||
-      fsync(file.fd) != 0) {
-    throwCannotWrite(path);
-  }
+  TemporaryFile file(path + kTemporary, "", path);
+  file.write(bytes);
   if (before_rename) before_rename();
-  if (std::rename(file.path.data(), path.c_str()) != 0) throwCannotWrite(path);
-  file.renamed = true;
+  file.rename(path);
   syncFolder(std::filesystem::path(path).parent_path());
 }
 
 void removeLeftovers(const std::string& path) {
-  namespace fs = std::filesystem;
-  const std::string start = fs::path(path).filename().string() + kTemporary;
-  const fs::path folder = fs::path(path).parent_path();
-  std::error_code failure;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, failure)) {
-    const std::string name = entry.path().filename().string();
-    if (startsWith(name, start)) fs::remove(entry.path(), failure);
+  std::error_code ignored;
+  for (const auto& file : pathsStartingWith(path + kTemporary)) {
+    std::filesystem::remove(file, ignored);
   }
+}
+
+std::vector<std::filesystem::path> pathsStartingWith(const std::filesystem::path& start) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> paths;
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(start).parent_path(), failure)) {
+    const std::string name = entry.path().filename().string();
+    if (startsWith(name, start.filename().string())) paths.push_back(entry.path());
+  }
+  return paths;
 }
 
 std::string readFile(const std::string& path, std::size_t limit) {
@@ -147,14 +114,8 @@ std::string readFile(const std::string& path, std::size_t limit) {
   int failure = 0;
   if (static_cast<std::size_t>(status.st_size) <= limit) {
     bytes.resize(static_cast<std::size_t>(status.st_size));
-    std::size_t got = 0;
-    while (got < bytes.size()) {
-      const ssize_t n = read(fd, &bytes[got], bytes.size() - got);
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) failure = errno;
-      if (n <= 0) break;
-      got += static_cast<std::size_t>(n);
-    }
+    const std::size_t got = readAll(fd, bytes.data(), bytes.size());
+    failure = errno;
     bytes.resize(got);
   }
   close(fd);

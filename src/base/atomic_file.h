@@ -1,8 +1,10 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace place_recognition {
 
@@ -21,6 +23,9 @@ std::string behindLinks(const std::string& path);
 
 /// Removes the temporary files of killed writers of `path`. Nobody may be writing to it.
 void removeLeftovers(const std::string& path);
+
+/// The files and folders whose paths start with `start`, in its folder only.
+std::vector<std::filesystem::path> pathsStartingWith(const std::filesystem::path& start);
 
 /// Reads a file. Throws Error if it cannot be read or is longer than `limit` bytes.
 std::string readFile(const std::string& path, std::size_t limit);

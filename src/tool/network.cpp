@@ -1,14 +1,12 @@
 #include <strings.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include "base/atomic_file.h"
 #include "base/data_folder.h"
 #include "base/sha256.h"
+#include "base/temporary_file.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
 #include "tool/download.h"
@@ -68,32 +66,8 @@ void requireSha256(const std::string& bytes, const NetworkAddOptions& options) {
               "; it is not the intended network and was not installed.");
 }
 
-/// A file on its way to networkFolder(); the destructor removes it unless it was installed.
-class StagedNetwork {
- public:
-  StagedNetwork(const std::string& name, const std::string& bytes)
-      : target_(networkPath(name)), staged_(networkFolder() + "/." + name + ".new.onnx") {
-    const NewFolder folder(networkFolder());
-    writeFileAtomically(staged_, bytes);
-  }
-  ~StagedNetwork() { unlink(staged_.c_str()); }
-  StagedNetwork(const StagedNetwork&) = delete;
-  StagedNetwork& operator=(const StagedNetwork&) = delete;
-
-  const std::string& path() const { return staged_; }
-  void install() const {
-    std::error_code failure;
-    std::filesystem::rename(staged_, target_, failure);
-    if (failure) throw Error("Cannot write " + target_ + ": " + failure.message() + ".");
-  }
-
- private:
-  std::string target_;
-  std::string staged_;
-};
-
 /// Tries the network under its staged name, without showing that name in messages.
-NetworkFacts tryStaged(const StagedNetwork& staged, const NetworkAddOptions& options) {
+NetworkFacts tryStaged(const TemporaryFile& staged, const NetworkAddOptions& options) {
   try {
     return tryNetwork(staged.path(), options.layer);
   } catch (const Error& e) {
@@ -112,9 +86,12 @@ void add(const NetworkAddOptions& options) {
       isUrl(options.source) ? download(options.source, kMaxNetworkBytes, options.output.progress)
                             : readFile(options.source, kMaxNetworkBytes);
   requireSha256(bytes, options);
-  const StagedNetwork staged(options.name, bytes);
+  const std::string target = networkPath(options.name);
+  const NewFolder folder(networkFolder());
+  TemporaryFile staged(networkFolder() + "/." + options.name + ".new-", ".onnx", target);
+  staged.write(bytes);
   const Json network = figures(options.name, tryStaged(staged, options));
-  staged.install();
+  staged.rename(target);
   print(network, options.output.text());
   options.output.writeJson(network);
 }

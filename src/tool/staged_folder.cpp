@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "base/text.h"
+#include "base/atomic_file.h"
 #include "place_recognition/error.h"
 
 namespace place_recognition::tool {
@@ -22,14 +22,13 @@ std::string temporaryStart(const fs::path& target) {
 }
 
 /// Removes the temporary folders of killed processes.
-void removeLeftovers(const fs::path& target) {
-  const fs::path start = temporaryStart(target);
-  std::error_code failure;
-  for (const auto& entry : fs::directory_iterator(fs::absolute(start).parent_path(), failure)) {
-    const std::string name = entry.path().filename().string();
-    if (!startsWith(name, start.filename().string())) continue;
-    const int owner = std::atoi(name.c_str() + start.filename().string().size());
-    if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), failure);
+void removeUnfinished(const fs::path& target) {
+  const std::string start = temporaryStart(target);
+  const std::size_t pid_at = fs::path(start).filename().string().size();
+  std::error_code ignored;
+  for (const fs::path& folder : pathsStartingWith(start)) {
+    const int owner = std::atoi(folder.filename().c_str() + pid_at);
+    if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH) fs::remove_all(folder, ignored);
   }
 }
 
@@ -39,7 +38,7 @@ StagedFolder::StagedFolder(const std::string& target) : target_(target) {
   if (fs::exists(target_) && !(fs::is_directory(target_) && fs::is_empty(target_))) {
     throw Error(target + " already exists; remove it or choose another folder.");
   }
-  removeLeftovers(target_);
+  removeUnfinished(target_);
   path_ = temporaryStart(target_) + std::to_string(getpid());
   std::error_code failure;
   if (!fs::create_directory(path_, failure)) {

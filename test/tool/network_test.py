@@ -3,6 +3,7 @@
 import functools
 import hashlib
 import http.server
+import json
 import shutil
 import signal
 import socket
@@ -132,9 +133,9 @@ class InstallTest(ToolCase):
         self.assertIn(f"{address}/absent.onnx", line)
         self.assertIn("404", line)
 
-    def start_adding(self, source):
-        process = subprocess.Popen([PLACE_TOOL, "network", "add", source, "--name", "small"],
-                                   cwd=self.folder, env=self.environment(), text=True,
+    def start_adding(self, source, *arguments):
+        process = subprocess.Popen([PLACE_TOOL, "network", "add", source, "--name", "small",
+                                    *arguments], cwd=self.folder, env=self.environment(), text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
@@ -144,7 +145,7 @@ class InstallTest(ToolCase):
         process.send_signal(signal.SIGTERM)
         process.wait(timeout=10)
         self.assertEqual(process.returncode, 130)
-        self.assertFalse((self.network.parent / "small.onnx").exists())
+        self.assertFalse(self.network.parent.exists() and list(self.network.parent.iterdir()))
 
     @unittest.skipUnless(shutil.which("curl"), "curl is not installed")
     def test_a_download_that_stalls_can_be_stopped(self):
@@ -162,16 +163,36 @@ class InstallTest(ToolCase):
                 except ConnectionResetError:
                     pass  # before it had read all
 
-    def test_a_trial_can_be_stopped(self):
+    def start_a_trial(self, then, *arguments):
+        """Starts an installation whose trial runs the shell command `then`. Returns its process."""
         trial = self.folder / "libexec/place_tool"
         trial.parent.mkdir()
-        trial.write_text(f"#!/bin/sh\ntouch {self.folder}/started\nexec sleep 30\n")
+        trial.write_text(f"#!/bin/sh\ntouch {self.folder}/started\n{then}\n")
         trial.chmod(0o755)
         self.extra_environment = {"PLACE_RECOGNITION_LIBEXEC": str(trial.parent)}
-        process = self.start_adding("given.onnx")
+        process = self.start_adding("given.onnx", *arguments)
+        self.extra_environment = {}
         while not (self.folder / "started").exists():
             time.sleep(.05)
-        self.check_that_it_stops(process)
+        return process
+
+    def test_a_trial_can_be_stopped(self):
+        self.check_that_it_stops(self.start_a_trial("exec sleep 30"))
+
+    def test_two_installations_of_one_name_do_not_mix(self):
+        go_on = self.folder / "go_on"
+        first = self.start_a_trial(
+            f'while [ ! -e {go_on} ]; do sleep .05; done; exec {PLACE_TOOL} "$@"', "--json", "-")
+        producer_name = b"\x12\x05other"  # a field of the network that changes its bytes
+        (self.folder / "other.onnx").write_bytes(self.given.read_bytes() + producer_name)
+        self.succeed("network", "add", "other.onnx", "--name", "small")
+        go_on.touch()
+        output, errors = first.communicate(timeout=30)
+        self.assertEqual(first.returncode, 0, errors)
+        self.assertEqual(json.loads(output)["sha256"], self.checksum)
+        self.assertEqual((self.network.parent / "small.onnx").read_bytes(),
+                         self.given.read_bytes())
+        self.assertEqual(len(list(self.network.parent.iterdir())), 1)
 
     def test_unintended_and_invalid_files_are_not_installed(self):
         line = self.refuse("network", "add", "given.onnx", "--name", "small", "--sha256", "0" * 64)
@@ -180,7 +201,8 @@ class InstallTest(ToolCase):
         (self.folder / "bad.onnx").write_bytes(self.given.read_bytes()[:100])
         line = self.refuse("network", "add", "bad.onnx", "--name", "small")
         self.assertIn("bad.onnx", line)
-        self.assertNotIn(".new.onnx", line)
+        self.assertNotIn(".small", line)
+        self.assertEqual(list(self.network.parent.iterdir()), [])
         self.assertIn("'absent'", self.refuse("network", "add", "given.onnx", "--name", "small",
                                               "--layer", "absent"))
         for name in ("../small", "--help", "-h", "--", "-x"):

@@ -1,17 +1,15 @@
 #include "ros/trainer/train_job.h"
 
-#include <stdlib.h>
-#include <unistd.h>
-
 #include <boost/algorithm/string/replace.hpp>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/atomic_file.h"
 #include "base/child_process.h"
+#include "base/temporary_file.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
 #include "ros/trainer/train_command.h"
@@ -29,28 +27,15 @@ constexpr std::chrono::seconds kPatience(8);
 /// Maximum size of the warnings repeated in a message.
 constexpr std::size_t kMaxWarningBytes = 2000;
 
-/// A file for the configuration in a goal; the destructor removes it.
-class TemporaryYaml {
- public:
-  explicit TemporaryYaml(const std::string& text) {
-    if (text.empty()) return;
-    path_ = (std::filesystem::temp_directory_path() / "place_recognition_XXXXXX.yaml").string();
-    const int fd = mkstemps(path_.data(), 5);
-    if (fd < 0) throw Error("Cannot write a temporary file; make room in /tmp.");
-    close(fd);
-    writeFileAtomically(path_, text);
-  }
-  ~TemporaryYaml() {
-    if (!path_.empty()) unlink(path_.c_str());
-  }
-  TemporaryYaml(const TemporaryYaml&) = delete;
-  TemporaryYaml& operator=(const TemporaryYaml&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+/// The file of the configuration in a goal; null if the goal has none.
+std::unique_ptr<TemporaryFile> temporaryYaml(const std::string& text) {
+  if (text.empty()) return nullptr;
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  auto file = std::make_unique<TemporaryFile>(folder + "/place_recognition_", ".yaml",
+                                              "a temporary file in " + folder);
+  file->write(text);
+  return file;
+}
 
 TrainFeedback toFeedback(const Json& line) {
   TrainFeedback feedback;
@@ -173,12 +158,13 @@ TrainResult TrainJob::run(const FeedbackCallback& on_feedback, const WarningCall
 
 TrainResult TrainJob::train(const FeedbackCallback& on_feedback,
                             const WarningCallback& on_warning) {
-  const TemporaryYaml yaml(goal_.yaml);
-  ChildProcess tool(trainCommand(goal_, bag_roots_, yaml.path()), ChildProcess::Stderr::kPipe);
+  const auto yaml = temporaryYaml(goal_.yaml);
+  const std::string yaml_path = yaml ? yaml->path() : "";
+  ChildProcess tool(trainCommand(goal_, bag_roots_, yaml_path), ChildProcess::Stderr::kPipe);
   ToolOutput output(goal_.model, on_feedback, on_warning);
   const auto on_output = [&output](const std::string& line) { output.onOutput(line); };
   const auto on_error = [&](std::string line) {
-    if (!goal_.yaml.empty()) boost::replace_all(line, yaml.path(), "yaml of the goal");
+    if (yaml) boost::replace_all(line, yaml_path, "yaml of the goal");
     output.onError(line);
   };
   std::optional<Clock::time_point> deadline;
