@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "base/process_limits.h"
-#include "ros/messages/bag_records.h"
+#include "ros/bags/bag_records.h"
 
 namespace place_recognition {
 namespace {

@@ -18,15 +18,16 @@
 #include <utility>
 #include <vector>
 
+#include "base/descriptor_io.h"
 #include "base/process_limits.h"
 #include "datasets/depth_scale.h"
 #include "place_recognition/depth_extent.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/bag_guard.h"
+#include "ros/bags/bag_records.h"
 #include "ros/bags/bag_time_span.h"
 #include "ros/bags/bag_topics.h"
-#include "ros/messages/bag_records.h"
 #include "ros/messages/conversions.h"
 
 namespace place_recognition {
@@ -43,7 +44,7 @@ void decode(const rosbag::MessageInstance& instance, cv::Mat& image, BagRecord& 
             boost::shared_ptr<void>& owner) {
   const boost::shared_ptr<Message> message = instance.instantiate<Message>();
   if (!message) throw Error("The message is not a " + instance.getDataType() + " as known today.");
-  if (!message->header.stamp.isZero()) record.stamp = message->header.stamp.toSec();
+  if (!message->header.stamp.isZero()) record.image.stamp = message->header.stamp.toSec();
   image = toImage(*message);
   owner = message;
 }
@@ -52,8 +53,8 @@ void decode(const rosbag::MessageInstance& instance, cv::Mat& image, BagRecord& 
 /// of the image alive.
 cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
                   boost::shared_ptr<void>& owner) {
-  record.time = instance.getTime().toSec();
-  record.stamp = record.time;
+  record.image.time = instance.getTime().toSec();
+  record.image.stamp = record.image.time;
   cv::Mat image;
   try {
     if (instance.getDataType() == kImageType) {
@@ -62,8 +63,9 @@ cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
       decode<sensor_msgs::CompressedImage>(instance, image, record, owner);
     }
     record.kind = BagRecordKind::kImage;
-    record.rows = static_cast<std::uint32_t>(image.rows);
-    record.cols = static_cast<std::uint32_t>(image.cols);
+    record.image.rows = static_cast<std::uint32_t>(image.rows);
+    record.image.cols = static_cast<std::uint32_t>(image.cols);
+    record.image.type = image.type();
   } catch (const Error& e) {
     record.kind = BagRecordKind::kProblem;
     record.detail = e.what();
@@ -73,25 +75,22 @@ cv::Mat readImage(const rosbag::MessageInstance& instance, BagRecord& record,
 
 void sendSpan(const rosbag::Bag& bag) {
   const BagTimeSpan span = timeSpan(bag);
-  BagRecord record;
-  record.kind = BagRecordKind::kSpan;
-  record.time = span.begin.toSec();
-  record.stamp = span.end.toSec();
-  record.number = span.other_images;
+  BagRecord record(BagRecordKind::kSpan);
+  record.span = {span.begin.toSec(), span.end.toSec(), span.other_images};
   send(record);
 }
 
 void sendTopics(const rosbag::Bag& bag, const RecordedTopics& topics, bool with_sizes) {
   for (const auto& [name, topic] : topics) {
-    BagRecord record;
+    BagRecord image;
     if (with_sizes && areImages(name, topic.type) && topic.messages > 0) {
       boost::shared_ptr<void> owner;
-      readImage(*rosbag::View(bag, rosbag::TopicQuery(name)).begin(), record, owner);
+      readImage(*rosbag::View(bag, rosbag::TopicQuery(name)).begin(), image, owner);
     }
-    record.kind = BagRecordKind::kTopic;
+    BagRecord record(BagRecordKind::kTopic);
+    record.topic = {topic.messages, image.image.cols, image.image.rows};
     record.text = name;
     record.detail = topic.type;
-    record.number = topic.messages;
     send(record);
   }
 }
@@ -102,9 +101,8 @@ void sendLabels(const rosbag::Bag& bag, const RecordedTopics& topics,
   if (topic.empty()) return;
   for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
     const auto message = instance.instantiate<std_msgs::String>();
-    BagRecord record;
-    record.kind = BagRecordKind::kLabel;
-    record.time = instance.getTime().toSec();
+    BagRecord record(BagRecordKind::kLabel);
+    record.label = {instance.getTime().toSec()};
     if (message) record.text = message->data;
     send(record);
   }
@@ -126,17 +124,14 @@ void sendDepth(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
     if (!image.empty()) extent = united(extent, depthExtentOf(image));
   }
   if (!extent.known()) return;
-  BagRecord depth;
-  depth.kind = BagRecordKind::kDepth;
-  depth.rows = extent.low;
-  depth.cols = extent.high;
-  send(depth);
+  BagRecord record(BagRecordKind::kDepth);
+  record.depth = {extent.low, extent.high};
+  send(record);
 }
 
 void sendCameras(const std::vector<std::string>& topics) {
   for (const std::string& topic : topics) {
-    BagRecord record;
-    record.kind = BagRecordKind::kCamera;
+    BagRecord record(BagRecordKind::kCamera);
     record.text = cameraOf(topic);
     send(record);
   }
@@ -152,14 +147,13 @@ void sendImages(const rosbag::Bag& bag, const std::vector<std::string>& topics) 
     boost::shared_ptr<void> owner;
     BagRecord record;
     const cv::Mat image = readImage(instance, record, owner);
-    record.type = image.type();
-    record.number = camera;
+    record.image.camera = camera;
     record.text = topics[camera] + " #" + std::to_string(++numbers[camera]);
     send(record);
     if (record.kind != BagRecordKind::kImage) continue;
     for (int row = 0; row < image.rows; ++row) {
       const std::size_t row_bytes = static_cast<std::size_t>(image.cols) * image.elemSize();
-      if (!writeBytes(STDOUT_FILENO, image.ptr(row), row_bytes)) std::exit(1);
+      if (!writeAll(STDOUT_FILENO, image.ptr(row), row_bytes)) std::exit(1);
     }
   }
 }
@@ -199,11 +193,11 @@ std::string whyUnindexed(const std::string& path) {
 /// readBag() with every error reported to the other end of the pipe.
 int run(bool images, const std::string& path, const std::string& label_topic,
         const std::vector<std::string>& image_topics) {
-  BagRecord record;
-  record.kind = BagRecordKind::kError;
+  BagRecord record(BagRecordKind::kError);
+  record.failure = {};
   try {
     guardBag(path);
-    readBag(images, path, label_topic, image_topics, record.number);
+    readBag(images, path, label_topic, image_topics, record.failure.offset);
     return 0;
   } catch (const rosbag::BagUnindexedException&) {
     record.detail = whyUnindexed(path);

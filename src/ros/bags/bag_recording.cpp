@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/child_process.h"
+#include "base/descriptor_io.h"
 #include "base/place_name.h"
 #include "base/standing_stamp.h"
 #include "base/text.h"
@@ -16,8 +17,8 @@
 #include "labels/labels.h"
 #include "place_recognition/error.h"
 #include "ros/bags/bag_file.h"
+#include "ros/bags/bag_records.h"
 #include "ros/bags/bag_topics.h"
-#include "ros/messages/bag_records.h"
 #include "ros/messages/conversions.h"
 
 namespace place_recognition {
@@ -43,28 +44,26 @@ class BagRecords {
     if (!record || record->kind == BagRecordKind::kCrash) throwCrash(record);
     if (record->kind == BagRecordKind::kError) {
       const std::string remedy = record->text.empty() ? "" : "; " + record->text;
-      throw Error("Cannot read " + path_ + ": " + record->detail + position(record->number) +
-                  remedy + ".");
+      throw Error("Cannot read " + path_ + ": " + record->detail +
+                  position(record->failure.offset) + remedy + ".");
     }
     if (record->kind == BagRecordKind::kCamera) ++cameras_;
     if (record->kind == BagRecordKind::kImage || record->kind == BagRecordKind::kProblem) {
-      if (record->number >= cameras_) throwCrash(std::nullopt);
+      if (record->image.camera >= cameras_) throwCrash(std::nullopt);
       ++images_;
     }
     return *std::move(record);
   }
 
-  /// The pixels that follow `record`.
-  cv::Mat pixels(const BagRecord& record) {
-    const bool sound = record.rows > 0 && record.rows <= kMaxImageSide && record.cols > 0 &&
-                       record.cols <= kMaxImageSide &&
-                       (record.type == CV_8UC1 || record.type == CV_8UC3 ||
-                        record.type == CV_16UC1 || record.type == CV_16UC3);
+  /// The pixels that follow the record of an image.
+  cv::Mat pixels(const BagRecord::Image& of) {
+    const bool sound =
+        of.rows > 0 && of.rows <= kMaxImageSide && of.cols > 0 && of.cols <= kMaxImageSide &&
+        (of.type == CV_8UC1 || of.type == CV_8UC3 || of.type == CV_16UC1 || of.type == CV_16UC3);
     if (!sound) throwCrash(std::nullopt);
-    cv::Mat image(static_cast<int>(record.rows), static_cast<int>(record.cols), record.type);
-    if (!readBytes(reader_.output(), image.data, image.total() * image.elemSize())) {
-      throwCrash(std::nullopt);
-    }
+    cv::Mat image(static_cast<int>(of.rows), static_cast<int>(of.cols), of.type);
+    const std::size_t bytes = image.total() * image.elemSize();
+    if (readAll(reader_.output(), image.data, bytes) != bytes) throwCrash(std::nullopt);
     return image;
   }
 
@@ -91,7 +90,7 @@ class BagRecords {
     requireStarted("bag_reader", status);
     throw Error("Cannot read " + path_ +
                 ": it is damaged (the library that reads bags ended with " + describeExit(status) +
-                position(crash ? crash->number : 0) + "); try: rosbag reindex " + path_ +
+                position(crash ? crash->failure.offset : 0) + "); try: rosbag reindex " + path_ +
                 ", or record it again.");
   }
 
@@ -114,10 +113,10 @@ Labels readLabels(BagRecords& records, const BagInfo& info, const BagRecordingOp
   for (; record.kind == BagRecordKind::kLabel; record = records.next()) {
     if (!placeName(record.text).empty()) {
       checkLabel(record.text, records.path() + ", " + options.label_topic + " at " +
-                                  significant(record.time - info.start) +
+                                  significant(record.label.time - info.start) +
                                   " s (a file RUN.labels.yaml beside RUN.bag replaces the labels)");
     }
-    labels.add(record.time, record.text);
+    labels.add(record.label.time, record.text);
   }
   return labels;
 }
@@ -129,16 +128,17 @@ struct OpenBag {
         records(path, mode, options.label.empty() && labels_file.empty() ? options.label_topic : "",
                 options.image_topics) {
     BagRecord record = records.next();
-    info.start = record.time;
-    info.duration = record.stamp - record.time;
-    info.other_images = record.number;
+    info.start = record.span.begin;
+    info.duration = record.span.end - record.span.begin;
+    info.other_images = record.span.other_images;
     for (record = records.next(); record.kind == BagRecordKind::kTopic; record = records.next()) {
-      info.topics.push_back({record.text, record.detail, record.number,
-                             static_cast<int>(record.cols), static_cast<int>(record.rows)});
+      info.topics.push_back({record.text, record.detail, record.topic.messages,
+                             static_cast<int>(record.topic.width),
+                             static_cast<int>(record.topic.height)});
     }
     labels = readLabels(records, info, options, labels_file, record);
     for (; record.kind == BagRecordKind::kDepth; record = records.next()) {
-      depth = {std::min(record.rows, record.cols), record.cols};
+      depth = {std::min(record.depth.low, record.depth.high), record.depth.high};
     }
     for (; record.kind == BagRecordKind::kCamera; record = records.next()) {
       cameras.push_back(record.text);
@@ -175,14 +175,15 @@ class BagRecording : public Recording {
       }
       return false;
     }
-    time_ = record.time;
-    frame.place = bag_.labels.at(record.time);
+    time_ = record.image.time;
+    frame.place = bag_.labels.at(time_);
     seen_.insert(frame.place);
-    frame.camera = static_cast<int>(record.number);
-    frame.stamp = stampOf(record);
+    frame.camera = static_cast<int>(record.image.camera);
+    frame.stamp = stampOf(record.image);
     frame.name = record.text;
     frame.problem = record.detail;
-    frame.image = record.kind == BagRecordKind::kImage ? bag_.records.pixels(record) : cv::Mat();
+    frame.image =
+        record.kind == BagRecordKind::kImage ? bag_.records.pixels(record.image) : cv::Mat();
     is_deep_ |= frame.image.depth() == CV_16U;
     frame.image = scale_.toEightBits(frame.image);
     bag_.following = bag_.records.next();
@@ -228,16 +229,14 @@ class BagRecording : public Recording {
 
  private:
   /// When the image was taken: its stamp, or the time of the bag if the stamps stand still.
-  double stampOf(const BagRecord& record) {
-    if (!standing_stamps_[record.number].standsStill(record.stamp, record.time)) {
-      return record.stamp;
-    }
-    if (standing_.insert(record.number).second) {
-      warnings_.push_back(name() + ": the stamps of the images on " + bag_.cameras[record.number] +
-                          " stand still at " + fixed(record.stamp, 3) +
+  double stampOf(const BagRecord::Image& image) {
+    if (!standing_stamps_[image.camera].standsStill(image.stamp, image.time)) return image.stamp;
+    if (standing_.insert(image.camera).second) {
+      warnings_.push_back(name() + ": the stamps of the images on " + bag_.cameras[image.camera] +
+                          " stand still at " + fixed(image.stamp, 3) +
                           " s; images count at the times of their recording.");
     }
-    return record.time;
+    return image.time;
   }
 
   void warnOfUnseenPlaces() {
