@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "base/rate_limit.h"
-#include "ros/nodes/newest_image.h"
 #include "ros/recognizer/debug_image.h"
+#include "ros/recognizer/work_queue.h"
 
 namespace place_recognition {
 namespace {
@@ -22,68 +22,68 @@ std::uint32_t numberOf(const Work& work) {
   return std::visit([](const auto& item) { return item.message.header().seq; }, work);
 }
 
-TEST(NewestImage, KeepsQuestionsAndHandsThemOutFirst) {
-  NewestImage newest;
-  newest.put(numbered(1));
-  std::future<PlaceRecognition> first = newest.ask(numbered(2));
-  std::future<PlaceRecognition> second = newest.ask(numbered(3));
-  std::optional<Work> work = newest.take();
+TEST(WorkQueue, KeepsQuestionsAndHandsThemOutFirst) {
+  WorkQueue queue;
+  queue.put(numbered(1));
+  std::future<PlaceRecognition> first = queue.ask(numbered(2));
+  std::future<PlaceRecognition> second = queue.ask(numbered(3));
+  std::optional<Work> work = queue.take();
   EXPECT_EQ(numberOf(*work), 2u);
   PlaceRecognition answer;
   answer.place = "kitchen";
   std::get<Question>(*work).answer.set_value(answer);
   EXPECT_EQ(first.get().place, "kitchen");
-  EXPECT_EQ(numberOf(*newest.take()), 3u);
+  EXPECT_EQ(numberOf(*queue.take()), 3u);
   EXPECT_THROW(second.get(), std::future_error);  // the worker ended without an answer
-  EXPECT_EQ(numberOf(*newest.take()), 1u);
+  EXPECT_EQ(numberOf(*queue.take()), 1u);
 }
 
-TEST(NewestImage, LeavesNobodyWaitingWhenItIsClosed) {
-  NewestImage newest;
-  std::future<PlaceRecognition> before = newest.ask(numbered(1));
-  newest.close();
-  std::future<PlaceRecognition> after = newest.ask(numbered(2));
+TEST(WorkQueue, LeavesNobodyWaitingWhenItIsClosed) {
+  WorkQueue queue;
+  std::future<PlaceRecognition> before = queue.ask(numbered(1));
+  queue.close();
+  std::future<PlaceRecognition> after = queue.ask(numbered(2));
   EXPECT_THROW(before.get(), std::future_error);
   EXPECT_THROW(after.get(), std::future_error);
 }
 
-TEST(NewestImage, ReplacesTheOneThatWaits) {
-  NewestImage newest;
-  EXPECT_TRUE(newest.put(numbered(1)));
-  EXPECT_FALSE(newest.put(numbered(2)));
-  EXPECT_EQ(numberOf(*newest.take()), 2u);
-  EXPECT_TRUE(newest.put(numbered(3)));
-  newest.clear();
-  EXPECT_TRUE(newest.put(numbered(4)));
+TEST(WorkQueue, ReplacesTheOneThatWaits) {
+  WorkQueue queue;
+  EXPECT_TRUE(queue.put(numbered(1)));
+  EXPECT_FALSE(queue.put(numbered(2)));
+  EXPECT_EQ(numberOf(*queue.take()), 2u);
+  EXPECT_TRUE(queue.put(numbered(3)));
+  queue.clear();
+  EXPECT_TRUE(queue.put(numbered(4)));
 }
 
-TEST(NewestImage, HoldsOneOfEachCameraAndLetsThemTakeTurns) {
-  NewestImage newest(3);
-  EXPECT_TRUE(newest.put(numbered(1), 2));
-  EXPECT_TRUE(newest.put(numbered(2), 0));
-  EXPECT_FALSE(newest.put(numbered(3), 0));
-  EXPECT_TRUE(newest.put(numbered(4), 1));
-  const auto next = [&newest] {
-    const auto arrived = std::get<ArrivedImage>(*newest.take());
+TEST(WorkQueue, HoldsOneOfEachCameraAndLetsThemTakeTurns) {
+  WorkQueue queue(3);
+  EXPECT_TRUE(queue.put(numbered(1), 2));
+  EXPECT_TRUE(queue.put(numbered(2), 0));
+  EXPECT_FALSE(queue.put(numbered(3), 0));
+  EXPECT_TRUE(queue.put(numbered(4), 1));
+  const auto next = [&queue] {
+    const auto arrived = std::get<ArrivedImage>(*queue.take());
     return std::pair(arrived.camera, arrived.message.header().seq);
   };
   EXPECT_EQ(next(), std::pair(std::size_t{1}, 4u));
-  newest.put(numbered(5), 1);  // a fast camera does not delay the others' turns
+  queue.put(numbered(5), 1);  // a fast camera does not delay the others' turns
   EXPECT_EQ(next(), std::pair(std::size_t{2}, 1u));
   EXPECT_EQ(next(), std::pair(std::size_t{0}, 3u));
   EXPECT_EQ(next(), std::pair(std::size_t{1}, 5u));
 }
 
-TEST(NewestImage, WakesTheWorker) {
-  NewestImage newest;
+TEST(WorkQueue, WakesTheWorker) {
+  WorkQueue queue;
   std::uint32_t last = 0;
   std::thread worker([&] {
-    while (const auto work = newest.take()) last = numberOf(*work);
+    while (const auto work = queue.take()) last = numberOf(*work);
   });
-  for (std::uint32_t i = 1; i <= 1000; ++i) newest.put(numbered(i));
-  while (!newest.put(numbered(1001))) std::this_thread::yield();
+  for (std::uint32_t i = 1; i <= 1000; ++i) queue.put(numbered(i));
+  while (!queue.put(numbered(1001))) std::this_thread::yield();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  newest.close();
+  queue.close();
   worker.join();
   EXPECT_EQ(last, 1001u);
 }

@@ -42,7 +42,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       names_(readCameras(parameters)),
       models_(private_node, names_, parameters.text("model")),
       image_timeout_(parameters.real("image_timeout", names::kImageTimeout, 0)),
-      newest_(names_.size()),
+      queue_(names_.size()),
       usable_(names_.size()),
       clocks_(names_.size()),
       diagnostics_(node, private_node, name),
@@ -89,7 +89,7 @@ PlaceRecognizer::~PlaceRecognizer() {
     enabled_ = false;
     for (const auto& camera : cameras_) camera->unsubscribe();
   }
-  newest_.close();
+  queue_.close();
   worker_.join();
 }
 
@@ -130,7 +130,7 @@ void PlaceRecognizer::updateSubscription() {
     subscribed_ = wanted;
     for (const auto& camera : cameras_) wanted ? camera->subscribe() : camera->unsubscribe();
     if (wanted) return;
-    newest_.clear();
+    queue_.clear();
   }
   // The latched room must not remain until somebody listens again.
   const std::lock_guard<std::mutex> lock(state_mutex_);
@@ -140,7 +140,7 @@ void PlaceRecognizer::updateSubscription() {
 void PlaceRecognizer::onImage(std::size_t camera, const ImageMessage& message) {
   ImageStatus& status = cameras_[camera]->status();
   status.arrived();
-  if (!newest_.put(message, camera)) status.skipped();
+  if (!queue_.put(message, camera)) status.skipped();
 }
 
 void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
@@ -150,7 +150,7 @@ void PlaceRecognizer::onReconfigure(PlaceRecognizerConfig& config) {
 }
 
 void PlaceRecognizer::work() {
-  while (std::optional<Work> work = newest_.take()) {
+  while (std::optional<Work> work = queue_.take()) {
     std::visit([this](auto& item) { answer(item); }, *work);
   }
 }

@@ -15,7 +15,6 @@
 #include <thread>
 #include <vector>
 
-#include "ros/nodes/newest_image.h"
 #include "ros/nodes/parameters.h"
 #include "ros/recognizer/answer_publishers.h"
 #include "ros/recognizer/camera_clocks.h"
@@ -25,6 +24,7 @@
 #include "ros/recognizer/diagnostics.h"
 #include "ros/recognizer/doubtful_frames.h"
 #include "ros/recognizer/place_tracker.h"
+#include "ros/recognizer/work_queue.h"
 
 namespace place_recognition {
 
@@ -79,7 +79,7 @@ class PlaceRecognizer {
   const std::vector<CameraName> names_;
   CameraModels models_;
   const double image_timeout_;  // s; 0: none
-  NewestImage newest_;
+  WorkQueue queue_;
   std::vector<bool> usable_;  // per camera: the last image that was not left out
   CameraClocks clocks_;       // used by the worker
   std::vector<std::unique_ptr<CameraRecognizer>> cameras_;

@@ -81,7 +81,7 @@ bool PlaceRecognizer::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Re
 
 bool PlaceRecognizer::onRecognize(Recognize::Request& request, Recognize::Response& response) {
   try {
-    response.recognition = newest_.ask(imageOf(request)).get();
+    response.recognition = queue_.ask(imageOf(request)).get();
     response.success = true;
   } catch (const std::exception& e) {
     response.message = e.what();

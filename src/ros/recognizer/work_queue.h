@@ -31,13 +31,12 @@ struct Question {
 
 using Work = std::variant<ArrivedImage, Question>;
 
-/// Passes images from the threads that receive them to the thread that processes them. Holds at
-/// most one image per camera: while the worker is busy, the newest replaces the previous one, and
-/// the cameras take turns. Questions, for which somebody waits, go first, and none is lost.
-/// Thread-safe.
-class NewestImage {
+/// Passes work from the threads that receive it to the thread that does it. Holds at most one image
+/// per camera: while the worker is busy, the newest replaces the previous one, and the cameras take
+/// turns. Questions, for which somebody waits, go first, and none is lost. Thread-safe.
+class WorkQueue {
  public:
-  explicit NewestImage(std::size_t cameras = 1) : images_(cameras) {}
+  explicit WorkQueue(std::size_t cameras = 1) : images_(cameras) {}
 
   /// False if an image that was not taken yet is replaced.
   bool put(const ImageMessage& message, std::size_t camera = 0) {
