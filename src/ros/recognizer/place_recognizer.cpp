@@ -29,6 +29,13 @@ std::vector<std::string> topicsOf(const ros::NodeHandle& node,
   return topics;
 }
 
+void warnOfWallTime(Parameters& parameters) {
+  if (!parameters.flag("simulated_time", false) || ros::Time::isSimTime()) return;
+  ROS_WARN(
+      "~simulated_time has no effect by itself: remap /use_sim_time to it, as recognize.launch "
+      "does.");
+}
+
 }  // namespace
 
 PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
@@ -50,11 +57,7 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
       place_tracker_(node, parameters, topicsOf(node, names_)),
       doubtful_frames_(readKeepOptions(parameters, node.resolveName(names::kPlaceLabel))) {
   limitOpenCvToOneThread();
-  if (parameters.flag("simulated_time", false) && !ros::Time::isSimTime()) {
-    ROS_WARN(
-        "~simulated_time has no effect by itself: remap /use_sim_time to it, as recognize.launch "
-        "does.");
-  }
+  warnOfWallTime(parameters);
   checkLiveParameters(parameters, private_node);
   {
     // Subscribers that connect at once must wait until everything exists.
@@ -63,24 +66,10 @@ PlaceRecognizer::PlaceRecognizer(const ros::NodeHandle& node, const ros::NodeHan
     advertise();
   }
   parameters.warnOfDoubts();
-  reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaceRecognizerConfig>>(
-      reconfigure_mutex_, private_node_);
-  reconfigure_server_->setCallback(
-      [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
-  answers_.forget(place_tracker_);
+  startReconfigure();
+  forgetAnswers();
   models_.loadFirst();
-  {
-    const std::lock_guard<std::mutex> lock(state_mutex_);
-    followModels();  // reports now whether the map fits
-  }
-  worker_ = std::thread([this] { work(); });
-  updateSubscription();
-  diagnostics_.start();
-  // Wall time, as in diagnostics.
-  if (image_timeout_ > 0) {
-    camera_timer_ = private_node_.createWallTimer(
-        ros::WallDuration(kCameraPeriod), [this](const ros::WallTimerEvent&) { watchCamera(); });
-  }
+  startWork();
 }
 
 PlaceRecognizer::~PlaceRecognizer() {
@@ -116,6 +105,28 @@ void PlaceRecognizer::advertise() {
   advertiseServices();
 }
 
+void PlaceRecognizer::startReconfigure() {
+  reconfigure_server_ = std::make_unique<dynamic_reconfigure::Server<PlaceRecognizerConfig>>(
+      reconfigure_mutex_, private_node_);
+  reconfigure_server_->setCallback(
+      [this](PlaceRecognizerConfig& config, std::uint32_t) { onReconfigure(config); });
+}
+
+void PlaceRecognizer::startWork() {
+  {
+    const std::lock_guard<std::mutex> lock(state_mutex_);
+    followModels();  // reports now whether the map fits
+  }
+  worker_ = std::thread([this] { work(); });
+  updateSubscription();
+  diagnostics_.start();
+  // Wall time, as in diagnostics.
+  if (image_timeout_ > 0) {
+    camera_timer_ = private_node_.createWallTimer(
+        ros::WallDuration(kCameraPeriod), [this](const ros::WallTimerEvent&) { watchCamera(); });
+  }
+}
+
 bool PlaceRecognizer::isWanted() const {
   return enabled_ && (!lazy_ || doubtful_frames_.isKeeping() || answers_.isWanted() ||
                       std::any_of(cameras_.begin(), cameras_.end(),
@@ -132,9 +143,7 @@ void PlaceRecognizer::updateSubscription() {
     if (wanted) return;
     queue_.clear();
   }
-  // The latched room must not remain until somebody listens again.
-  const std::lock_guard<std::mutex> lock(state_mutex_);
-  answers_.forget(place_tracker_);
+  forgetAnswers();  // the latched room must not remain until somebody listens again
 }
 
 void PlaceRecognizer::onImage(std::size_t camera, const ImageMessage& message) {
@@ -264,6 +273,11 @@ void PlaceRecognizer::publish(const ArrivedImage& arrived, const cv::Mat& image,
 void PlaceRecognizer::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   for (const auto& camera : cameras_) camera->reset();
+  answers_.forget(place_tracker_);
+}
+
+void PlaceRecognizer::forgetAnswers() {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
   answers_.forget(place_tracker_);
 }
 

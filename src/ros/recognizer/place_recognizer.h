@@ -48,6 +48,8 @@ class PlaceRecognizer {
   void startCameras(Parameters& parameters);  // requires control_mutex_, as does advertise()
   void advertise();
   void advertiseServices();
+  void startReconfigure();
+  void startWork();
   void updateSubscription();
   bool isWanted() const;
 
@@ -72,6 +74,8 @@ class PlaceRecognizer {
   void publish(const ArrivedImage& arrived, const cv::Mat& image, const Recognition& recognition,
                double seconds);
   void reset();
+  /// Discards everything seen over time; the place is unknown. Waits for the answer in progress.
+  void forgetAnswers();
   void watchCamera();
 
   ros::NodeHandle node_;

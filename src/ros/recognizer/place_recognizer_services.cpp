@@ -64,8 +64,7 @@ bool PlaceRecognizer::onSetEnabled(std_srvs::SetBool::Request& request,
   }
   if (enable != was_enabled) {
     updateSubscription();
-    const std::lock_guard<std::mutex> lock(state_mutex_);  // waits for the answer in progress
-    answers_.forget(place_tracker_);
+    forgetAnswers();
   }
   response.success = true;
   response.message = request.data ? "Recognizing." : "Not recognizing until enabled again.";
