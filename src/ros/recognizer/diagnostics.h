@@ -12,17 +12,17 @@
 namespace place_recognition {
 
 /// Reports of place_recognizer on /diagnostics, once per second: the state of its models, and the
-/// images and answers of each camera. Thread-safe.
+/// images and answers of each camera. Not thread-safe; reports in the threads of the node handle.
 class Diagnostics {
  public:
   Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
               const std::string& node_name);
 
-  /// Adds a source, reported as `name`, which must outlive this.
+  /// Adds a source, reported as `name`, which must outlive this; only before start().
   void add(const std::string& name, const ModelSlot& model_slot);
   void add(const std::string& name, ImageStatus& images);
 
-  /// Starts reporting, once all sources are added.
+  /// Starts reporting.
   void start();
 
  private:
