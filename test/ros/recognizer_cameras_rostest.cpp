@@ -1,5 +1,6 @@
 // place_recognizer with several cameras.
 
+#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/Image.h>
 #include <std_msgs/String.h>
 
@@ -114,6 +115,25 @@ TEST_F(RecognizerOfCameras, OneThatIsSilentIsNamedAndTheOtherContinues) {
     return reported("Images of front").find("no image on /front/image_raw") != std::string::npos;
   })) << reported("Images of front");
   EXPECT_TRUE(sendUntil(nullptr, showing(2), [&] { return lastPlace() == "room2"; }));
+}
+
+TEST_F(RecognizerOfCameras, AreEachNamedIfTheirImagesCannotBeUsed) {
+  const Inbox<rosgraph_msgs::Log> log(node_, "/rosout");
+  const auto is_named = [&](const std::string& topic) {
+    for (const rosgraph_msgs::Log& entry : log.messages()) {
+      const std::string warning = "An image on " + topic + " cannot be used";
+      if (entry.name == name_ && entry.msg.find(warning) == 0) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(eventually([&] {
+    stamp_ += 0.1;
+    sensor_msgs::Image distances = toImageMessage(drawRoom(0, 1), headerAt(stamp_));
+    distances.encoding = "32FC1";
+    front_.send(distances);
+    rear_.send(distances);
+    return is_named("/front/image_raw") && is_named("/rear/image");
+  }));
 }
 
 TEST_F(RecognizerOfCameras, TellHowTheirImagesDifferFromTheTraining) {

@@ -12,6 +12,9 @@
 namespace place_recognition {
 namespace {
 
+/// Interval between two warnings of unusable images.
+constexpr std::chrono::seconds kWarningPeriod(10);
+
 /// Seconds of a clock that also advances when a camera repeats its stamp.
 double secondsOf(std::chrono::steady_clock::time_point time) {
   return std::chrono::duration<double>(time.time_since_epoch()).count();
@@ -136,6 +139,15 @@ void CameraRecognizer::publishDebugImage(const cv::Mat& image, const Recognition
                                          const std_msgs::Header& header) {
   if (!debugImageIsWanted()) return;
   debug_image_publisher_.publish(toImageMessage(drawAnswer(image, recognition, *model_), header));
+}
+
+void CameraRecognizer::reportUnusable(const std::string& why) {
+  status_.unusable(why);
+  // Not ROS_WARN_THROTTLE, which would count the warnings of all cameras as one.
+  const auto now = ImageStatus::Clock::now();
+  if (warned_of_unusable_ && now - *warned_of_unusable_ < kWarningPeriod) return;
+  warned_of_unusable_ = now;
+  ROS_WARN("An image on %s cannot be used: %s", topic().c_str(), why.c_str());
 }
 
 void CameraRecognizer::reset() {

@@ -72,6 +72,9 @@ class CameraRecognizer {
                          const std_msgs::Header& header);
   bool debugImageIsWanted() const { return debug_image_publisher_.getNumSubscribers() > 0; }
 
+  /// Records that an image cannot be used, and why; warns of it at most once in 10 s.
+  void reportUnusable(const std::string& why);
+
   /// Discards everything seen.
   void reset();
 
@@ -94,6 +97,7 @@ class CameraRecognizer {
   double last_stamp_ = 0;   // s
   StandingStamp standing_stamp_;
   bool stands_still_ = false;
+  std::optional<ImageStatus::Clock::time_point> warned_of_unusable_;  // last
   image_transport::Publisher debug_image_publisher_;
 };
 

@@ -18,8 +18,6 @@ namespace {
 
 /// Interval at which the arrival of images is checked, s.
 constexpr double kCameraPeriod = 0.2;
-/// Interval between two warnings of the same kind, s.
-constexpr double kWarningPeriod = 10;
 
 std::vector<std::string> topicsOf(const ros::NodeHandle& node,
                                   const std::vector<CameraName>& cameras) {
@@ -184,10 +182,7 @@ void PlaceRecognizer::answer(const ArrivedImage& arrived) {
   try {
     recognize(arrived);
   } catch (const std::exception& e) {
-    CameraRecognizer& camera = *cameras_[arrived.camera];
-    camera.status().unusable(e.what());
-    ROS_WARN_THROTTLE(kWarningPeriod, "An image on %s cannot be used: %s", camera.topic().c_str(),
-                      e.what());
+    cameras_[arrived.camera]->reportUnusable(e.what());
   }
 }
 
@@ -204,7 +199,7 @@ void PlaceRecognizer::recognize(const ArrivedImage& arrived) {
   followModels();
   if (!camera.model()) {
     camera.status().judged("not answered, because there is no model");
-    ROS_WARN_THROTTLE(kWarningPeriod, "There is no model to recognize with.");
+    ROS_WARN_THROTTLE(10, "There is no model to recognize with.");
     return;
   }
   const auto start = ImageStatus::Clock::now();
