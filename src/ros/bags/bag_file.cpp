@@ -10,6 +10,7 @@
 #include "base/file_kind.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
+#include "ros/messages/image_types.h"
 
 namespace place_recognition {
 namespace {
@@ -97,8 +98,6 @@ std::string bareName(const std::string& topic) {
   return start == std::string::npos ? ""
                                     : topic.substr(start, topic.find_last_not_of('/') + 1 - start);
 }
-
-bool isCompressedDepth(const std::string& topic) { return endsWith(topic, "compressedDepth"); }
 
 std::string whyNoImages(const std::vector<std::string>& topics) {
   const bool has_depth = std::any_of(topics.begin(), topics.end(), isCompressedDepth);

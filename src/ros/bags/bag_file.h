@@ -47,9 +47,6 @@ void requireNoLabelsBeside(const std::string& path);
 /// ones.
 std::string bareName(const std::string& topic);
 
-/// Whether the images of a topic are distances, by its name; they cannot be used as a camera's.
-bool isCompressedDepth(const std::string& topic);
-
 /// Why a bag whose topics include no images that can be used is not a recording; a phrase that
 /// follows "PATH: ", without a full stop.
 std::string whyNoImages(const std::vector<std::string>& topics);

@@ -2,7 +2,7 @@
 
 #include <rosbag/view.h>
 
-#include "ros/bags/bag_topics.h"
+#include "ros/messages/image_types.h"
 
 namespace place_recognition {
 namespace {

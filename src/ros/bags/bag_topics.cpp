@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "base/text.h"
 #include "place_recognition/camera_correlation.h"
 #include "place_recognition/error.h"
+#include "ros/bags/bag_file.h"
 #include "ros/bags/bag_recording.h"
 
 namespace place_recognition {
@@ -38,7 +38,7 @@ std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wa
     throw Error(whyNoImages(names) + "; its topics are " + listed(topics, false));
   }
   if (!wanted.empty()) {
-    for (const char* suffix : {"", "/compressed"}) {
+    for (const std::string& suffix : {std::string(), kCompressedSuffix}) {
       const auto meant = [&](const std::string& name) {
         return bareName(name) == bareName(wanted) + suffix;
       };
@@ -48,9 +48,10 @@ std::string chooseImageTopic(const RecordedTopics& topics, const std::string& wa
     throw Error("it has no images on " + wanted + "; the image topics are " + listed(topics, true));
   }
   const std::string& first = candidates.front();
-  const bool one_camera = std::all_of(
-      candidates.begin(), candidates.end(),
-      [&first](const std::string& name) { return name == first || name == first + "/compressed"; });
+  const bool one_camera =
+      std::all_of(candidates.begin(), candidates.end(), [&first](const std::string& name) {
+        return name == first || name == first + kCompressedSuffix;
+      });
   if (!one_camera) {
     throw Error(
         "it has several image topics; select one with --image-topic, or, for several cameras "
@@ -110,10 +111,6 @@ std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
   return chosen;
 }
 
-std::string cameraOf(const std::string& topic) {
-  const std::string ending = "/compressed";
-  const bool ends = topic.size() > ending.size() && endsWith(topic, ending);
-  return "/" + bareName(topic.substr(0, topic.size() - (ends ? ending.size() : 0)));
-}
+std::string cameraOf(const std::string& topic) { return "/" + bareName(withoutCompressed(topic)); }
 
 }  // namespace place_recognition

@@ -7,24 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "ros/bags/bag_file.h"
+#include "ros/messages/image_types.h"
 
 namespace place_recognition {
 
-inline const std::string kImageType = "sensor_msgs/Image";
 inline const std::string kLabelType = "std_msgs/String";
-inline const std::string kCompressedImageType = "sensor_msgs/CompressedImage";
 
 /// A topic of a bag.
 struct RecordedTopic {
   std::string type;  ///< of its messages, such as "sensor_msgs/Image"
   std::uint32_t messages = 0;
 };
-
-/// Whether the messages of a topic are images that can be used.
-inline bool areImages(const std::string& topic, const std::string& type) {
-  return (type == kImageType || type == kCompressedImageType) && !isCompressedDepth(topic);
-}
 
 /// By name.
 using RecordedTopics = std::map<std::string, RecordedTopic>;
@@ -42,7 +35,8 @@ std::string chooseLabelTopic(const RecordedTopics& topics, const std::string& wa
 std::vector<std::string> chooseImageTopics(const RecordedTopics& topics,
                                            const std::vector<std::string>& wanted);
 
-/// The topic of a camera, given that of its images, which may end in "/compressed".
+/// The topic of a camera, given that of its images, which may end in "/compressed"; with one
+/// leading slash.
 std::string cameraOf(const std::string& topic);
 
 }  // namespace place_recognition

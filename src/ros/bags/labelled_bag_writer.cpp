@@ -14,6 +14,7 @@
 #include "place_recognition/error.h"
 #include "ros/bags/staged_bag.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/image_types.h"
 
 namespace place_recognition {
 namespace {
@@ -87,7 +88,7 @@ void LabelledBagWriter::write(const cv::Mat& image, const std::string& place, do
     bag_->place = place;
   }
   if (bag_->options.jpeg) {
-    bag_->file.write(topic + "/compressed", header.stamp,
+    bag_->file.write(topic + kCompressedSuffix, header.stamp,
                      toJpegMessage(image, header, bag_->options.jpeg_quality));
   } else {
     bag_->file.write(topic, header.stamp, toImageMessage(image, header));

@@ -7,6 +7,7 @@
 #include "base/nearest_name.h"
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/image_types.h"
 
 namespace place_recognition {
 
@@ -15,9 +16,9 @@ const std_msgs::Header& ImageMessage::header() const {
                     message_);
 }
 
-const char* ImageMessage::topicSuffix() const {
+std::string ImageMessage::topicSuffix() const {
   const bool compressed = std::holds_alternative<sensor_msgs::CompressedImageConstPtr>(message_);
-  return compressed ? names::kCompressedSuffix : "";
+  return compressed ? kCompressedSuffix : "";
 }
 
 cv::Mat ImageMessage::image() const {
@@ -56,7 +57,7 @@ void ImageInput::requireTransport() const {
 void ImageInput::subscribe() {
   if (transport_name_ == "compressed") {
     // Like image_transport: a remapping of `image` also applies to its suffixes.
-    compressed_subscriber_ = node_.subscribe(topic() + names::kCompressedSuffix, queue_,
+    compressed_subscriber_ = node_.subscribe(topic() + kCompressedSuffix, queue_,
                                              &ImageInput::onCompressed, this);
   } else {
     const image_transport::TransportHints hints("raw", ros::TransportHints(), private_node_);

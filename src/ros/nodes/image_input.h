@@ -28,7 +28,7 @@ class ImageMessage {
   cv::Mat image() const;
 
   /// What its topic appends to the name without a transport.
-  const char* topicSuffix() const;
+  std::string topicSuffix() const;
 
   /// Calls `use` with the message itself, a sensor_msgs::Image or CompressedImage.
   template <typename Use>

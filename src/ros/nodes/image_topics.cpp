@@ -8,40 +8,34 @@
 #include <vector>
 
 #include "base/text.h"
+#include "ros/messages/image_types.h"
 #include "ros/nodes/node_names.h"
 
 namespace place_recognition {
 namespace {
 
-constexpr const char* kImage = "sensor_msgs/Image";
-constexpr const char* kCompressedImage = "sensor_msgs/CompressedImage";
 constexpr const char* kPlaceRecognition = "place_recognition/PlaceRecognition";
-const std::string kCompressed = "/compressed";
 
 /// Types of topics by name.
 using Topics = std::map<std::string, std::string>;
 
-bool isDepth(const std::string& topic) { return endsWith(topic, "/compressedDepth"); }
-
-bool isImages(const std::string& topic, const std::string& type) {
-  return (type == kImage || type == kCompressedImage) && !isDepth(topic);
-}
-
 /// Whether the transport subscribes to topics of this type; plugins have their own types.
 bool fits(const std::string& transport, const std::string& type) {
-  if (transport == "raw") return type == kImage;
-  return transport != "compressed" || type == kCompressedImage;
+  if (transport == "raw") return type == kImageType;
+  return transport != "compressed" || type == kCompressedImageType;
 }
 
 /// How to receive the images on `topic`.
 std::string otherForm(const std::string& topic, const std::string& type) {
   const std::string is = topic + " is published as " + type + "; ";
-  if (type == kImage) return is + "set ~image_transport to raw and remap image to " + topic + ".";
-  if (!endsWith(topic, kCompressed)) {
-    return is + "such a topic must end in /compressed: relay it to " + topic + kCompressed + ".";
+  if (type == kImageType)
+    return is + "set ~image_transport to raw and remap image to " + topic + ".";
+  if (!endsWith(topic, kCompressedSuffix)) {
+    return is + "such a topic must end in /compressed: relay it to " + topic + kCompressedSuffix +
+           ".";
   }
-  return is + "set ~image_transport to compressed and remap image to " +
-         topic.substr(0, topic.size() - kCompressed.size()) + ".";
+  return is + "set ~image_transport to compressed and remap image to " + withoutCompressed(topic) +
+         ".";
 }
 
 /// The names of all recognizers, whose debug images do not come from a camera.
@@ -58,7 +52,7 @@ std::vector<std::string> recognizersOf(const ros::master::V_TopicInfo& published
 std::string listOfImageTopics(const Topics& topics) {
   std::string list;
   for (const auto& [name, type] : topics) {
-    if (isImages(name, type)) list += (list.empty() ? "" : ", ") + name;
+    if (areImages(name, type)) list += (list.empty() ? "" : ", ") + name;
   }
   return list.empty() ? "Nobody publishes images." : "Images are published on: " + list + ".";
 }
@@ -85,13 +79,14 @@ std::string explainSilence(const std::string& topic, const std::string& transpor
              " is published, but no image arrives; check whether the camera sends: rostopic hz " +
              heard + ".";
     }
-    if (isImages(heard, type)) return otherForm(heard, type);
-    return heard + (isDepth(heard) ? " contains distances, not images."
-                                   : " is published as " + type + ", which is not an image.");
+    if (areImages(heard, type)) return otherForm(heard, type);
+    return heard + (isCompressedDepth(heard)
+                        ? " contains distances, not images."
+                        : " is published as " + type + ", which is not an image.");
   }
-  for (const std::string& name : {topic, topic + kCompressed}) {
+  for (const std::string& name : {topic, topic + kCompressedSuffix}) {
     const auto form = topics.find(name);
-    if (form != topics.end() && isImages(name, form->second)) return otherForm(name, form->second);
+    if (form != topics.end() && areImages(name, form->second)) return otherForm(name, form->second);
   }
   return "Nobody publishes " + heard + ". " + listOfImageTopics(topics);
 }

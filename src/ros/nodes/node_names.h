@@ -9,7 +9,6 @@ namespace place_recognition::names {
 // place_recognizer
 constexpr const char* kImage = "image";
 constexpr const char* kImageRawSuffix = "/image_raw";
-constexpr const char* kCompressedSuffix = "/compressed";
 constexpr const char* kRecognition = "recognition";
 constexpr const char* kPlace = "place";
 constexpr const char* kBelief = "belief";
