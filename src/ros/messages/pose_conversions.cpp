@@ -22,6 +22,13 @@ Eigen::Matrix2d positionCovariance(const geometry_msgs::PoseWithCovariance& pose
   return covariance;
 }
 
+OdometryPose toOdometryPose(const nav_msgs::Odometry& odometry) {
+  const geometry_msgs::Point& position = odometry.pose.pose.position;
+  const geometry_msgs::Quaternion& q = odometry.pose.pose.orientation;
+  const double yaw = std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
+  return {odometry.header.stamp.toSec(), position.x, position.y, yaw};
+}
+
 double largestDeviation(const Eigen::Matrix2d& covariance) {
   const double xx = covariance(0, 0);
   const double yy = covariance(1, 1);

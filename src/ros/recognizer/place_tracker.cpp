@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "base/place_name.h"
 #include "base/user_path.h"
 #include "place_recognition/error.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/pose_conversions.h"
 #include "ros/nodes/node_names.h"
 #include "ros/recognizer/camera_list.h"
 
@@ -16,13 +16,6 @@ namespace {
 
 /// s; nobody can use images after a longer wait.
 constexpr double kLongestLag = 10;
-
-OdometryPose toPose(const nav_msgs::Odometry& odometry) {
-  const geometry_msgs::Point& position = odometry.pose.pose.position;
-  const geometry_msgs::Quaternion& q = odometry.pose.pose.orientation;
-  const double yaw = std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
-  return {odometry.header.stamp.toSec(), position.x, position.y, yaw};
-}
 
 }  // namespace
 
@@ -39,7 +32,7 @@ PlaceTracker::PlaceTracker(const ros::NodeHandle& node, Parameters& parameters,
 }
 
 void PlaceTracker::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
-  way_.add(toPose(*odometry));
+  way_.add(toOdometryPose(*odometry));
 }
 
 void PlaceTracker::setModels(std::vector<std::shared_ptr<const Model>> models, double smoothing) {
