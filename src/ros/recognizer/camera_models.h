@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "recognition/recognizer/model_slot.h"
 #include "ros/recognizer/camera_list.h"
+#include "ros/recognizer/model_slot.h"
 
 namespace place_recognition {
 

@@ -14,11 +14,11 @@
 #include "datasets/depth_scale.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/frames/image_guard.h"
-#include "recognition/recognizer/model_slot.h"
 #include "ros/nodes/image_input.h"
 #include "ros/nodes/parameters.h"
 #include "ros/recognizer/camera_list.h"
 #include "ros/recognizer/image_status.h"
+#include "ros/recognizer/model_slot.h"
 
 namespace place_recognition {
 

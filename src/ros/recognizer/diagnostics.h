@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "recognition/recognizer/model_slot.h"
 #include "ros/recognizer/image_status.h"
+#include "ros/recognizer/model_slot.h"
 
 namespace place_recognition {
 

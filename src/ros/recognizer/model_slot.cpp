@@ -1,4 +1,4 @@
-#include "recognition/recognizer/model_slot.h"
+#include "ros/recognizer/model_slot.h"
 
 #include <utility>
 

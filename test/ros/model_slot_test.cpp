@@ -1,6 +1,6 @@
 // Replacing the model in use.
 
-#include "recognition/recognizer/model_slot.h"
+#include "ros/recognizer/model_slot.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
