@@ -54,6 +54,7 @@ TEST(CameraList, RefusesWhatCannotBeMeant) {
   EXPECT_NE(refuses("[a, b, c, d, e, f, g, h, i]", "", "m").find("at most 8"), std::string::npos);
   EXPECT_NE(refuses("[front, rear]", "[a]", "").find("1 name for 2 cameras"), std::string::npos);
   EXPECT_NE(refuses("", "[a, b]", "").find("2 names for 1 camera"), std::string::npos);
+  EXPECT_NE(refuses("", "[a, b]", "").find("rosparam delete /node/models."), std::string::npos);
   EXPECT_NE(refuses("[front, rear]", "[a, b]", "m").find("Both ~model and ~models"),
             std::string::npos);
 }

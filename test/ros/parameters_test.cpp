@@ -101,6 +101,17 @@ TEST(Parameters, AreNumbersOfEitherKindAndWithinTheirLimits) {
   expectSays(errorOf([] { with("threads", -1).integer("threads", 1, 0); }), {"-1", "at least 0"});
 }
 
+TEST(Parameters, ThatCannotBeUsedAreRefusedWithTheCommandThatDeletesThem) {
+  const std::string remedy = "rosparam delete /node/it.";
+  expectSays(errorOf([] { with("it", "maybe").flag("it", true); }), {remedy});
+  expectSays(errorOf([] { with("it", 11).integer("it", 1, 0, 10); }), {remedy});
+  expectSays(errorOf([] { with("it", 11).real("it", 1, 0, 10); }), {remedy});
+  expectSays(errorOf([] { with("it", true).text("it"); }), {remedy});
+  expectSays(errorOf([] { with("it", listOf({true})).texts("it"); }), {remedy});
+  expectSays(errorOf([] { with("it", "left").integers("it"); }), {remedy});
+  expectSays(errorOf([] { with("it", 2).reals("it", 0, 1); }), {remedy});
+}
+
 TEST(Parameters, AreNamesAlsoIfTheyLookLikeNumbers) {
   EXPECT_EQ(with("model", "rooms").text("model"), "rooms");
   EXPECT_EQ(with("model", 2024).text("model"), "2024");

@@ -35,10 +35,10 @@ ImageInput::ImageInput(const ros::NodeHandle& node, const ros::NodeHandle& priva
       callback_(std::move(callback)),
       queue_(queue),
       transport_(node) {
-  requireTransport();
+  requireTransport(parameters);
 }
 
-void ImageInput::requireTransport() const {
+void ImageInput::requireTransport(const Parameters& parameters) const {
   std::vector<std::string> known{"raw", "compressed"};
   if (contains(known, transport_name_)) return;
   std::string list = "raw, compressed";
@@ -49,16 +49,16 @@ void ImageInput::requireTransport() const {
     known.push_back(name);
   }
   const std::string meant = nearestName(transport_name_, known);
-  throw Error("The parameter ~image_transport is '" + transport_name_ +
-              "'; the installed transports are " + list + "." +
-              (meant.empty() ? "" : " Did you mean " + meant + "?"));
+  parameters.refuse("image_transport", "The parameter ~image_transport is '" + transport_name_ +
+                                           "'; the installed transports are " + list + "." +
+                                           (meant.empty() ? "" : " Did you mean " + meant + "?"));
 }
 
 void ImageInput::subscribe() {
   if (transport_name_ == "compressed") {
     // Like image_transport: a remapping of `image` also applies to its suffixes.
-    compressed_subscriber_ = node_.subscribe(topic() + kCompressedSuffix, queue_,
-                                             &ImageInput::onCompressed, this);
+    compressed_subscriber_ =
+        node_.subscribe(topic() + kCompressedSuffix, queue_, &ImageInput::onCompressed, this);
   } else {
     const image_transport::TransportHints hints("raw", ros::TransportHints(), private_node_);
     plugin_subscriber_ = transport_.subscribe(topic_, queue_, &ImageInput::onImage, this, hints);

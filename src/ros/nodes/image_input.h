@@ -66,7 +66,7 @@ class ImageInput {
   void onCompressed(const sensor_msgs::CompressedImageConstPtr& message) {
     callback_(ImageMessage(message));
   }
-  void requireTransport() const;
+  void requireTransport(const Parameters& parameters) const;
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;

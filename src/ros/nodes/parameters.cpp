@@ -81,39 +81,61 @@ const XmlRpcValue* Parameters::find(const std::string& name) {
   return is_set ? &values_[name] : nullptr;
 }
 
+void Parameters::refuse(const std::string& name, const std::string& sentence) const {
+  throw Error(sentence + " If an earlier launch left it, run: rosparam delete " +
+              ros::names::append(node_, name) + ".");
+}
+
+template <typename Read>
+auto Parameters::reading(const std::string& name, const Read& read) const -> decltype(read()) {
+  try {
+    return read();
+  } catch (const Error& e) {
+    refuse(name, e.what());
+  }
+}
+
 bool Parameters::flag(const std::string& name, bool otherwise) {
   const XmlRpcValue* value = find(name);
-  return value == nullptr ? otherwise : toFlag(*value, where(name));
+  if (value == nullptr) return otherwise;
+  return reading(name, [&] { return toFlag(*value, where(name)); });
 }
 
 int Parameters::integer(const std::string& name, int otherwise, int least, int most) {
   const XmlRpcValue* value = find(name);
   if (value == nullptr) return otherwise;
-  const int number = toInteger(*value, where(name));
-  requireWithin(number, least, most, name);
-  return number;
+  return reading(name, [&] {
+    const int number = toInteger(*value, where(name));
+    requireWithin(number, least, most, name);
+    return number;
+  });
 }
 
 double Parameters::real(const std::string& name, double otherwise, double least, double most) {
   const XmlRpcValue* value = find(name);
   if (value == nullptr) return otherwise;
-  const double number = toReal(*value, where(name));
-  requireWithin(number, least, most, name);
-  return number;
+  return reading(name, [&] {
+    const double number = toReal(*value, where(name));
+    requireWithin(number, least, most, name);
+    return number;
+  });
 }
 
 std::string Parameters::text(const std::string& name, const std::string& otherwise) {
   const XmlRpcValue* value = find(name);
-  return value == nullptr ? otherwise : toText(*value, where(name));
+  if (value == nullptr) return otherwise;
+  return reading(name, [&] { return toText(*value, where(name)); });
 }
 
 std::vector<std::string> Parameters::texts(const std::string& name) {
   std::vector<std::string> texts;
   const XmlRpcValue* value = find(name);
   if (value == nullptr) return texts;
-  for (const XmlRpcValue& element : toList(*value, where(name))) {
-    texts.push_back(toText(element, whereElement(name, texts.size())));
-  }
+  reading(name, [&] {
+    for (const XmlRpcValue& element : toList(*value, where(name))) {
+      texts.push_back(toText(element, whereElement(name, texts.size())));
+    }
+  });
   const bool is_single = value->getType() == XmlRpcValue::TypeString && texts.size() == 1 &&
                          texts[0] == static_cast<const std::string&>(*value);
   if (is_single && texts[0].find(',') != std::string::npos) {
@@ -127,9 +149,11 @@ std::vector<int> Parameters::integers(const std::string& name) {
   std::vector<int> integers;
   const XmlRpcValue* value = find(name);
   if (value == nullptr) return integers;
-  for (const XmlRpcValue& element : toList(*value, where(name))) {
-    integers.push_back(toInteger(element, whereElement(name, integers.size())));
-  }
+  reading(name, [&] {
+    for (const XmlRpcValue& element : toList(*value, where(name))) {
+      integers.push_back(toInteger(element, whereElement(name, integers.size())));
+    }
+  });
   return integers;
 }
 
@@ -137,10 +161,12 @@ std::vector<double> Parameters::reals(const std::string& name, double least, dou
   std::vector<double> reals;
   const XmlRpcValue* value = find(name);
   if (value == nullptr) return reals;
-  for (const XmlRpcValue& element : toList(*value, where(name))) {
-    reals.push_back(toReal(element, whereElement(name, reals.size())));
-    requireWithin(reals.back(), least, most, name);
-  }
+  reading(name, [&] {
+    for (const XmlRpcValue& element : toList(*value, where(name))) {
+      reals.push_back(toReal(element, whereElement(name, reals.size())));
+      requireWithin(reals.back(), least, most, name);
+    }
+  });
   return reals;
 }
 

@@ -34,6 +34,10 @@ class Parameters {
   std::vector<int> integers(const std::string& name);
   std::vector<double> reals(const std::string& name, double least, double most);
 
+  /// Throws Error: `sentence`, which says why ~name cannot be used, and how to delete the parameter
+  /// if an earlier launch left it on the parameter server. The functions above do so as well.
+  [[noreturn]] void refuse(const std::string& name, const std::string& sentence) const;
+
   /// One sentence for everything that may not be what a person meant: each parameter that is set
   /// but not read by any function above, with the name that may be meant, except for those of the
   /// libraries in use; each argument `name:=value` of the program or nodelet that remaps a topic
@@ -47,6 +51,9 @@ class Parameters {
  private:
   /// Null if the parameter is not set.
   const XmlRpc::XmlRpcValue* find(const std::string& name);
+  /// Returns `read()`; its errors are about ~name, see refuse().
+  template <typename Read>
+  auto reading(const std::string& name, const Read& read) const -> decltype(read());
   /// The known name of which the unknown one may be a misspelling; empty if none.
   std::string meantBy(const std::string& name, const XmlRpc::XmlRpcValue& value) const;
 

@@ -10,13 +10,14 @@
 namespace place_recognition {
 namespace {
 
-CameraName cameraOf(const std::string& text) {
+CameraName cameraOf(const std::string& text, const Parameters& parameters) {
   std::string problem;
   if (text.empty() || text[0] == '~' || !ros::names::validate(text, problem)) {
     const bool is_list = text.find(',') != std::string::npos;
-    throw Error(
+    parameters.refuse(
+        "cameras",
         "The parameter ~cameras has '" + text + "', which is not the name of a topic; " +
-        (is_list ? "write [" + text + "]." : "give image topics, or names before /image_raw."));
+            (is_list ? "write [" + text + "]." : "give image topics, or names before /image_raw."));
   }
   const bool is_topic = text.find('/') != std::string::npos;
   const std::string name = text[0] == '/' ? text.substr(1) : text;
@@ -24,13 +25,17 @@ CameraName cameraOf(const std::string& text) {
 }
 
 void requireModelsFor(const std::vector<CameraName>& cameras,
-                      const std::vector<std::string>& models, const std::string& model) {
+                      const std::vector<std::string>& models, const std::string& model,
+                      const Parameters& parameters) {
   if (models.empty()) return;
   if (models.size() != cameras.size()) {
-    throw Error("The parameter ~models has " + counted(models.size(), "name") + " for " +
-                counted(cameras.size(), "camera") + "; give one for each of ~cameras.");
+    parameters.refuse("models", "The parameter ~models has " + counted(models.size(), "name") +
+                                    " for " + counted(cameras.size(), "camera") +
+                                    "; give one for each of ~cameras.");
   }
-  if (!model.empty()) throw Error("Both ~model and ~models are set; give one of them.");
+  if (!model.empty()) {
+    parameters.refuse("models", "Both ~model and ~models are set; give one of them.");
+  }
 }
 
 }  // namespace
@@ -38,20 +43,21 @@ void requireModelsFor(const std::vector<CameraName>& cameras,
 std::vector<CameraName> readCameras(Parameters& parameters) {
   std::vector<CameraName> cameras;
   for (const std::string& text : parameters.texts("cameras")) {
-    cameras.push_back(cameraOf(text));
+    cameras.push_back(cameraOf(text, parameters));
     for (std::size_t i = 0; i + 1 < cameras.size(); ++i) {
       if (cameras[i].name != cameras.back().name) continue;
-      throw Error("The parameter ~cameras has '" + text + "' twice; name each camera once.");
+      parameters.refuse("cameras",
+                        "The parameter ~cameras has '" + text + "' twice; name each camera once.");
     }
   }
   if (cameras.size() > kMaxCameras) {
-    throw Error("The parameter ~cameras has " + counted(cameras.size(), "camera") +
-                "; give at most " + std::to_string(kMaxCameras) + ".");
+    parameters.refuse("cameras", "The parameter ~cameras has " + counted(cameras.size(), "camera") +
+                                     "; give at most " + std::to_string(kMaxCameras) + ".");
   }
   if (cameras.size() == 1) cameras[0].name.clear();
   if (cameras.empty()) cameras.push_back({"", names::kImage, ""});
   const std::vector<std::string> models = parameters.texts("models");
-  requireModelsFor(cameras, models, parameters.text("model"));
+  requireModelsFor(cameras, models, parameters.text("model"), parameters);
   for (std::size_t i = 0; i < models.size(); ++i) cameras[i].model = models[i];
   return cameras;
 }
@@ -72,12 +78,16 @@ Eigen::MatrixXd readCameraCorrelation(Parameters& parameters, std::size_t camera
   if (given.empty()) return {};
   const std::size_t pairs = cameras * (cameras - 1) / 2;
   if (pairs == 0) {
-    throw Error("The parameter ~camera_correlation is for several cameras; set ~cameras, too.");
+    parameters.refuse(
+        "camera_correlation",
+        "The parameter ~camera_correlation is for several cameras; set ~cameras, too.");
   }
   if (given.size() != 1 && given.size() != pairs) {
-    throw Error("The parameter ~camera_correlation has " + counted(given.size(), "number") +
-                "; give one for all, or " + std::to_string(pairs) +
-                " for the pairs of cameras: first and second, first and third, and so on.");
+    parameters.refuse(
+        "camera_correlation",
+        "The parameter ~camera_correlation has " + counted(given.size(), "number") +
+            "; give one for all, or " + std::to_string(pairs) +
+            " for the pairs of cameras: first and second, first and third, and so on.");
   }
   const auto count = static_cast<Eigen::Index>(cameras);
   Eigen::MatrixXd correlation = Eigen::MatrixXd::Identity(count, count);
