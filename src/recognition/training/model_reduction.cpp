@@ -107,7 +107,7 @@ RateOnSamples::RateOnSamples(const Model& model, const Samples& samples, const P
     index_in_model.push_back(placeIndex(place, model.places));
     if (index_in_model.back() < 0) {
       throw Error("The model does not know the place '" + place +
-                  "' in the runs for --validate; give runs of the places that it knows.");
+                  "' in the validation runs; give runs of the places that it knows.");
     }
   }
   for (const SampleOrigin& origin : samples.origins) truth_.push_back(index_in_model[origin.place]);

@@ -48,7 +48,7 @@ void warnOfTightLimit(const Model& model, int vector_limit, std::vector<std::str
     warnings.push_back("The limit keeps " + counted(vector_limit, "support vector") + " of " +
                        std::to_string(before) +
                        " that the model had, so its confidence and the figures of held-out images "
-                       "are too good; run `place_tool calibrate` on another run.");
+                       "are too good; calibrate the model on another run.");
     return;
   }
 }
