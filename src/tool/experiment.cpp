@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/parallel.h"
 #include "datasets/image_file.h"
@@ -27,51 +31,114 @@ struct ExperimentOptions {
   OutputOptions output;
 };
 
-std::unique_ptr<Experiment> makeExperiment(const ExperimentOptions& options,
-                                           std::vector<ImageSet> sets) {
-  const unsigned threads = options.threads;
-  if (options.name == "indecs-local") {
-    return finalExperiment(PlaceFeatures::kLocal, std::move(sets), threads);
-  }
-  if (options.name == "indecs-global") {
-    return finalExperiment(PlaceFeatures::kGlobal, std::move(sets), threads);
-  }
-  if (options.name == "reduction") return reductionExperiment(std::move(sets), threads);
-  if (options.name == "materials") return materialsExperiment(std::move(sets), threads);
-  if (options.name == "learning-curve") return learningCurveExperiment(std::move(sets), threads);
-  if (options.name == "categories") return categoriesExperiment(std::move(sets), threads);
-  if (options.name == "cues") return cuesExperiment(std::move(sets), threads);
-  if (options.name == "figures") return figuresExperiment();
-  if (options.name == "bins") return binsExperiment(std::move(sets), threads);
-  return descriptorsExperiment(std::move(sets), options.max_dimensions, threads);
+using Sets = std::vector<ImageSet>;
+
+/// What an experiment is computed from.
+enum class Data { kNone, kConditions, kBuildings, kMaterials };
+
+/// An experiment, as users name it. The help texts together are that of the argument NAME.
+struct ExperimentKind {
+  const char* name;
+  Data data;
+  std::unique_ptr<Experiment> (*make)(Sets sets, const ExperimentOptions& options);
+  const char* help;
+};
+
+const ExperimentKind kExperiments[] = {
+    {"indecs-local", Data::kConditions,
+     [](Sets sets, const ExperimentOptions& options) {
+       return finalExperiment(PlaceFeatures::kLocal, std::move(sets), options.threads);
+     },
+     "Table 8.2"},
+    {"indecs-global", Data::kConditions,
+     [](Sets sets, const ExperimentOptions& options) {
+       return finalExperiment(PlaceFeatures::kGlobal, std::move(sets), options.threads);
+     },
+     "Table 8.6"},
+    {"descriptors", Data::kConditions,
+     [](Sets sets, const ExperimentOptions& options) {
+       return descriptorsExperiment(std::move(sets), options.max_dimensions, options.threads);
+     },
+     "Table 8.4"},
+    {"bins", Data::kConditions,
+     [](Sets sets, const ExperimentOptions& options) {
+       return binsExperiment(std::move(sets), options.threads);
+     },
+     "Table 8.5"},
+    {"reduction", Data::kConditions,
+     [](Sets sets, const ExperimentOptions& options) {
+       return reductionExperiment(std::move(sets), options.threads);
+     },
+     "Tables 8.3, 8.7"},
+    {"materials", Data::kMaterials,
+     [](Sets sets, const ExperimentOptions& options) {
+       return materialsExperiment(std::move(sets), options.threads);
+     },
+     "Tables 7.1 to 7.6"},
+    {"figures", Data::kNone, [](Sets, const ExperimentOptions&) { return figuresExperiment(); },
+     "Figures 5.5, 6.1, 6.2, without --data"},
+    {"learning-curve", Data::kConditions,
+     [](Sets sets, const ExperimentOptions& options) {
+       return learningCurveExperiment(std::move(sets), options.threads);
+     },
+     "number of images and viewpoints needed"},
+    {"categories", Data::kBuildings,
+     [](Sets sets, const ExperimentOptions& options) {
+       return categoriesExperiment(std::move(sets), options.threads);
+     },
+     "rooms of a building outside the training set"},
+    {"cues", Data::kConditions,
+     [](Sets sets, const ExperimentOptions& options) {
+       return cuesExperiment(std::move(sets), options.threads);
+     },
+     "ways of combining several"}};
+
+std::vector<std::string> experimentNames() {
+  std::vector<std::string> names;
+  for (const ExperimentKind& kind : kExperiments) names.push_back(kind.name);
+  return names;
 }
 
-/// Throws UsageError for an option that this experiment does not have.
+std::string experimentHelp() {
+  std::string help;
+  for (const ExperimentKind& kind : kExperiments) {
+    help += (help.empty() ? "" : "; ") + std::string(kind.name) + ": " + kind.help;
+  }
+  return help;
+}
+
+const ExperimentKind& kindOf(const ExperimentOptions& options) {
+  return *std::find_if(std::begin(kExperiments), std::end(kExperiments),
+                       [&](const ExperimentKind& kind) { return options.name == kind.name; });
+}
+
+/// Throws UsageError for an option that this experiment does not have, and for a missing one.
 void requireApplicable(const ExperimentOptions& options) {
   const ExperimentOptions defaults;
-  const bool made_up = options.name == "figures";
-  if (options.layout != defaults.layout && (made_up || options.name == "materials")) {
+  const Data data = kindOf(options).data;
+  if (options.layout != defaults.layout && (data == Data::kNone || data == Data::kMaterials)) {
     throw UsageError("--layout applies to images of places");
   }
-  if (options.every != defaults.every && made_up) throw UsageError("--every requires --data");
+  if (options.every != defaults.every && data == Data::kNone) {
+    throw UsageError("--every requires --data");
+  }
   if (options.max_dimensions != defaults.max_dimensions && options.name != "descriptors") {
     throw UsageError("--max-dimensions applies to descriptors");
   }
+  if (data == Data::kNone && !options.data.empty()) {
+    throw UsageError("--data: the figures use artificial points; omit it");
+  }
+  if (data != Data::kNone && options.data.empty()) throw UsageError("--data is required");
 }
 
 /// Warns of folders without images.
-std::vector<ImageSet> setsOf(const ExperimentOptions& options) {
-  const bool made_up = options.name == "figures";
-  if (made_up && !options.data.empty()) {
-    throw UsageError("--data: the figures use artificial points; omit it");
-  }
-  if (!made_up && options.data.empty()) throw UsageError("--data is required");
-  if (made_up) return {};
-  if (options.name == "materials") return sampleSets(options.data);
+Sets setsOf(const ExperimentOptions& options) {
+  const Data data = kindOf(options).data;
+  if (data == Data::kNone) return {};
+  if (data == Data::kMaterials) return sampleSets(options.data);
   std::vector<std::string> warnings;
-  std::vector<ImageSet> sets = options.name == "categories"
-                                   ? buildingSets(options.data, options.layout, warnings)
-                                   : conditionSets(options.data, options.layout, warnings);
+  Sets sets = data == Data::kBuildings ? buildingSets(options.data, options.layout, warnings)
+                                       : conditionSets(options.data, options.layout, warnings);
   printWarnings(warnings);
   return sets;
 }
@@ -104,7 +171,7 @@ std::size_t leaveOutUnusable(ImageSet& set, unsigned threads, ProgressDisplay& d
 void runExperimentVerb(const ExperimentOptions& options) {
   requireApplicable(options);
   const Part part = parsePart(options.part);
-  std::vector<ImageSet> sets = setsOf(options);
+  Sets sets = setsOf(options);
   const NewFolder folder(options.out);
   ProgressDisplay display(options.output.progress);
   std::size_t images = 0, unusable = 0;
@@ -114,7 +181,7 @@ void runExperimentVerb(const ExperimentOptions& options) {
     images += set.images.size();
   }
   const std::string digest = digestOf(sets);
-  const std::unique_ptr<Experiment> experiment = makeExperiment(options, std::move(sets));
+  const std::unique_ptr<Experiment> experiment = kindOf(options).make(std::move(sets), options);
   const ExperimentOutcome outcome =
       runExperiment(*experiment, options.out, digest, part, display.callback());
   display.clear();
@@ -140,13 +207,7 @@ void runExperimentVerb(const ExperimentOptions& options) {
 void addExperiment(CommandLine& tool) {
   Verb& verb = tool.verb("experiment", "Repeats an experiment of the thesis");
   const auto options = std::make_shared<ExperimentOptions>();
-  verb.argument("NAME", options->name,
-                "indecs-local, indecs-global: Tables 8.2, 8.6; descriptors: 8.4; bins: 8.5; "
-                "reduction: 8.3, 8.7; materials: 7.1 to 7.6; figures: 5.5, 6.1, 6.2, without "
-                "--data; learning-curve: number of images and viewpoints needed; categories: rooms "
-                "of a building outside the training set; cues: ways of combining several")
-      .oneOf({"indecs-local", "indecs-global", "descriptors", "bins", "reduction", "materials",
-              "figures", "learning-curve", "categories", "cues"});
+  verb.argument("NAME", options->name, experimentHelp()).oneOf(experimentNames());
   verb.option("--data", "DIR", options->data,
               "Folder of images: CONDITION/ROOM/IMAGE; materials: MATERIAL/SAMPLE/IMAGE; "
               "categories: BUILDING/CONDITION/ROOM/IMAGE");
