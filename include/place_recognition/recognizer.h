@@ -7,18 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/feature.h"
 #include "place_recognition/light.h"
 #include "place_recognition/model.h"
 
 namespace place_recognition {
-
-class CueBudget;
-class CueExtraction;
-class CueMean;
-class EvidenceShift;
-class LightEstimate;
-class RateLimit;
 
 /// The answer to one frame.
 struct Recognition {
@@ -61,12 +53,12 @@ class Recognizer {
 
   /// Limits cues of type `embedding`, which are expensive, to `rate` frames per second of a stream;
   /// they are held in between. 0: no limit.
-  void setEmbeddingRate(double rate) { embedding_rate_ = rate; }
+  void setEmbeddingRate(double rate);
 
   /// Sets the decorrelation time, s. The last decision values of a held cue count with the cue's
   /// weight times e^(-age / time), because a view predicts later views for about as long. 0, the
   /// default: they do not count.
-  void setDecorrelationTime(double time) { decorrelation_time_ = time; }
+  void setDecorrelationTime(double time);
 
   /// The gains that make frames of the current stream look as in the training, estimated from its
   /// frames so far.
@@ -77,51 +69,13 @@ class Recognizer {
   double evidenceShift() const;
 
   /// Replaces the model's threshold: evidence below it is answered 'unknown', 0..1.
-  void setUnknownThreshold(double threshold) { unknown_threshold_ = threshold; }
+  void setUnknownThreshold(double threshold);
 
-  const Model& model() const { return *model_; }
+  const Model& model() const;
 
  private:
-  /// What one cue states about an image.
-  struct CueAnswer {
-    bool missing = true;
-    double stamp = 0;  // of the image
-    Eigen::RowVectorXd decision_values;
-    double familiarity = 0;  // the largest kernel value
-  };
-  using CueAnswers = std::vector<CueAnswer>;
-
-  void beginStreamFrame(double stamp);
-  void forgetAnswers();
-  void askCue(std::size_t cue, double stamp, CueAnswer& answer);
-  void askCuesInTime(double stamp);
-  double weightOf(std::size_t cue, double certainty, double age) const;
-  const Recognition& combine(const CueAnswers& answers, double stamp, double certainty,
-                             double evidence_shift);
-  void decide(double evidence_shift);
-  const Recognition& answerNothing(const std::string& reason);
-
-  std::shared_ptr<const Model> model_;
-  std::unique_ptr<CueExtraction> extraction_;
-  std::unique_ptr<LightEstimate> light_;
-  double unknown_light_;  // certainty of the light of a single image
-  std::unique_ptr<EvidenceShift> evidence_shift_;
-  std::vector<bool> follows_run_;                 // by cue: normalize is run
-  std::vector<bool> is_embedding_;                // by cue
-  std::vector<std::vector<std::size_t>> groups_;  // of cues that are computed together
-  double embedding_rate_ = 0;
-  double decorrelation_time_ = 0;
-  std::unique_ptr<RateLimit> embedding_limit_;
-  std::unique_ptr<CueBudget> budget_;
-  double stamp_ = 0;  // of the last frame of the stream
-  double unknown_threshold_;
-  std::vector<Feature> features_;  // one per cue
-  CueAnswers stream_answers_;      // to the last frame of the stream, or held
-  CueAnswers image_answers_;       // to a single image
-  Eigen::VectorXd kernel_values_;
-  std::unique_ptr<CueMean> mean_;  // of the cues in use
-  double log_odds_ = 0;            // of evidence, before the shift
-  Recognition recognition_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace place_recognition
