@@ -12,13 +12,9 @@ struct ClassifierParts;
 
 /// Support vector machines of all places over one shared support set (thesis chapter 5): maps a
 /// feature to one decision value per place. Created by training or by reading a model. Immutable;
-/// safe to share between threads.
+/// safe to share between threads. Copies share the support set.
 class Classifier {
  public:
-  ~Classifier();
-  Classifier(Classifier&&) noexcept;
-  Classifier& operator=(Classifier&&) noexcept;
-
   /// Computes the decision values of `feature` (not missing, of the kind trained on): `places()`
   /// elements. `kernel_values` is scratch memory, reused between calls.
   void decisionValues(const Feature& feature, Eigen::VectorXd& kernel_values,
@@ -29,9 +25,9 @@ class Classifier {
 
  private:
   friend struct ClassifierParts;
-  explicit Classifier(std::unique_ptr<const ClassifierParts> parts);
+  explicit Classifier(std::shared_ptr<const ClassifierParts> parts);
 
-  std::unique_ptr<const ClassifierParts> parts_;
+  std::shared_ptr<const ClassifierParts> parts_;
 };
 
 }  // namespace place_recognition

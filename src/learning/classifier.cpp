@@ -10,7 +10,7 @@ namespace place_recognition {
 Classifier ClassifierParts::assemble(ClassifierParts parts) {
   assert(supportVectors(parts.machines).size() == parts.support_set.size());
   assert(parts.origins.size() == parts.support_set.size());
-  return Classifier(std::make_unique<const ClassifierParts>(std::move(parts)));
+  return Classifier(std::make_shared<const ClassifierParts>(std::move(parts)));
 }
 
 Classifier ClassifierParts::assemble(const KernelOptions& kernel, BinarySvms machines,
@@ -25,10 +25,7 @@ Classifier ClassifierParts::assemble(const KernelOptions& kernel, BinarySvms mac
   return assemble({std::move(machines), SupportSet(Kernel(kernel), kept), pick(origins, used)});
 }
 
-Classifier::Classifier(std::unique_ptr<const ClassifierParts> parts) : parts_(std::move(parts)) {}
-Classifier::~Classifier() = default;
-Classifier::Classifier(Classifier&&) noexcept = default;
-Classifier& Classifier::operator=(Classifier&&) noexcept = default;
+Classifier::Classifier(std::shared_ptr<const ClassifierParts> parts) : parts_(std::move(parts)) {}
 
 void Classifier::decisionValues(const Feature& feature, Eigen::VectorXd& kernel_values,
                                 Eigen::RowVectorXd& place_values) const {

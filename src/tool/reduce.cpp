@@ -68,9 +68,7 @@ class Reducer {
     std::optional<double> rate;
     if (rate_) rate = (*rate_)(machines);
 
-    // A model cannot be copied, but its file can be read again.
-    const Model smaller =
-        withMachines(loadModel(modelPath(options_.model)), std::move(machines), chosen);
+    const Model smaller = withMachines(model_, std::move(machines), chosen);
     if (!path.empty()) saveModel(smaller, path);
     ReductionFigures figures = measured(smaller);
     figures.method = method;

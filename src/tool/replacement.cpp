@@ -27,8 +27,8 @@ std::vector<Replacement::Room> Replacement::roomsOf(const Model& model, const st
                                                     const Progress& progress,
                                                     std::vector<std::string>& warnings) const {
   requireNotLearned(model, whose, recordings_);
-  const std::shared_ptr<const Model> borrowed(std::shared_ptr<const Model>(), &model);
-  const Evaluation evaluation = evaluate(borrowed, recordings_, 0, progress);
+  const Evaluation evaluation =
+      evaluate(std::make_shared<const Model>(model), recordings_, 0, progress);
   warnings = evaluation.warnings;
   const Summary summary = summarize(evaluation);
   std::vector<Room> rooms;

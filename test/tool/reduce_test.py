@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests place_tool reduce on painted rooms."""
 import json
+import shutil
 import unittest
 
 from trained_case import COLOUR, TrainedCase
@@ -61,6 +62,15 @@ class ReduceTest(TrainedCase):
         page = (self.folder / "report/reduction.html").read_text()
         self.assertIn("shared-greedy", page)
         self.assertIn("<svg", page)
+
+    def test_report_compares_methods_of_the_model_that_it_replaces(self):
+        shutil.copy(self.folder / "home.places", self.folder / "same.places")
+        other = self.reduce("--share", 0.3, "--report", "report")
+        same = self.figures("reduce", "--model", "./same.places", "--out", "./same.places",
+                            "--share", 0.3, "--report", "report")
+        for method, figures in other["methods"].items():
+            for key in ("support_vectors", "max_margin_change", "model_bytes"):
+                self.assertEqual(same["methods"][method][key], figures[key], method)
 
     def test_text_names_the_images_of_the_measured_changes(self):
         arguments = ("reduce", "--model", "./home.places", "--out", "./small.places",
