@@ -62,8 +62,7 @@ struct SamplingOptions {
     visitor(
         "most", self.most,
         "most images to learn, including those in other light, 10 or more; if there are more, the "
-        "same fraction of each room, rounded up, is drawn at random; memory is 16 bytes times the "
-        "square");
+        "same fraction of each room is drawn at random; memory is 16 bytes times the square");
   }
   void check() const;
 };

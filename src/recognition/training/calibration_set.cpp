@@ -80,22 +80,6 @@ void keep(const HeldOutValues& held_out, const std::vector<int>& samples, HeldOu
   frames.familiarity.push_back(std::move(familiarity));
 }
 
-/// The samples, given their places, that a model keeps. stratifiedSample() rounds the fraction of
-/// each place up, so the request may have to be smaller than the available room.
-std::vector<bool> keptOf(const std::vector<int>& places, std::uint64_t seed) {
-  std::size_t most = kMaxHeldOutFrames;
-  std::vector<bool> kept = stratifiedSample(places, most, seed);
-  const auto excess = [&kept] {
-    const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), true));
-    return count - std::min(count, kMaxHeldOutFrames);
-  };
-  while (excess() > 0 && most > 1) {
-    most -= std::min(most - 1, excess());
-    kept = stratifiedSample(places, most, seed);
-  }
-  return kept;
-}
-
 }  // namespace
 
 void CalibrationSet::add(const HeldOutFrames& frames, const std::vector<int>& place_of,
@@ -119,9 +103,9 @@ HeldOutFrames keptFrames(const CalibrationSet& calibration_set, std::size_t redu
   const std::vector<int> valid = judgesOfUnknown(cues, calibration_set.judges_unknown);
   std::vector<int> places;
   for (const int sample : valid) places.push_back(calibration_set.samples[sample].place);
-  const std::vector<bool> kept = keptOf(places, seed);
+  const std::vector<bool> kept = stratifiedSample(places, kMaxHeldOutFrames, seed);
   std::vector<int> samples;
-  for (std::size_t i = 0; i < valid.size() && samples.size() < kMaxHeldOutFrames; ++i) {
+  for (std::size_t i = 0; i < valid.size(); ++i) {
     if (kept[i]) samples.push_back(valid[i]);
   }
 

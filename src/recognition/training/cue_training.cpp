@@ -10,12 +10,12 @@
 namespace place_recognition {
 namespace {
 
-/// Maximum number of samples, approximately, for the search of gamma: more do not move the plateau
-/// from which it is chosen. Fewer are used if every gamma needs its own matrix of measures.
+/// Maximum number of samples for the search of gamma: more do not move the plateau from which it is
+/// chosen. Fewer are used if every gamma needs its own matrix of measures.
 constexpr std::size_t kSamplesForSearch = 2000;
 constexpr std::size_t kSamplesForCostlySearch = 120;
 
-/// The features of about `count` samples; the others become missing.
+/// The features of at most `count` samples, but one of each place; the others become missing.
 std::vector<Feature> thinnedOut(std::vector<Feature> features, const TrainingTask& task,
                                 std::size_t count) {
   std::vector<int> places;

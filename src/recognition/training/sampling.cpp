@@ -4,12 +4,46 @@
 #include <numeric>
 
 namespace place_recognition {
+namespace {
+
+std::size_t sumOf(const std::vector<std::size_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+/// The group with more than one member whose share is largest compared with the exact one.
+std::size_t mostFavoured(const std::vector<std::size_t>& shares,
+                         const std::vector<std::int64_t>& lacking) {
+  std::size_t group = shares.size();
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    if (shares[k] > 1 && (group == shares.size() || lacking[k] < lacking[group])) group = k;
+  }
+  return group;
+}
+
+}  // namespace
+
 std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std::size_t most) {
-  const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  const std::size_t all = sumOf(sizes);
   if (all <= most) return sizes;
-  std::vector<std::size_t> fractions;
-  for (const std::size_t size : sizes) fractions.push_back((size * most + all - 1) / all);
-  return fractions;
+  std::vector<std::size_t> shares;
+  std::vector<std::int64_t> lacking;  // by group: exact minus present share, times `all`
+  for (const std::size_t size : sizes) {
+    shares.push_back(std::max(size * most / all, std::min<std::size_t>(size, 1)));
+    lacking.push_back(static_cast<std::int64_t>(size * most) -
+                      static_cast<std::int64_t>(shares.back() * all));
+  }
+  for (std::size_t total = sumOf(shares); total < most; ++total) {
+    const auto group = std::max_element(lacking.begin(), lacking.end()) - lacking.begin();
+    ++shares[static_cast<std::size_t>(group)];
+    lacking[static_cast<std::size_t>(group)] -= static_cast<std::int64_t>(all);
+  }
+  for (std::size_t total = sumOf(shares); total > most; --total) {
+    const std::size_t group = mostFavoured(shares, lacking);
+    if (group == shares.size()) break;
+    --shares[group];
+    lacking[group] += static_cast<std::int64_t>(all);
+  }
+  return shares;
 }
 
 std::vector<bool> stratifiedSample(const std::vector<int>& groups,

@@ -30,8 +30,9 @@ class FrameRate {
   double last_ = -std::numeric_limits<double>::infinity();
 };
 
-/// How many members to keep of groups with these `sizes` so that there are at most `most` in total
-/// (but one of each group): the same fraction of each.
+/// How many members to keep of groups with these `sizes` so that there are at most `most` in total:
+/// the same fraction of each, rounded by the largest remainder, but at least one of each group,
+/// even if that makes more than `most`.
 std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std::size_t most);
 
 /// Selects at most `counts[k]` samples of group k by stratified sampling: the group is divided into
@@ -40,7 +41,7 @@ std::vector<std::size_t> equalShares(const std::vector<std::size_t>& sizes, std:
 std::vector<bool> stratifiedSample(const std::vector<int>& groups,
                                    const std::vector<std::size_t>& counts, std::uint64_t seed);
 
-/// The same with equalShares() of the groups; keeps all samples if there are no more than `most`.
+/// The same with equalShares() of the groups: all samples if there are no more than `most`.
 std::vector<bool> stratifiedSample(const std::vector<int>& groups, std::size_t most,
                                    std::uint64_t seed);
 
