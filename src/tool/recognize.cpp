@@ -13,6 +13,7 @@
 #include "evaluation/recording_recognizer.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
+#include "recognition/over_time/room_answer.h"
 #include "ros/bags/bag_file.h"
 #include "tool/inputs.h"
 #include "tool/output.h"
@@ -42,18 +43,15 @@ Json scores(const Model& model, const Recognition& answer) {
 
 /// The answer revised by the frames before and after, like `~smoothed`.
 Json overTime(const Model& model, const FilteredAnswer& answer) {
-  const auto rooms = answer.probabilities.head(static_cast<Eigen::Index>(model.places.size()));
-  Eigen::Index best = 0;
-  const double evidence = std::max(rooms.sum(), 1e-9);
-  const double confidence = rooms.maxCoeff(&best) / evidence;
+  const RoomAnswer revised = roomAnswer(answer);
   Json probabilities = Json::object();
   for (std::size_t k = 0; k < model.places.size(); ++k) {
-    probabilities[model.places[k]] = rooms[static_cast<Eigen::Index>(k)] / evidence;
+    probabilities[model.places[k]] = revised.probabilities[static_cast<Eigen::Index>(k)];
   }
-  return {{"place", model.places[static_cast<std::size_t>(best)]},
-          {"known", answer.place >= 0},
-          {"confidence", confidence},
-          {"evidence", evidence},
+  return {{"place", model.places[static_cast<std::size_t>(revised.place)]},
+          {"known", revised.known},
+          {"confidence", revised.confidence},
+          {"evidence", revised.evidence},
           {"probabilities", probabilities}};
 }
 

@@ -75,6 +75,21 @@ TEST(RecognitionMessages, NoPlaceIsAnEmptyNameAndAReason) {
   EXPECT_EQ(message.reason, "too few interest points");
 }
 
+TEST(RecognitionMessages, AreRevisedEvenWithoutAnyEvidence) {
+  Recognition recognition;
+  recognition.probabilities = Eigen::RowVector2d(0.25, 0.75);
+  recognition.decision_values = Eigen::RowVector2d(-1.5, 0.5);
+  PlaceRecognition message = toPlaceRecognition(recognition, namedPlaces(), std_msgs::Header(), 0);
+  FilteredAnswer answer;
+  answer.probabilities = Eigen::RowVector3d(0, 0, 1);
+  revise(answer, message);
+  EXPECT_FALSE(message.known);
+  EXPECT_EQ(message.evidence, 0);
+  EXPECT_EQ(message.confidence, 0.5);
+  EXPECT_EQ(message.places[0].probability, 0.5);
+  EXPECT_EQ(message.places[1].probability, 0.5);
+}
+
 TEST(RecognitionMessages, ModelInfoListsPlacesAndFeatures) {
   const ModelInfo message = toModelInfo(namedPlaces());
   EXPECT_EQ(message.name, "home");

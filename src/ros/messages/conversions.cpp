@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "place_recognition/error.h"
+#include "recognition/over_time/room_answer.h"
 
 namespace place_recognition {
 namespace {
@@ -183,17 +184,14 @@ PlaceRecognition toPlaceRecognition(const Recognition& recognition, const Model&
 }
 
 void revise(const FilteredAnswer& answer, PlaceRecognition& message) {
-  const auto rooms = answer.probabilities.head(static_cast<Eigen::Index>(message.places.size()));
-  const double evidence = rooms.sum();
-  Eigen::Index best = 0;
-  rooms.maxCoeff(&best);
+  const RoomAnswer revised = roomAnswer(answer);
   for (std::size_t i = 0; i < message.places.size(); ++i) {
-    message.places[i].probability = rooms[static_cast<Eigen::Index>(i)] / evidence;
+    message.places[i].probability = revised.probabilities[static_cast<Eigen::Index>(i)];
   }
-  message.place = message.places[static_cast<std::size_t>(best)].name;
-  message.known = answer.place >= 0;
-  message.confidence = rooms[best] / evidence;
-  message.evidence = evidence;
+  message.place = message.places[static_cast<std::size_t>(revised.place)].name;
+  message.known = revised.known;
+  message.confidence = revised.confidence;
+  message.evidence = revised.evidence;
   message.reason.clear();
 }
 
