@@ -1,11 +1,16 @@
 #include "place_recognition/learning_options.h"
 
 #include <cmath>
+#include <iterator>
 
+#include "base/contains.h"
 #include "base/require.h"
+#include "base/text.h"
 #include "learning/kernel_type.h"
+#include "learning/reduction.h"
 
 namespace place_recognition {
+
 void KernelOptions::check() const {
   kernelType(type);
   requireOption(std::isfinite(gamma) && gamma >= 0, "kernel.gamma", "a number from 0");
@@ -26,9 +31,10 @@ void SvmOptions::check() const {
 }
 
 void ReductionOptions::check() const {
-  requireOption(method == "none" || method == "qr" || method == "shared-qr" ||
-                    method == "shared-greedy" || method == "auto",
-                "reduction.method", "none, qr, shared-qr, shared-greedy or auto");
+  requireOption(
+      method == "none" || method == "auto" || contains(kReductionMethods, method),
+      "reduction.method",
+      "none, " + listed({std::begin(kReductionMethods), std::end(kReductionMethods)}) + " or auto");
   requireOption(tau >= 0 && tau <= 1, "reduction.tau", "a number 0..1");
   requireOption(share >= 0 && share <= 1, "reduction.share", "a number 0..1");
   requireOption(support_vectors >= 0, "reduction.support_vectors", "a whole number from 0");

@@ -1,13 +1,14 @@
 #include "recognition/training/reduction_choice.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "learning/reduction.h"
 #include "recognition/model/scores.h"
 
 namespace place_recognition {
 namespace {
 
-constexpr const char* kMethods[] = {"shared-greedy", "shared-qr", "qr"};
 constexpr std::size_t kMaxSamplesForAuto = 4000;
 constexpr double kFractions[] = {0.70, 0.50, 0.35, 0.25, 0.15};
 
@@ -57,8 +58,10 @@ std::vector<ReductionOptions> reductionsInQuestion(const ReductionOptions& optio
   reduction.method = "none";
   std::vector<ReductionOptions> reductions{reduction};
   if (samples > kMaxSamplesForAuto) return reductions;
-  for (const char* method : kMethods) {
-    reduction.method = method;
+  // In reverse, because of equally good reductions the first is chosen: one with a shared basis.
+  for (auto method = std::crbegin(kReductionMethods); method != std::crend(kReductionMethods);
+       ++method) {
+    reduction.method = *method;
     for (const double fraction : kFractions) {
       reduction.share = fraction;
       reductions.push_back(reduction);

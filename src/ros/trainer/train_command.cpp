@@ -3,7 +3,6 @@
 #include <ros/names.h>
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 #include "base/child_process.h"
@@ -12,6 +11,7 @@
 #include "base/data_folder.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
+#include "place_recognition/learning_options.h"
 #include "ros/nodes/message_fields.h"
 
 namespace place_recognition {
@@ -23,8 +23,6 @@ constexpr std::size_t kMaxYamlBytes = 64 * 1024;
 constexpr std::size_t kMaxTopicBytes = 256;
 constexpr std::uint32_t kMaxVectorLimit = 1000000;
 constexpr std::uint32_t kMaxThreads = 1024;
-constexpr std::array<const char*, 5> kReductions = {"auto", "none", "qr", "shared-qr",
-                                                    "shared-greedy"};
 
 void requireOfGoal(bool sound, const std::string& what) {
   if (!sound) throw Error("The goal's " + what + ".");
@@ -53,8 +51,11 @@ void check(const TrainGoal& goal) {
   requireOfGoal(goal.preset.empty() || goal.yaml.empty(), "preset and yaml exclude each other");
   requireOfGoal(goal.yaml.size() <= kMaxYamlBytes,
                 "yaml is longer than " + std::to_string(kMaxYamlBytes) + " bytes");
-  requireOfGoal(goal.reduction.empty() || contains(kReductions, goal.reduction),
-                "reduction must be auto, none, qr, shared-qr or shared-greedy");
+  if (!goal.reduction.empty()) {
+    ReductionOptions reduction;
+    reduction.method = goal.reduction;
+    reduction.check();
+  }
   requireOfGoal(goal.add_to.empty() || isPlainName(goal.add_to),
                 std::string("add_to must be ") + kPlainNameRule);
   requireOfGoal(
