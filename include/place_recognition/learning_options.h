@@ -28,7 +28,8 @@ struct KernelOptions {
   }
   void check() const;
 
-  /// Whether the type has a gamma, to be found by cross-validation if it is 0.
+  /// Whether the type has a gamma, to be found by cross-validation if it is 0. Throws Error for an
+  /// unknown type.
   bool hasGamma() const;
 };
 

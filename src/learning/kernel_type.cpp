@@ -46,6 +46,10 @@ const KernelType& kernelType(const std::string& name) {
               namesOfTypes(true) + ".");
 }
 
+bool hasGamma(const KernelType& type) {
+  return type.response == Response::kExponential || type.measure == Measure::kLocalMatch;
+}
+
 void requireMeaning(const KernelType& type, bool for_descriptors) {
   if (isForDescriptors(type) == for_descriptors) return;
   throw Error(std::string("The kernel '") + type.name + "' is not defined for " +

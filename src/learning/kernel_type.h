@@ -20,6 +20,9 @@ struct KernelType {
 /// Throws Error, listing the existing types, if none has this name.
 const KernelType& kernelType(const std::string& name);
 
+/// Whether the measure or the response has a parameter gamma.
+bool hasGamma(const KernelType& type);
+
 /// Throws Error, listing the suitable types, if `type` is not defined for such features.
 void requireMeaning(const KernelType& type, bool for_descriptors);
 

@@ -20,9 +20,7 @@ void KernelOptions::check() const {
   requireOption(std::isfinite(theta), "kernel.theta", "a finite number");
 }
 
-bool KernelOptions::hasGamma() const {
-  return type == "gaussian" || type == "chi-squared" || type == "local-match";
-}
+bool KernelOptions::hasGamma() const { return place_recognition::hasGamma(kernelType(type)); }
 
 void SvmOptions::check() const {
   requireOption(std::isfinite(c) && c > 0, "svm.c", "a number above 0");

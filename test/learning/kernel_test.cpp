@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "error_of.h"
 #include "learning/random_features.h"
@@ -121,6 +122,20 @@ TEST(Kernel, RefusesWhatItHasNoMeaningFor) {
   EXPECT_NE(errorIn(linear, vector, SparseVector{{0}, {1}}), "");
   EXPECT_NE(errorIn(linear, Feature(), Feature()), "");
   EXPECT_NE(errorIn(local, DescriptorSet(), set), "");
+}
+
+TEST(Kernel, HasAGammaIfItsValuesDependOnIt) {
+  RandomFeatures random(3);
+  for (const char* type : {"linear", "polynomial", "gaussian", "sigmoid", "chi-squared",
+                           "intersection", "local-match"}) {
+    const bool for_sets = std::string(type) == "local-match";
+    const Feature x = for_sets ? Feature(random.descriptors(2)) : random.dense(4);
+    const Feature y = for_sets ? Feature(random.descriptors(2)) : random.dense(4);
+    const double one = Kernel(kernelOptions(type, 1))(x, y);
+    const double two = Kernel(kernelOptions(type, 2))(x, y);
+    EXPECT_EQ(kernelOptions(type).hasGamma(), one != two) << type;
+  }
+  EXPECT_THROW(kernelOptions("cubic").hasGamma(), Error);
 }
 
 TEST(Kernel, OnlyLocalMatchNeedsGammaForItsMeasure) {
