@@ -15,7 +15,7 @@ TEST(Scores, AverageRateWeighsRoomsEqually) {
   // Room 0: 3 of 4 right; room 1: 0 of 1; room 2 does not occur.
   const std::vector<int> truth{0, 0, 0, 0, 1}, answers{0, 0, 0, 1, -1};
   EXPECT_DOUBLE_EQ(averageRate(truth, answers, 3), (0.75 + 0) / 2);
-  EXPECT_DOUBLE_EQ(averageRateError(truth, answers, 3), std::sqrt(0.75 * 0.25 / 4) / 2);
+  EXPECT_DOUBLE_EQ(roomRates(truth, answers, 3).standard_error, std::sqrt(0.75 * 0.25 / 4) / 2);
   EXPECT_EQ(averageRate(std::vector<int>(), std::vector<int>(), 3), 0);
 }
 

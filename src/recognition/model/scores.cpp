@@ -54,14 +54,14 @@ RoomMean roomMean(const std::vector<int>& truth, const std::vector<double>& valu
   return {sum / occurring, std::sqrt(variance) / occurring};
 }
 
-double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
+RoomMean roomRates(const std::vector<int>& truth, const std::vector<int>& answers,
                    std::size_t places) {
-  return roomMean(truth, hits(truth, answers), places).mean;
+  return roomMean(truth, hits(truth, answers), places);
 }
 
-double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
-                        std::size_t places) {
-  return roomMean(truth, hits(truth, answers), places).standard_error;
+double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
+                   std::size_t places) {
+  return roomRates(truth, answers, places).mean;
 }
 
 std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,

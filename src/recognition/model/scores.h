@@ -27,12 +27,12 @@ RoomMean roomMean(const std::vector<int>& truth, const std::vector<double>& valu
 
 /// Mean of the rooms' rates with equal weight per room (thesis section 8.1), over the rooms that
 /// occur in `truth`; 0 if none does. `answers`: the place answered for each frame, -1 for none.
-double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
+RoomMean roomRates(const std::vector<int>& truth, const std::vector<int>& answers,
                    std::size_t places);
 
-/// Standard error of averageRate(), as if frames were independent.
-double averageRateError(const std::vector<int>& truth, const std::vector<int>& answers,
-                        std::size_t places);
+/// The mean of roomRates().
+double averageRate(const std::vector<int>& truth, const std::vector<int>& answers,
+                   std::size_t places);
 
 /// Two places that are confused with one another.
 struct ConfusedPair {
@@ -41,7 +41,7 @@ struct ConfusedPair {
   double standard_error = 0;  ///< of the rate, as if frames were independent
 };
 
-/// All confused pairs, the most confused first. Arguments as for averageRate().
+/// All confused pairs, the most confused first. Arguments as for roomRates().
 std::vector<ConfusedPair> confusedPairs(const std::vector<int>& truth,
                                         const std::vector<int>& answers, std::size_t places);
 

@@ -51,23 +51,24 @@ std::vector<double> scaled(const std::vector<double>& prior, const std::vector<d
   return weights;
 }
 
-/// The rate with given shares of the cues, and its standard error.
+/// The rate with given shares of the cues.
 struct Trial {
   std::vector<double> parts;
-  double rate, error;
+  RoomMean rate;
 };
 
 /// The sum of all shares that are as good as the best; zero for a cue with hardly any share.
 std::vector<double> sumOfTheBest(const std::vector<Trial>& trials) {
   constexpr double kAsGood = 2;     // standard errors
   constexpr double kNothing = 0.2;  // of an equal share
-  const Trial& best = *std::max_element(
-      trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.rate < b.rate; });
+  const Trial& best =
+      *std::max_element(trials.begin(), trials.end(),
+                        [](const auto& a, const auto& b) { return a.rate.mean < b.rate.mean; });
   const std::size_t cues = best.parts.size();
   std::vector<double> sums(cues, 0);
   double count = 0;
   for (const Trial& trial : trials) {
-    if (trial.rate < best.rate - kAsGood * best.error) continue;
+    if (trial.rate.mean < best.rate.mean - kAsGood * best.rate.standard_error) continue;
     for (std::size_t c = 0; c < cues; ++c) sums[c] += trial.parts[c];
     count += 1;
   }
@@ -120,8 +121,7 @@ std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
   const auto judge = [&](const std::vector<double>& parts) -> Trial {
     const CombinedValues combined = combine(cues, scaled(prior, parts), limit);
-    return {parts, averageRate(combined, samples, places),
-            averageRateError(combined, samples, places)};
+    return {parts, roomRates(combined, samples, places)};
   };
   std::vector<Trial> trials;
   for (const std::vector<double>& parts : gridOfParts(cues.size())) trials.push_back(judge(parts));

@@ -57,8 +57,8 @@ class CueTrainer {
       compare();
       const PackedGram gram(Kernel(cue_.kernel), measures_, task_.threads);
       const HeldOutValues held_out = crossValidate(gram, rows_, task_, {unreduced}).front();
-      trials.push_back({gamma, averageRate(held_out, task_.samples, task_.places),
-                        averageRateError(held_out, task_.samples, task_.places)});
+      const RoomMean rate = roomRates(held_out, task_.samples, task_.places);
+      trials.push_back({gamma, rate.mean, rate.standard_error});
     }
     return chooseGamma(trials, grid.neutral);
   }

@@ -51,16 +51,15 @@ void HeldOutValues::set(int sample, const Eigen::RowVectorXd& values, double lar
   valid[static_cast<std::size_t>(sample)] = true;
 }
 
-double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
+RoomMean roomRates(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                    std::size_t places) {
   const Answers answers = answersOf(held_out, samples);
-  return averageRate(answers.truth, answers.places, places);
+  return roomRates(answers.truth, answers.places, places);
 }
 
-double averageRateError(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
-                        std::size_t places) {
-  const Answers answers = answersOf(held_out, samples);
-  return averageRateError(answers.truth, answers.places, places);
+double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
+                   std::size_t places) {
+  return roomRates(held_out, samples, places).mean;
 }
 
 std::vector<ConfusedPair> confusedPairs(const HeldOutValues& held_out,

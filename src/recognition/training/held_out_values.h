@@ -23,12 +23,12 @@ struct HeldOutValues {
 };
 
 /// Mean of the rooms' rates over the valid samples, by the largest decision value.
-double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
+RoomMean roomRates(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
                    std::size_t places);
 
-/// Standard error of that mean, as if frames were independent.
-double averageRateError(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
-                        std::size_t places);
+/// The mean of roomRates().
+double averageRate(const HeldOutValues& held_out, const std::vector<SampleOrigin>& samples,
+                   std::size_t places);
 
 /// The pairs of places that the largest decision value confuses, over the valid samples.
 std::vector<ConfusedPair> confusedPairs(const HeldOutValues& held_out,
