@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "base/place_name.h"
 #include "recognition/model/scores.h"
@@ -102,6 +104,20 @@ TEST(Combination, LimitsSeveralCuesOfOneAgainstAll) {
   options = TrainingOptions{};
   options.cues.resize(1);
   EXPECT_EQ(decisionLimit(options), 0);
+}
+
+TEST(Combination, TriesABoundedNumberOfSharesOfAnyNumberOfCues) {
+  const std::map<std::size_t, std::size_t> sizes{{1, 1},     {2, 11},   {3, 66},     {5, 495},
+                                                 {11, 1001}, {12, 364}, {17, 969},   {18, 171},
+                                                 {44, 990},  {45, 45},  {1500, 1500}};
+  for (const auto& [cues, size] : sizes) {
+    const std::vector<std::vector<double>> grid = gridOfShares(cues);
+    EXPECT_EQ(grid.size(), 1 + size) << cues;
+    for (const std::vector<double>& shares : grid) {
+      ASSERT_EQ(shares.size(), cues);
+      ASSERT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-9) << cues;
+    }
+  }
 }
 
 TEST(Combination, PrefersTheCueThatTellsAndElseThePrior) {

@@ -26,19 +26,20 @@ void forEachComposition(std::size_t count, int total, std::vector<int>& parts,
   }
 }
 
-/// Steps that keep the grid below about a thousand points.
-int stepsFor(std::size_t cues) { return cues <= 3 ? 10 : cues <= 5 ? 8 : 4; }
+/// Number of vectors that forEachComposition() visits: the binomial of count + total - 1 over
+/// total.
+double compositions(std::size_t count, int total) {
+  double number = 1;
+  for (int k = 1; k <= total; ++k) number *= (static_cast<double>(count) - 1 + k) / k;
+  return std::round(number);
+}
 
-/// Shares of the cues, each vector with sum 1: equal shares, and all of a grid.
-std::vector<std::vector<double>> gridOfParts(std::size_t cues) {
-  std::vector<std::vector<double>> grid{std::vector<double>(cues, 1 / static_cast<double>(cues))};
-  const int steps = stepsFor(cues);
-  std::vector<int> counts;
-  forEachComposition(cues, steps, counts, [&] {
-    grid.emplace_back();
-    for (const int count : counts) grid.back().push_back(static_cast<double>(count) / steps);
-  });
-  return grid;
+/// Steps from a share of 0 to 1 that keep the grid within kMaxGrid, but at least one.
+int stepsFor(std::size_t cues) {
+  constexpr double kMaxGrid = 1001;  // eleven cues in quarters
+  int steps = cues <= 3 ? 10 : cues <= 5 ? 8 : 4;
+  while (steps > 1 && compositions(cues, steps) > kMaxGrid) --steps;
+  return steps;
 }
 
 /// The prior weights multiplied by the shares, with sum 1.
@@ -116,6 +117,17 @@ std::vector<double> priorWeights(const std::vector<CueOptions>& cues) {
   return weights;
 }
 
+std::vector<std::vector<double>> gridOfShares(std::size_t cues) {
+  std::vector<std::vector<double>> grid{std::vector<double>(cues, 1 / static_cast<double>(cues))};
+  const int steps = stepsFor(cues);
+  std::vector<int> counts;
+  forEachComposition(cues, steps, counts, [&] {
+    grid.emplace_back();
+    for (const int count : counts) grid.back().push_back(static_cast<double>(count) / steps);
+  });
+  return grid;
+}
+
 std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
                                      const std::vector<double>& prior, double limit,
                                      const std::vector<SampleOrigin>& samples, std::size_t places) {
@@ -124,7 +136,7 @@ std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
     return {parts, roomRates(combined, samples, places)};
   };
   std::vector<Trial> trials;
-  for (const std::vector<double>& parts : gridOfParts(cues.size())) trials.push_back(judge(parts));
+  for (const std::vector<double>& parts : gridOfShares(cues.size())) trials.push_back(judge(parts));
   std::vector<double> weights = scaled(prior, sumOfTheBest(trials));
   // Cues with the same information get the same weight, regardless of rounding errors of the sums.
   for (double& weight : weights) weight = std::round(1e12 * weight) / 1e12;

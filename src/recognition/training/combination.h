@@ -27,10 +27,14 @@ CombinedValues combine(const std::vector<HeldOutValues>& cues, const std::vector
 /// The weights in the options, scaled to sum 1.
 std::vector<double> priorWeights(const std::vector<CueOptions>& cues);
 
+/// Shares of the cues, each vector with sum 1: equal shares, followed by a grid of all shares in
+/// steps of a tenth, coarser for many cues: at most 1001 vectors or, of more cues, one per cue.
+std::vector<std::vector<double>> gridOfShares(std::size_t cues);
+
 /// Chooses weights, with sum 1, by the rooms' mean rate on held-out samples. The result is the mean
 /// of all settings within two standard errors of the best, because a few hundred frames cannot
-/// distinguish them. The settings are multiples of `prior` in steps of a tenth (coarser for many
-/// cues). A cue whose weight in this mean is less than a fifth of an equal share gets weight 0.
+/// distinguish them. The settings are multiples of `prior` by gridOfShares(). A cue whose weight in
+/// this mean is less than a fifth of an equal share gets weight 0.
 std::vector<double> chooseCueWeights(const std::vector<HeldOutValues>& cues,
                                      const std::vector<double>& prior, double limit,
                                      const std::vector<SampleOrigin>& samples, std::size_t places);
