@@ -23,28 +23,34 @@ struct Assignment {
   std::vector<std::set<int>> left_out_of;
 };
 
-/// Runs in ascending order; those that contain every place come first.
-std::vector<int> completeRecordingsFirst(const Samples& samples, std::size_t& complete) {
+/// Runs in ascending order.
+struct Recordings {
+  std::vector<int> complete;  // contain every place
+  std::vector<int> others;
+};
+
+Recordings recordingsOf(const Samples& samples) {
   std::map<int, std::set<int>> places_of_recording;
   std::set<int> places;
   for (const SampleOrigin& sample : samples) {
     places_of_recording[sample.recording].insert(sample.place);
     places.insert(sample.place);
   }
-  std::vector<int> recordings;
-  for (const auto& recording : places_of_recording) recordings.push_back(recording.first);
-  const auto middle = std::stable_partition(
-      recordings.begin(), recordings.end(),
-      [&](int recording) { return places_of_recording[recording].size() == places.size(); });
-  complete = static_cast<std::size_t>(middle - recordings.begin());
+  Recordings recordings;
+  for (const auto& [recording, its_places] : places_of_recording) {
+    const bool complete = its_places.size() == places.size();
+    (complete ? recordings.complete : recordings.others).push_back(recording);
+  }
   return recordings;
 }
 
-/// Tests whole runs in turn; runs have no neighbours in time.
-Assignment assignRecordings(const Samples& samples, const std::vector<int>& recordings, int count) {
+/// Tests whole runs in turn, the complete ones first; runs have no neighbours in time.
+Assignment assignRecordings(const Samples& samples, const Recordings& recordings, int count) {
   std::map<int, int> fold_of_run;
-  for (std::size_t i = 0; i < recordings.size(); ++i)
-    fold_of_run[recordings[i]] = static_cast<int>(i) % count;
+  int next = 0;
+  for (const std::vector<int>* group : {&recordings.complete, &recordings.others}) {
+    for (const int recording : *group) fold_of_run[recording] = next++ % count;
+  }
   Assignment assignment{{}, std::vector<std::set<int>>(samples.size())};
   for (const SampleOrigin& sample : samples) {
     assignment.tested_in.push_back(fold_of_run[sample.recording]);
@@ -191,18 +197,15 @@ std::vector<Sequence> cameraSequencesOf(const Samples& samples) {
                  [](const SampleOrigin& s) { return std::tuple(s.recording, s.place, s.camera); });
 }
 
-bool wholeRecordings(const Samples& samples, int count) {
-  std::size_t complete = 0;
-  completeRecordingsFirst(samples, complete);
-  return complete >= static_cast<std::size_t>(count);
+int completeRecordings(const Samples& samples) {
+  return static_cast<int>(recordingsOf(samples).complete.size());
 }
 
 std::vector<Fold> timeBlockFolds(const Samples& samples, int count,
                                  const std::vector<TimeBlocks>& blocks) {
   assert(count >= 2);
-  std::size_t complete = 0;
-  const std::vector<int> recordings = completeRecordingsFirst(samples, complete);
-  const Assignment assignment = complete >= static_cast<std::size_t>(count)
+  const Recordings recordings = recordingsOf(samples);
+  const Assignment assignment = recordings.complete.size() >= static_cast<std::size_t>(count)
                                     ? assignRecordings(samples, recordings, count)
                                     : assignBlocks(samples, count, blocks);
   std::vector<Fold> folds(static_cast<std::size_t>(count));

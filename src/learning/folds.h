@@ -49,16 +49,16 @@ std::vector<Sequence> sequencesOf(const std::vector<SampleOrigin>& samples);
 /// The same with separate sequences for each camera, in order of recording, place and camera.
 std::vector<Sequence> cameraSequencesOf(const std::vector<SampleOrigin>& samples);
 
-/// Whether at least `count` runs contain every place.
-bool wholeRecordings(const std::vector<SampleOrigin>& samples, int count);
+/// Number of runs that contain every place of `samples`.
+int completeRecordings(const std::vector<SampleOrigin>& samples);
 
 /// Splits samples into `count` folds by contiguous blocks of time, never by random frames. Each
 /// sequence, with all its cameras together, is cut into equal blocks of about `blocks[run].length`,
 /// but into at least `count`; the folds test the blocks in turn. Samples of the recording that lie
 /// within the gap of a tested one are not trained on in that fold, whatever their place: a frame in
 /// front of a door would otherwise find the frames behind it, but none of its own room. The gap is
-/// at most largestGap() of the actual blocks of the sequence. If wholeRecordings(), whole runs are
-/// the blocks instead.
+/// at most largestGap() of the actual blocks of the sequence. If at least `count` runs are
+/// complete, see completeRecordings(), whole runs are the blocks instead.
 std::vector<Fold> timeBlockFolds(const std::vector<SampleOrigin>& samples, int count,
                                  const std::vector<TimeBlocks>& blocks);
 

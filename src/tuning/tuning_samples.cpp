@@ -1,8 +1,6 @@
 #include "tuning/tuning_samples.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "base/place_name.h"
@@ -38,16 +36,6 @@ Progress partOf(const Progress& whole, std::size_t recordings, const std::size_t
   };
 }
 
-/// Runs that hold every place.
-int completeRecordings(const std::vector<SampleOrigin>& origins, std::size_t places) {
-  std::map<int, std::set<int>> places_of_recording;
-  for (const SampleOrigin& origin : origins)
-    places_of_recording[origin.recording].insert(origin.place);
-  return static_cast<int>(
-      std::count_if(places_of_recording.begin(), places_of_recording.end(),
-                    [&](const auto& recording) { return recording.second.size() == places; }));
-}
-
 /// Folds over the recorded samples.
 std::vector<Fold> recordedFolds(const Samples& samples, const TuningRecordings& recordings,
                                 const TrainingOptions& options, unsigned threads) {
@@ -60,7 +48,7 @@ std::vector<Fold> recordedFolds(const Samples& samples, const TuningRecordings& 
     }
     return {fold};
   }
-  const int complete = completeRecordings(origins, samples.places.size());
+  const int complete = completeRecordings(origins);
   if (complete >= 2) {
     const int count = std::min(complete, options.validation.folds);
     return timeBlockFolds(origins, count, {});

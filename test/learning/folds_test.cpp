@@ -213,6 +213,7 @@ TEST(Folds, WorkForFewSamples) {
 TEST(Folds, AreWholeRunsWhenEnoughHoldEveryPlace) {
   std::vector<SampleOrigin> samples = samplesOf(4, 2, 5);
   samples.push_back({0, 9, 0});  // a run of one place only
+  EXPECT_EQ(completeRecordings(samples), 4);
   const std::vector<Fold> folds = timeBlockFolds(samples, 3, blocks(1, 1));
   expectEachTestedOnce(folds, samples.size());
   for (const Fold& fold : folds) {
@@ -234,6 +235,7 @@ TEST(Folds, AreBlocksWhenRunsLackPlaces) {
     samples.push_back({0, 1, static_cast<double>(i)});
     samples.push_back({0, 2, static_cast<double>(i)});
   }
+  EXPECT_EQ(completeRecordings(samples), 1);
   for (const Fold& fold : timeBlockFolds(samples, 3, blocks(1, 1))) {
     std::set<int> places;
     for (const int train : fold.train)

@@ -23,7 +23,7 @@ TimeBlocks typicalBlocks(std::vector<TimeBlocks> blocks) {
 std::vector<Fold> chooseFolds(const Samples& samples, unsigned threads, TrainingOptions& options) {
   const std::vector<SampleOrigin> origins = samples.recordedOrigins();
   std::vector<TimeBlocks> blocks(1);
-  if (!wholeRecordings(origins, options.validation.folds)) {
+  if (completeRecordings(origins) < options.validation.folds) {
     blocks = chooseBlocks(origins, samples.features, options.cues, options.validation, threads);
     const TimeBlocks typical = typicalBlocks(blocks);
     options.validation.block = typical.length;
