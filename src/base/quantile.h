@@ -8,7 +8,8 @@
 
 namespace place_recognition {
 
-/// The value below which a `fraction` (0..1) of the values lie, at most; 0 if there are none.
+/// The value of rank floor(fraction n), counted from 0 in ascending order, or the largest of the n
+/// values: at most the `fraction` (0..1) of them lies below it. 0 if there are none.
 inline double quantile(std::vector<double> values, double fraction) {
   assert(fraction >= 0 && fraction <= 1);
   if (values.empty()) return 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
 #include "recognition/model/scores.h"
@@ -89,15 +88,6 @@ double meanRisk(const std::vector<RiskPoint>& points) {
     previous = point.coverage;
   }
   return area;
-}
-
-double percentile(std::vector<double> values, double fraction) {
-  if (values.empty()) return 0;
-  const double rank = std::ceil(fraction * static_cast<double>(values.size()));
-  const auto index = static_cast<std::ptrdiff_t>(
-      std::clamp(rank - 1, 0.0, static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + index, values.end());
-  return values[static_cast<std::size_t>(index)];
 }
 
 }  // namespace place_recognition

@@ -49,7 +49,4 @@ double riskAt(const std::vector<RiskPoint>& points, double coverage);
 /// Mean risk over all coverages: the area under the curve, as a step function.
 double meanRisk(const std::vector<RiskPoint>& points);
 
-/// The smallest value that at least `fraction` (0..1) of the values do not exceed (nearest rank).
-double percentile(std::vector<double> values, double fraction);
-
 }  // namespace place_recognition

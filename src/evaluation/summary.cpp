@@ -4,6 +4,7 @@
 #include <functional>
 #include <numeric>
 
+#include "base/quantile.h"
 #include "base/text.h"
 #include "recognition/model/scores.h"
 #include "report/text_table.h"
@@ -132,9 +133,9 @@ void summarizeLatency(const Evaluation& evaluation, Summary& summary) {
   std::vector<double> seconds;
   for (const FrameResult& frame : evaluation.frames) seconds.push_back(frame.seconds);
   summary.over_time = overTime(evaluation);
-  summary.latency_p50 = percentile(seconds, 0.50);
-  summary.latency_p95 = percentile(seconds, 0.95);
-  summary.latency_p99 = percentile(seconds, 0.99);
+  summary.latency_p50 = quantile(seconds, 0.50);
+  summary.latency_p95 = quantile(seconds, 0.95);
+  summary.latency_p99 = quantile(seconds, 0.99);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ struct Summary {
   double unknown_share = 0;               ///< fraction answered 'unknown'
   std::optional<UnknownSummary> unknown;  ///< if there are images of other places
   std::optional<OverTime> over_time;      ///< if a run is a drive
-  double latency_p50 = 0;                 ///< s, of all images
+  double latency_p50 = 0;                 ///< s, of all images; see quantile()
   double latency_p95 = 0;
   double latency_p99 = 0;
 };

@@ -19,6 +19,10 @@ TEST(Quantile, HasAtMostTheFractionOfTheValuesBelowIt) {
   EXPECT_EQ(quantile(values, 0), 1);
   EXPECT_EQ(quantile(values, 0.2), 3);
   EXPECT_EQ(quantile(values, 1), 9);
+  EXPECT_EQ(quantile({5, 1, 3, 2, 4}, 0.5), 3);
+  EXPECT_EQ(quantile({5, 1, 3, 2, 4}, 0.95), 5);
+  EXPECT_EQ(quantile({5, 1, 3, 2, 4}, 0.19), 1);
+  EXPECT_EQ(quantile({5, 1, 3, 2, 4}, 0.2), 2);
   EXPECT_EQ(quantile({}, 0.5), 0);
 }
 

@@ -55,7 +55,7 @@ TEST(Summary, MeasuresConfidenceOnLearnedPlaces) {
   // Bins: 0.95 wrong and 0.9 right; 0.8; 0.7; 0.6, all right; 0 without an answer.
   EXPECT_NEAR(summary.calibration_error, (0.85 + 0.2 + 0.3 + 0.4 + 0) / 6, 1e-12);
   EXPECT_EQ(summary.risk_coverage.size(), 6u);
-  EXPECT_DOUBLE_EQ(summary.latency_p50, 0.004);
+  EXPECT_DOUBLE_EQ(summary.latency_p50, 0.005);
   EXPECT_DOUBLE_EQ(summary.latency_p99, 0.008);
 }
 

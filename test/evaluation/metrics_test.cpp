@@ -60,16 +60,6 @@ TEST(Metrics, RiskGrowsAsLessConfidentAnswersAreGiven) {
   EXPECT_EQ(riskAt({}, 0.5), 0);
 }
 
-TEST(Metrics, PercentileIsTheNearestRank) {
-  const std::vector<double> values{5, 1, 3, 2, 4};
-  EXPECT_EQ(percentile(values, 0.5), 3);
-  EXPECT_EQ(percentile(values, 0.95), 5);
-  EXPECT_EQ(percentile(values, 0.2), 1);
-  EXPECT_EQ(percentile(values, 0.21), 2);
-  EXPECT_EQ(percentile(values, 0), 1);
-  EXPECT_EQ(percentile({}, 0.5), 0);
-}
-
 TEST(TextTable, AlignsByCharactersNotBytes) {
   EXPECT_EQ(alignColumns({{"room", "n"}, {"K\xc3\xb6k", "10"}, {"x"}}),
             "room   n\nK\xc3\xb6k   10\nx\n");

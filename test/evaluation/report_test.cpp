@@ -34,7 +34,7 @@ TEST(ResultJson, HasTheKeysThatOtherProgramsRead) {
   EXPECT_EQ(json.at("confused").at(0).at("places"),
             (std::vector<std::string>{"kitchen", "office"}));
   EXPECT_DOUBLE_EQ(json.at("confused").at(0).at("rate").get<double>(), 1.0 / 6);
-  EXPECT_DOUBLE_EQ(json.at("latency_ms").at("p50").get<double>(), 4);
+  EXPECT_DOUBLE_EQ(json.at("latency_ms").at("p50").get<double>(), 5);
   EXPECT_EQ(json.at("runs").at(1).at("condition"), "night");
   EXPECT_EQ(json.at("risk_coverage").size(), 10u);
   EXPECT_DOUBLE_EQ(json.at("risk_coverage").at(9).at("risk").get<double>(), 2.0 / 6);
