@@ -69,7 +69,7 @@ struct EmbeddingOptions {
             "per channel, in their order");
     visitor("scale", self.scale, "see mean; not 0");
   }
-  void check() const;
+  void check(const std::string& key = "feature") const;
 };
 
 }  // namespace place_recognition

@@ -13,7 +13,8 @@ namespace place_recognition {
 
 // Each option struct lists its fields once, in visit(): the YAML reader, the YAML writer and the
 // generated documentation all use that list (src/base/options.h). `Self` is the struct, const or
-// not. check() throws Error naming the offending field.
+// not. check() throws Error naming the offending field; `key` is the key of the struct as a user
+// writes it.
 
 /// Composed receptive field histograms, thesis section 4.2.
 struct CrfhOptions {
@@ -52,7 +53,7 @@ struct CrfhOptions {
   }
   /// The scales as t = sigma^2, from either of the two keys.
   std::vector<double> variances() const;
-  void check() const;
+  void check(const std::string& key = "feature") const;
 };
 
 /// The feature of one cue; the key `type` names the alternative.

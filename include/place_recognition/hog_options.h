@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace place_recognition {
 
@@ -24,7 +25,7 @@ struct HogOptions {
             "bins for the directions 0..180 degrees of the gradient, 2..36");
     visitor("width", self.width, "pixels, 32..1024; wider images are scaled down to it");
   }
-  void check() const;
+  void check(const std::string& key = "feature") const;
 
   /// Number of values in the feature.
   std::size_t dimension() const { return static_cast<std::size_t>(rows * columns * orientations); }

@@ -26,7 +26,7 @@ struct KernelOptions {
     visitor("kappa", self.kappa, "slope of the sigmoid kernel tanh(kappa x'y + theta)");
     visitor("theta", self.theta, "offset of the sigmoid kernel");
   }
-  void check() const;
+  void check(const std::string& key = "kernel") const;
 
   /// Whether the type has a gamma, to be found by cross-validation if it is 0. Throws Error for an
   /// unknown type.

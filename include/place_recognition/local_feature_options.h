@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace place_recognition {
 
 /// SIFT descriptors at Harris-Laplace interest points, thesis section 4.3. For visit() and check(),
@@ -33,7 +35,7 @@ struct LocalFeatureOptions {
     visitor("max_points", self.max_points, "most points, the strongest first, 1..20000");
     visitor("min_points", self.min_points, "images with fewer points have no feature, >= 1");
   }
-  void check() const;
+  void check(const std::string& key = "feature") const;
 };
 
 }  // namespace place_recognition

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace place_recognition {
@@ -29,7 +30,7 @@ struct LbpOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor("circles", self.circles, "one histogram of points + 2 bins each, concatenated");
   }
-  void check() const;
+  void check(const std::string& key = "feature") const;
 };
 
 /// Maximum responses of the MR8 filter bank (Varma and Zisserman 2005), as a joint histogram.
@@ -50,7 +51,7 @@ struct Mr8Options {
             "scale each pixel's responses r by log(1 + |r| / 0.03) / |r|, to reduce the effect of "
             "contrast");
   }
-  void check() const;
+  void check(const std::string& key = "feature") const;
 };
 
 }  // namespace place_recognition

@@ -15,16 +15,28 @@ constexpr double kLargestScale = 400;
 constexpr int kMaxBins = 65536;
 
 /// Throws unless the total number of bins, the product over all dimensions, fits into 64 bits.
-void checkIndexFits(const CrfhOptions& options) {
+void checkIndexFits(const CrfhOptions& options, const std::string& key) {
   std::uint64_t room = std::numeric_limits<std::uint64_t>::max();
   for (std::size_t scale = 0; scale < options.variances().size(); ++scale) {
     for (std::size_t i = 0; i < options.descriptors.size(); ++i) {
       room /= options.bins[options.bins.size() > 1 ? i : 0];
     }
   }
-  require(room > 0,
-          "The product of the CRFH 'bins' over all descriptors and scales exceeds 64 "
-          "bits; use fewer bins, descriptors or scales.");
+  require(room > 0, "The product of '" + key +
+                        ".bins' over all descriptors and scales exceeds 64 bits; use fewer bins, "
+                        "descriptors or scales.");
+}
+
+/// Throws Error unless every descriptor exists.
+void checkDescriptors(const std::vector<std::string>& descriptors, const std::string& key) {
+  requireSome(descriptors, key, "at least one descriptor");
+  for (const std::string& name : descriptors) {
+    try {
+      parseDescriptor(name);
+    } catch (const Error& e) {
+      throw Error("Option '" + key + "': " + e.what());
+    }
+  }
 }
 
 }  // namespace
@@ -36,38 +48,36 @@ std::vector<double> CrfhOptions::variances() const {
   return variances;
 }
 
-void CrfhOptions::check() const {
-  require(!descriptors.empty(), "CRFH option 'descriptors' is empty; name at least one.");
-  for (const std::string& name : descriptors) parseDescriptor(name);
-
-  require(!variances().empty(), "CRFH options 'scales' and 'sigmas' are empty; give a scale.");
-  for (double sigma : sigmas) {
-    require(sigma > 0 && sigma * sigma >= kSmallestScale && sigma * sigma <= kLargestScale,
-            "CRFH option 'sigmas' must be from 0.1 to 20.");
+void CrfhOptions::check(const std::string& key) const {
+  checkDescriptors(descriptors, key + ".descriptors");
+  require(!variances().empty(),
+          "Options '" + key + ".scales' and '" + key + ".sigmas' are empty; give a scale.");
+  for (const double sigma : sigmas) {
+    requireOption(sigma > 0 && sigma * sigma >= kSmallestScale && sigma * sigma <= kLargestScale,
+                  key + ".sigmas", sigma, "0.1 to 20 pixels");
   }
-  for (double t : scales) {
-    require(t >= kSmallestScale && t <= kLargestScale,
-            "CRFH option 'scales' must be from 0.01 to 400.");
+  for (const double t : scales) {
+    requireOption(t >= kSmallestScale && t <= kLargestScale, key + ".scales", t,
+                  "0.01 to 400 pixels^2");
   }
   require(bins.size() == 1 || bins.size() == descriptors.size(),
-          "CRFH option 'bins' has " + std::to_string(bins.size()) + " numbers for " +
+          "Option '" + key + ".bins' has " + std::to_string(bins.size()) + " numbers for " +
               std::to_string(descriptors.size()) +
               " descriptors; give one for all or one for each.");
-  for (int n : bins) {
-    require(n >= 1 && n <= kMaxBins,
-            "CRFH option 'bins' is " + std::to_string(n) + "; give numbers from 1 to 65536.");
+  for (const int n : bins) {
+    requireOption(n >= 1 && n <= kMaxBins, key + ".bins", n, "1 to 65536");
   }
-  checkIndexFits(*this);
+  checkIndexFits(*this, key);
 
-  require(levels == "linear" || levels == "logarithmic",
-          "CRFH option 'levels' is '" + levels + "'; give linear or logarithmic.");
-  require(
-      derivatives == "central-difference" || derivatives == "gaussian",
-      "CRFH option 'derivatives' is '" + derivatives + "'; give central-difference or gaussian.");
-  require(derivative_range > 0 && std::isfinite(derivative_range),
-          "CRFH option 'derivative_range' must be positive.");
-  require(half_width > 0 && half_width <= 10, "CRFH option 'half_width' must be > 0 and <= 10.");
-  require(border >= 0 && border <= 10000, "CRFH option 'border' must be from 0 to 10000.");
+  requireOption(levels == "linear" || levels == "logarithmic", key + ".levels", levels,
+                "linear or logarithmic");
+  requireOption(derivatives == "central-difference" || derivatives == "gaussian",
+                key + ".derivatives", derivatives, "central-difference or gaussian");
+  requireOption(derivative_range > 0 && std::isfinite(derivative_range), key + ".derivative_range",
+                derivative_range, "a number above 0");
+  requireOption(half_width > 0 && half_width <= 10, key + ".half_width", half_width,
+                "above 0, up to 10");
+  requireOption(border >= 0 && border <= 10000, key + ".border", border, "0 to 10000 pixels");
 }
 
 }  // namespace place_recognition

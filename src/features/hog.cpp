@@ -16,11 +16,12 @@ constexpr int kLargestDifference = 255;
 
 }  // namespace
 
-void HogOptions::check() const {
-  requireOption(rows >= 1 && rows <= 16, "feature.rows", "1 to 16");
-  requireOption(columns >= 1 && columns <= 16, "feature.columns", "1 to 16");
-  requireOption(orientations >= 2 && orientations <= 36, "feature.orientations", "2 to 36");
-  requireOption(width >= 32 && width <= 1024, "feature.width", "32 to 1024 pixels");
+void HogOptions::check(const std::string& key) const {
+  requireOption(rows >= 1 && rows <= 16, key + ".rows", rows, "1 to 16");
+  requireOption(columns >= 1 && columns <= 16, key + ".columns", columns, "1 to 16");
+  requireOption(orientations >= 2 && orientations <= 36, key + ".orientations", orientations,
+                "2 to 36");
+  requireOption(width >= 32 && width <= 1024, key + ".width", width, "32 to 1024 pixels");
 }
 
 HogExtractor::HogExtractor(const HogOptions& options) : options_(options) {

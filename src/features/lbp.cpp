@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/require.h"
 #include "base/simd.h"
-#include "base/text.h"
 #include "features/grey_levels.h"
-#include "place_recognition/error.h"
 
 namespace place_recognition {
 
@@ -37,13 +36,13 @@ void compareNeighbour(const std::uint8_t* centre, const std::array<const std::ui
 
 }  // namespace
 
-void LbpOptions::check() const {
-  if (circles.empty()) throw Error("LBP option 'circles' is empty; give at least one.");
-  for (const LbpCircle& circle : circles) {
-    if (circle.points < 4 || circle.points > 32 || !(circle.radius >= 0.5 && circle.radius <= 16)) {
-      throw Error("An LBP circle has " + std::to_string(circle.points) + " points at radius " +
-                  std::to_string(circle.radius) + "; give 4 to 32 points and radius 0.5 to 16.");
-    }
+void LbpOptions::check(const std::string& key) const {
+  requireSome(circles, key + ".circles", "at least one circle");
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    const auto& [points, radius] = circles[i];
+    const std::string circle = key + ".circles." + std::to_string(i);
+    requireOption(points >= 4 && points <= 32, circle + ".points", points, "4 to 32");
+    requireOption(radius >= 0.5 && radius <= 16, circle + ".radius", radius, "0.5 to 16 pixels");
   }
 }
 

@@ -23,18 +23,19 @@ HarrisLaplace::Options detectorOptions(const LocalFeatureOptions& options) {
 
 }  // namespace
 
-void LocalFeatureOptions::check() const {
-  requireOption(sigma >= 1 && sigma <= 10, "feature.sigma", "1 to 10 pixels");
-  requireOption(steps >= 2 && steps <= 8 && steps % 2 == 0, "feature.steps", "2, 4, 6 or 8");
-  requireOption(octaves >= 1 && octaves <= 10, "feature.octaves", "1 to 10");
-  requireOption(alpha >= 0 && alpha <= 0.2, "feature.alpha", "0 to 0.2");
+void LocalFeatureOptions::check(const std::string& key) const {
+  requireOption(sigma >= 1 && sigma <= 10, key + ".sigma", sigma, "1 to 10 pixels");
+  requireOption(steps >= 2 && steps <= 8 && steps % 2 == 0, key + ".steps", steps, "2, 4, 6 or 8");
+  requireOption(octaves >= 1 && octaves <= 10, key + ".octaves", octaves, "1 to 10");
+  requireOption(alpha >= 0 && alpha <= 0.2, key + ".alpha", alpha, "0 to 0.2");
   requireOption(cornerness_threshold > 0 && std::isfinite(cornerness_threshold),
-                "feature.cornerness_threshold", "greater than 0");
+                key + ".cornerness_threshold", cornerness_threshold, "a number above 0");
   requireOption(laplacian_threshold >= 0 && std::isfinite(laplacian_threshold),
-                "feature.laplacian_threshold", "0 or greater");
-  requireOption(max_points >= 1 && max_points <= 20000, "feature.max_points", "1 to 20000");
-  requireOption(min_points >= 1 && min_points <= max_points, "feature.min_points",
-                "1 to max_points");
+                key + ".laplacian_threshold", laplacian_threshold, "a number from 0");
+  requireOption(max_points >= 1 && max_points <= 20000, key + ".max_points", max_points,
+                "1 to 20000");
+  requireOption(min_points >= 1 && min_points <= max_points, key + ".min_points", min_points,
+                "1 to " + std::to_string(max_points) + " (max_points)");
 }
 
 LocalFeatureExtractor::LocalFeatureExtractor(const LocalFeatureOptions& options)

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "place_recognition/error.h"
+#include "base/require.h"
 
 namespace place_recognition {
 
@@ -24,11 +24,9 @@ Quantizer quantizer(const Mr8Options& options, int response) {
 
 }  // namespace
 
-void Mr8Options::check() const {
-  if (bins < 2 || bins > 200) {
-    throw Error("MR8 option 'bins' is " + std::to_string(bins) + "; give a number from 2 to 200.");
-  }
-  if (!(range > 0 && std::isfinite(range))) throw Error("MR8 option 'range' must be positive.");
+void Mr8Options::check(const std::string& key) const {
+  requireOption(bins >= 2 && bins <= 200, key + ".bins", bins, "2 to 200");
+  requireOption(range > 0 && std::isfinite(range), key + ".range", range, "a number above 0");
 }
 
 Mr8Extractor::Mr8Extractor(const Mr8Options& options)

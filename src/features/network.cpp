@@ -74,36 +74,28 @@ auto explained(const std::string& name, const std::string& layer, const Work& wo
 
 }  // namespace
 
-void EmbeddingOptions::check() const {
-  require(!network.empty(),
-          "Embedding option 'network' is empty; name a network or a "
-          "file.");
-  require(isFileName(network, kExtension) || isPlainName(network),
-          "Embedding option 'network' is " + inQuotes(network) +
-              "; give a name of letters, digits, '_' and '-', or a file that ends in .onnx.");
-  require(isSide(width) && isSide(height),
-          "Embedding options 'width' and 'height' must be 16 to 1024 pixels, or 0.");
-  require(stride == 0 || (stride > 1 && stride <= kMaxStride && (stride & (stride - 1)) == 0),
-          "Embedding option 'stride' is " + std::to_string(stride) +
-              "; give 2, 4, 8, 16, 32, 64, or 0.");
-  require(columns >= 1 && columns <= kMaxColumns,
-          "Embedding option 'columns' is " + std::to_string(columns) + "; give 1 to 16.");
-  require(power >= 1 && power <= kMaxPower,
-          "Embedding option 'power' is " + std::to_string(power) + "; give 1 to 8.");
-  require(fit == "stretch" || fit == "crop",
-          "Embedding option 'fit' is " + inQuotes(fit) + "; give stretch or crop.");
-  require(channels == "rgb" || channels == "bgr" || channels == "grey",
-          "Embedding option 'channels' is " + inQuotes(channels) + "; give rgb, bgr or grey.");
+void EmbeddingOptions::check(const std::string& key) const {
+  requireSome(network, key + ".network", "the name of a network or a file");
+  requireOption(isFileName(network, kExtension) || isPlainName(network), key + ".network", network,
+                "a name of letters, digits, '_' and '-', or a file that ends in .onnx");
+  requireOption(isSide(width), key + ".width", width, "16 to 1024 pixels, or 0");
+  requireOption(isSide(height), key + ".height", height, "16 to 1024 pixels, or 0");
+  requireOption(stride == 0 || (stride > 1 && stride <= kMaxStride && (stride & (stride - 1)) == 0),
+                key + ".stride", stride, "2, 4, 8, 16, 32, 64, or 0");
+  requireOption(columns >= 1 && columns <= kMaxColumns, key + ".columns", columns, "1 to 16");
+  requireOption(power >= 1 && power <= kMaxPower, key + ".power", power, "1 to 8");
+  requireOption(fit == "stretch" || fit == "crop", key + ".fit", fit, "stretch or crop");
+  requireOption(channels == "rgb" || channels == "bgr" || channels == "grey", key + ".channels",
+                channels, "rgb, bgr or grey");
   for (const std::vector<double>* numbers : {&mean, &scale}) {
-    const std::string key = numbers == &mean ? "mean" : "scale";
+    const std::string list = key + (numbers == &mean ? ".mean" : ".scale");
     require(numbers->size() == 1 || (numbers->size() == 3 && channels != "grey"),
-            "Embedding option '" + key + "' has " + std::to_string(numbers->size()) +
+            "Option '" + list + "' has " + std::to_string(numbers->size()) +
                 " numbers; give one, or one for each channel.");
-    require(
-        std::all_of(numbers->begin(), numbers->end(),
-                    [&](double x) { return std::abs(x) <= 1000 && (numbers == &mean || x != 0); }),
-        "Embedding option '" + key + "' is out of range; give numbers of up to 1000" +
-            (numbers == &mean ? "." : ", not 0."));
+    for (const double x : *numbers) {
+      requireOption(std::abs(x) <= 1000 && (numbers == &mean || x != 0), list, x,
+                    numbers == &mean ? "-1000 to 1000" : "-1000 to 1000, but not 0");
+    }
   }
 }
 

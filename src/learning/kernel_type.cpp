@@ -1,6 +1,9 @@
 #include "learning/kernel_type.h"
 
-#include "place_recognition/error.h"
+#include <algorithm>
+#include <iterator>
+
+#include "base/require.h"
 
 namespace place_recognition {
 namespace {
@@ -38,12 +41,12 @@ std::string namesOfTypes(bool for_descriptors) {
 
 }  // namespace
 
-const KernelType& kernelType(const std::string& name) {
-  for (const KernelType& type : kKernelTypes) {
-    if (name == type.name) return type;
-  }
-  throw Error("Unknown kernel type '" + name + "'; use one of: " + namesOfTypes(false) + ", " +
-              namesOfTypes(true) + ".");
+const KernelType& kernelType(const std::string& name, const std::string& key) {
+  const auto type = std::find_if(std::begin(kKernelTypes), std::end(kKernelTypes),
+                                 [&](const KernelType& type) { return name == type.name; });
+  requireOption(type != std::end(kKernelTypes), key, name,
+                "one of: " + namesOfTypes(false) + ", " + namesOfTypes(true));
+  return *type;
 }
 
 bool hasGamma(const KernelType& type) {

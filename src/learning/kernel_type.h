@@ -17,8 +17,9 @@ struct KernelType {
   Response response;
 };
 
-/// Throws Error, listing the existing types, if none has this name.
-const KernelType& kernelType(const std::string& name);
+/// Throws Error, listing the existing types, if none has this name, which is the value of the
+/// option `key`.
+const KernelType& kernelType(const std::string& name, const std::string& key = "kernel.type");
 
 /// Whether the measure or the response has a parameter gamma.
 bool hasGamma(const KernelType& type);

@@ -23,6 +23,29 @@ TEST(LearningOptions, DefaultsAreGood) {
   ReductionOptions().check();
 }
 
+TEST(LearningOptions, NamesTheKeyTheValueAndTheRange) {
+  EXPECT_EQ(complaint<SvmOptions>([](auto& o) { o.c = -1; }),
+            "Option 'svm.c' is -1; give a number above 0.");
+  EXPECT_EQ(complaint<KernelOptions>([](auto& o) { o.d = 11; }),
+            "Option 'kernel.d' is 11; give 1 to 10.");
+  EXPECT_EQ(
+      complaint<ReductionOptions>([](auto& o) { o.method = "half"; }),
+      "Option 'reduction.method' is 'half'; give none, qr, shared-qr, shared-greedy or auto.");
+  EXPECT_EQ(complaint<ReductionOptions>([](auto& o) { o.tau = 1.5; }),
+            "Option 'reduction.tau' is 1.5; give 0 to 1.");
+}
+
+TEST(LearningOptions, NamesOptionsThatExcludeEachOther) {
+  EXPECT_EQ(
+      complaint<ReductionOptions>(
+          [](auto& o) { o.method = "qr", o.share = 0.5, o.support_vectors = 10; }),
+      "Options 'reduction.share' and 'reduction.support_vectors' exclude each other; give one "
+      "of them.");
+  EXPECT_EQ(complaint<ReductionOptions>([](auto& o) { o.share = 0.5; }),
+            "Options 'reduction.method=auto' and 'reduction.share' exclude each other; give one of "
+            "them.");
+}
+
 TEST(LearningOptions, NamesTheFieldOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto names = [](const std::string& text, const char* field) {

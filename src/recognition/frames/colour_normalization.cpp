@@ -5,8 +5,8 @@
 #include <map>
 #include <opencv2/core.hpp>
 
+#include "base/require.h"
 #include "features/logarithmic_levels.h"
-#include "place_recognition/error.h"
 
 namespace place_recognition {
 namespace {
@@ -16,17 +16,14 @@ constexpr double kMeanLevel = 110;
 
 }  // namespace
 
-ColourNormalization colourNormalization(const std::string& name) {
+ColourNormalization colourNormalization(const std::string& name, const std::string& key) {
   static const std::map<std::string, ColourNormalization> kNames{
       {"none", ColourNormalization::kNone},
       {"brightness", ColourNormalization::kBrightness},
       {"grey-world", ColourNormalization::kGreyWorld},
       {"run", ColourNormalization::kRun}};
   const auto found = kNames.find(name);
-  if (found == kNames.end()) {
-    throw Error("Option 'normalize' of a cue is '" + name +
-                "'; give none, brightness, grey-world or run.");
-  }
+  requireOption(found != kNames.end(), key, name, "none, brightness, grey-world or run");
   return found->second;
 }
 

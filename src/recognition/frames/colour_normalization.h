@@ -12,8 +12,9 @@ namespace place_recognition {
 /// Normalization of an image's colours for a cue, see CueOptions::normalize.
 enum class ColourNormalization { kNone, kBrightness, kGreyWorld, kRun };
 
-/// Throws Error naming the four words if `name` is none of them.
-ColourNormalization colourNormalization(const std::string& name);
+/// Throws Error naming the four words if `name`, the value of the option `key`, is none of them.
+ColourNormalization colourNormalization(const std::string& name,
+                                        const std::string& key = "normalize");
 
 /// Logarithms of the mean levels of blue, green and red; levels count as at least 1. `image`:
 /// CV_8UC3 BGR or CV_8UC1, not empty; the three are equal in a grey image. A change of light by one

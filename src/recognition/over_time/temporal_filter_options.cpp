@@ -1,21 +1,18 @@
 #include "place_recognition/temporal_filter_options.h"
 
 #include <cmath>
-#include <string>
 
-#include "place_recognition/error.h"
+#include "base/require.h"
 
 namespace place_recognition {
 namespace {
 
 void requirePositive(double value, const char* field) {
-  if (std::isfinite(value) && value > 0) return;
-  throw Error("Option '" + std::string(field) + "' is out of range; give a number above 0.");
+  requireOption(std::isfinite(value) && value > 0, field, value, "a number above 0");
 }
 
 void requireWithin(double value, const char* field, double low, double high, const char* range) {
-  if (value >= low && value <= high) return;
-  throw Error("Option '" + std::string(field) + "' is out of range; give " + range + ".");
+  requireOption(value >= low && value <= high, field, value, range);
 }
 
 }  // namespace

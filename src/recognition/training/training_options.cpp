@@ -4,27 +4,19 @@
 #include <utility>
 
 #include "base/data_folder.h"
+#include "base/require.h"
+#include "base/text.h"
 #include "learning/folds.h"
 #include "learning/kernel_type.h"
-#include "place_recognition/error.h"
 #include "recognition/frames/colour_normalization.h"
 
 namespace place_recognition {
 namespace {
 
-/// Runs the checks of a cue's parts, and adds the cue's name to their messages.
-void checkCue(const CueOptions& cue) {
-  if (!isPlainName(cue.name)) {
-    throw Error("Option 'cues.name' is '" + cue.name + "'; give " + kPlainNameRule + ".");
-  }
+/// Throws Error unless the kernel of the cue is defined for its feature.
+void requireMatchingKernel(const CueOptions& cue) {
+  const KernelType& kernel = kernelType(cue.kernel.type);
   try {
-    colourNormalization(cue.normalize);
-    if (!(cue.weight >= 0.01 && cue.weight <= 100)) {
-      throw Error("option 'weight' is " + std::to_string(cue.weight) + "; give 0.01 to 100.");
-    }
-    std::visit([](const auto& feature) { feature.check(); }, cue.feature);
-    cue.kernel.check();
-    const KernelType& kernel = kernelType(cue.kernel.type);
     requireMeaning(kernel, std::holds_alternative<LocalFeatureOptions>(cue.feature));
     if (std::holds_alternative<EmbeddingOptions>(cue.feature)) requireSignedMeaning(kernel);
   } catch (const Error& e) {
@@ -32,12 +24,19 @@ void checkCue(const CueOptions& cue) {
   }
 }
 
-constexpr double kMaxSeconds = 1e6;
-
-std::string notSeconds(const char* key, double value) {
-  return std::string("Option 'validation.") + key + "' is " + std::to_string(value) +
-         "; give 0 to 1000000 seconds.";
+void checkCue(const CueOptions& cue) {
+  requireOption(isPlainName(cue.name), "cues.name", cue.name, kPlainNameRule);
+  const std::string key = "cues." + cue.name;
+  colourNormalization(cue.normalize, key + ".normalize");
+  requireOption(cue.weight >= 0.01 && cue.weight <= 100, key + ".weight", cue.weight,
+                "0.01 to 100");
+  std::visit([&](const auto& feature) { feature.check(key + ".feature"); }, cue.feature);
+  cue.kernel.check(key + ".kernel");
+  requireMatchingKernel(cue);
 }
+
+constexpr double kMaxSeconds = 1e6;
+constexpr const char* kSecondsRule = "0 to 1000000 seconds";
 
 /// A cue with a composed receptive field histogram and the chi-squared kernel.
 CueOptions histogramCue(const std::string& name, const std::string& normalize,
@@ -75,81 +74,64 @@ std::vector<CueOptions> defaultCues() {
 }
 
 void PanoramaOptions::check() const {
-  if (mirror != "none" && mirror != "given" && mirror != "found") {
-    throw Error("Option 'image.panorama.mirror' is '" + mirror + "'; give none, given or found.");
-  }
   const auto isFraction = [](double value) { return value >= 0 && value <= 1; };
-  if (!isFraction(center_x) || !isFraction(center_y)) {
-    throw Error("Options 'image.panorama.center_x' and 'center_y' are " + std::to_string(center_x) +
-                " and " + std::to_string(center_y) +
-                "; give fractions of the image's width and height, 0 to 1.");
-  }
-  if (!(inner >= 0 && inner < outer && outer <= 2)) {
-    throw Error("Options 'image.panorama.inner' and 'outer' are " + std::to_string(inner) +
-                " and " + std::to_string(outer) + "; give 0 <= inner < outer <= 2.");
-  }
+  requireOption(mirror == "none" || mirror == "given" || mirror == "found", "image.panorama.mirror",
+                mirror, "none, given or found");
+  requireOption(isFraction(center_x), "image.panorama.center_x", center_x,
+                "a fraction of the image's width, 0 to 1");
+  requireOption(isFraction(center_y), "image.panorama.center_y", center_y,
+                "a fraction of the image's height, 0 to 1");
+  requireOption(outer > 0 && outer <= 2, "image.panorama.outer", outer, "above 0, up to 2");
+  requireOption(inner >= 0 && inner < outer, "image.panorama.inner", inner,
+                "0 to less than " + shortest(outer) + " (image.panorama.outer)");
 }
 
 void ImageOptions::check() const {
   panorama.check();
-  if (max_width < 0 || (max_width > 0 && max_width < 16)) {
-    throw Error("Option 'image.max_width' is " + std::to_string(max_width) +
-                "; give at least 16 pixels, or 0 to leave images as they are.");
-  }
+  requireOption(max_width == 0 || max_width >= 16, "image.max_width", max_width,
+                "at least 16 pixels, or 0 to leave images as they are");
 }
 
 void SamplingOptions::check() const {
-  if (!(rate >= 0 && rate <= 1000)) {
-    throw Error("Option 'sampling.rate' is " + std::to_string(rate) +
-                "; give 0 to 1000 images per second.");
-  }
-  if (most < 10) {
-    throw Error("Option 'sampling.most' is " + std::to_string(most) + "; give at least 10 images.");
-  }
+  requireOption(rate >= 0 && rate <= 1000, "sampling.rate", rate, "0 to 1000 images per second");
+  requireOption(most >= 10, "sampling.most", most, "at least 10 images");
 }
 
 void InformationOptions::check() const {
   for (const auto& [key, value] :
        {std::pair("left_out_below", left_out_below), std::pair("unknown_below", unknown_below)}) {
-    if (value >= 0 && value < 1) continue;
-    throw Error(std::string("Option 'information.") + key + "' is " + std::to_string(value) +
-                "; give a fraction of the pixels, 0 to less than 1.");
+    requireOption(value >= 0 && value < 1, std::string("information.") + key, value,
+                  "a fraction of the pixels, 0 to less than 1");
   }
 }
 
 void ValidationOptions::check() const {
-  if (folds < 2 || folds > kMaxFolds) {
-    throw Error("Option 'validation.folds' is " + std::to_string(folds) + "; give 2 to " +
-                std::to_string(kMaxFolds) + ".");
-  }
-  if (!(block >= 0 && block <= kMaxSeconds)) throw Error(notSeconds("block", block));
-  if (!(gap >= 0 && gap <= kMaxSeconds)) throw Error(notSeconds("gap", gap));
-  if (block > 0 && gap > largestGap(block, folds) * (1 + 1e-9)) {
-    throw Error("Option 'validation.gap' is " + std::to_string(gap) +
-                " s, which leaves too little to train on beside blocks of " +
-                std::to_string(block) + " s in " + std::to_string(folds) +
-                " folds; give longer blocks (validation.block) or a shorter gap.");
-  }
+  requireOption(folds >= 2 && folds <= kMaxFolds, "validation.folds", folds,
+                "2 to " + std::to_string(kMaxFolds));
+  requireOption(block >= 0 && block <= kMaxSeconds, "validation.block", block, kSecondsRule);
+  requireOption(gap >= 0 && gap <= kMaxSeconds, "validation.gap", gap, kSecondsRule);
+  require(block == 0 || gap <= largestGap(block, folds) * (1 + 1e-9),
+          "Option 'validation.gap' is " + shortest(gap) +
+              " s, which leaves too little to train on beside blocks of " + shortest(block) +
+              " s in " + std::to_string(folds) +
+              " folds; give longer blocks (validation.block) or a shorter gap.");
 }
 
 void UnknownOptions::check() const {
-  if (!(false_alarm_rate >= 0 && false_alarm_rate <= 1)) {
-    throw Error("Option 'unknown.false_alarm_rate' is " + std::to_string(false_alarm_rate) +
-                "; give a fraction, 0 to 1.");
-  }
+  requireOption(false_alarm_rate >= 0 && false_alarm_rate <= 1, "unknown.false_alarm_rate",
+                false_alarm_rate, "a fraction, 0 to 1");
 }
 
 void TrainingOptions::check() const {
   image.check();
   sampling.check();
   information.check();
-  if (cues.empty()) throw Error("Option 'cues' is empty; give at least one cue.");
+  requireSome(cues, "cues", "at least one cue");
   std::set<std::string> names;
   for (const CueOptions& cue : cues) {
     checkCue(cue);
-    if (!names.insert(cue.name).second) {
-      throw Error("Two cues are named '" + cue.name + "' in option 'cues'; rename one.");
-    }
+    require(names.insert(cue.name).second,
+            "Two cues are named '" + cue.name + "' in option 'cues'; rename one.");
   }
   svm.check();
   reduction.check();
