@@ -63,7 +63,8 @@ struct ReductionOptions {
             "vectors that lose neither log loss nor rate on held-out blocks of the training runs; "
             "all vectors if more than 4000 images are learned");
     visitor("tau", self.tau, "rank threshold, relative to the largest pivot, 0..1");
-    visitor("normalise", self.normalize, "scale the columns of the matrix to norm one first");
+    visitor("normalize", self.normalize, "scale the columns of the matrix to norm one first",
+            "normalise");
     visitor("share", self.share,
             "fraction of each cue's support vectors to keep, 0..1, instead of tau; 0: use tau");
     visitor("support_vectors", self.support_vectors,

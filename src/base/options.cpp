@@ -55,6 +55,13 @@ void requireMapping(const YAML::Node& node, const std::string& where) {
   if (!node.IsMap()) throw Error("Expected 'key: value' lines in " + inside(where) + ".");
 }
 
+void requireRenamed(const YAML::Node& node, const char* former_key, const char* key,
+                    const std::string& where) {
+  if (!node[key]) return;
+  throw Error("Option '" + std::string(former_key) + "' in " + inside(where) + " is now named '" +
+              key + "'; give only that.");
+}
+
 void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& known,
                       const std::string& where) {
   std::set<std::string> seen;

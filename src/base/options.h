@@ -12,7 +12,8 @@
 #include "place_recognition/error.h"
 
 /// Reading, writing and documenting option structs as YAML. A struct takes part by listing its
-/// fields in a static member template visit(self, visitor), see feature_options.h. Supported
+/// fields in a static member template visit(self, visitor), see feature_options.h. If a key was
+/// renamed, its former name follows the comment: it is read, but not written. Supported
 /// fields: bool, int, std::uint64_t, double, std::string, other such structs, std::vector of any of
 /// these, and std::variant of structs, whose alternative is named by the key `type` and kType.
 namespace place_recognition {
@@ -23,7 +24,7 @@ template <typename T, typename = void>
 struct IsStruct : std::false_type {};
 struct AnyVisitor {
   template <typename T>
-  void operator()(const char*, T&, const char*) {}
+  void operator()(const char*, T&, const char*, const char* = nullptr) {}
 };
 template <typename T>
 struct IsStruct<T, std::void_t<decltype(T::visit(std::declval<T&>(), AnyVisitor{}))>>
@@ -45,6 +46,9 @@ struct IsVariant<std::variant<T...>> : std::true_type {};
                                    const std::vector<std::string>& known);
 /// Throws unless `node` is a mapping.
 void requireMapping(const YAML::Node& node, const std::string& where);
+/// Throws if the mapping `node` has a key and also its former name.
+void requireRenamed(const YAML::Node& node, const char* former_key, const char* key,
+                    const std::string& where);
 /// Throws for a key of the mapping `node` that is not in `known`, or that occurs twice.
 void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& known,
                       const std::string& where);
@@ -65,8 +69,14 @@ struct FieldReader {
   std::vector<std::string>& known;
 
   template <typename T>
-  void operator()(const char* key, T& field, const char* /*comment*/) {
+  void operator()(const char* key, T& field, const char* /*comment*/,
+                  const char* former_key = nullptr) {
     known.emplace_back(key);
+    if (former_key && node[former_key]) {
+      requireRenamed(node, former_key, key, where);
+      known.emplace_back(former_key);
+      key = former_key;
+    }
     if (const YAML::Node child = node[key]) {
       read(child, where.empty() ? key : where + "." + key, field);
     }
@@ -133,7 +143,8 @@ struct FieldWriter {
   YAML::Node& node;
 
   template <typename T>
-  void operator()(const char* key, const T& field, const char* /*comment*/) {
+  void operator()(const char* key, const T& field, const char* /*comment*/,
+                  const char* /*former_key*/ = nullptr) {
     node[key] = write(field);
   }
 };

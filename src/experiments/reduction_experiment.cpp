@@ -132,7 +132,7 @@ class ReductionExperiment : public Experiment {
                            {"features", name(features)},
                            {"training_set", set.name},
                            {"method", kReductionMethods[way.method]},
-                           {"normalise", way.normalize}});
+                           {"normalize", way.normalize}});
         }
       }
     }
@@ -165,7 +165,7 @@ class ReductionExperiment : public Experiment {
           if (thread == 0) report(progress, "Reducing", static_cast<double>(i) / wanted.size());
           const Json& cell = *wanted[i];
           curves[i] = reductionCurve(training.machines, training.training_values, cell.at("method"),
-                                     cell.at("normalise"), rate);
+                                     cell.at("normalize"), rate);
         });
         for (std::size_t i = 0; i < wanted.size(); ++i) {
           finished(*wanted[i], {{"curve", toJson(curves[i])}, {"gamma", training.gamma}});

@@ -63,7 +63,8 @@ class Reference {
     const std::size_t own = sections_.size();
     sections_.push_back("\n## " + title + "\n\n" + comment +
                         "\n\n| key | default | meaning |\n| --- | --- | --- |\n");
-    Options::visit(options, [&](const char* key, const auto& field, const std::string& meaning) {
+    Options::visit(options, [&](const char* key, const auto& field, const std::string& meaning,
+                                const char* /*former_key*/ = nullptr) {
       addField(own, key, path.empty() ? key : path + "." + key, field, meaning);
     });
   }

@@ -182,10 +182,10 @@ void addReduce(CommandLine& tool) {
               "shared-greedy (default), shared-qr: one basis for all machines; qr: each machine "
               "separately")
       .oneOf({std::begin(kReductionMethods), std::end(kReductionMethods)});
-  verb.flag("--normalise", options->reduction.normalize,
+  verb.flag("--normalize", options->reduction.normalize,
             "Scale the columns of the kernel matrix to norm one first (default)");
-  verb.flag("--no-normalise", options->reduction.normalize, "Do not scale them", false)
-      .excludes("--normalise");
+  verb.flag("--no-normalize", options->reduction.normalize, "Do not scale them", false)
+      .excludes("--normalize");
   verb.option("--tau", "T", options->reduction.tau, "Rank threshold, 0..1 (default 0.01)");
   verb.option("--support-vectors", "N", options->reduction.support_vectors,
               "Number of vectors of each cue to keep")

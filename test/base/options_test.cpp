@@ -12,7 +12,7 @@ struct Round {
   double radius = 1;
   template <typename Self, typename Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor("radius", self.radius, "m");
+    visitor("radius", self.radius, "m", "size");
   }
 };
 
@@ -86,6 +86,18 @@ TEST(Options, ReadBackWhatTheyWrite) {
   const std::string text = writeOptions(whole);
   EXPECT_EQ(writeOptions(readWhole(text)), text);
   EXPECT_NE(text.find("radius: 0.1\n"), std::string::npos) << text;
+}
+
+TEST(Options, ReadFormerKeysAndWriteTheNewOnes) {
+  const Whole whole = readWhole("parts: [{shape: {size: 0.25}}]");
+  EXPECT_EQ(std::get<Round>(whole.parts[0].shape).radius, 0.25);
+  const std::string text = writeOptions(whole);
+  EXPECT_NE(text.find("radius: 0.25"), std::string::npos) << text;
+  EXPECT_EQ(text.find("size"), std::string::npos) << text;
+  EXPECT_EQ(errorIn("parts: [{shape: {size: wide}}]"),
+            "Option 'parts[0].shape.size' is 'wide'; give a number.");
+  EXPECT_EQ(errorIn("parts: [{shape: {radius: 1, size: 1}}]"),
+            "Option 'size' in 'parts[0].shape' is now named 'radius'; give only that.");
 }
 
 TEST(Options, RefuseUnknownKeysAndListTheKnown) {

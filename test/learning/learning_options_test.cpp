@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/options.h"
 #include "error_of.h"
 
 namespace place_recognition {
@@ -44,6 +45,12 @@ TEST(LearningOptions, NamesOptionsThatExcludeEachOther) {
   EXPECT_EQ(complaint<ReductionOptions>([](auto& o) { o.share = 0.5; }),
             "Options 'reduction.method=auto' and 'reduction.share' exclude each other; give one of "
             "them.");
+}
+
+TEST(LearningOptions, ReadConfigurationsFromBeforeNormaliseWasRenamed) {
+  ReductionOptions options;
+  readOptions(parseYaml("{method: qr, normalise: false}", "test"), "reduction", options);
+  EXPECT_FALSE(options.normalize);
 }
 
 TEST(LearningOptions, NamesTheFieldOutOfRange) {

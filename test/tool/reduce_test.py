@@ -74,7 +74,7 @@ class ReduceTest(TrainedCase):
 
     def test_text_names_the_images_of_the_measured_changes(self):
         arguments = ("reduce", "--model", "./home.places", "--out", "./small.places",
-                     "--no-normalise")
+                     "--no-normalize")
         self.assertIn("support vectors", self.succeed(*arguments))
         self.assertIn("24 images", self.succeed(*arguments, "--train", "monday"))
 
