@@ -47,10 +47,11 @@ ReducedMachines trainReduced(const PackedGram& gram, const std::vector<int>& sam
                              const std::vector<ReductionOptions>& reductions);
 
 /// Computes held-out decision values of every sample of a cue by cross-validation, for each of
-/// `reductions`. `gram` is the Gram matrix of the cue's features; `rows` maps each sample to its
-/// row, -1 if the sample lacks the cue. A sample is not valid if it lacks the cue, is tested in no
-/// fold, or if its own place could not be trained on in that fold. `progress`: of "Validating".
-std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vector<int>& rows,
+/// `reductions`. `gram` is the Gram matrix of the cue's features; `cue_rows` maps each sample
+/// to its row, -1 if the sample lacks the cue. A sample is not valid if it lacks the cue, is tested
+/// in no fold, or if its own place could not be trained on in that fold. `progress`: of
+/// "Validating".
+std::vector<HeldOutValues> crossValidate(const PackedGram& gram, const std::vector<int>& cue_rows,
                                          const TrainingTask& task,
                                          const std::vector<ReductionOptions>& reductions,
                                          const Progress& progress = {});
