@@ -32,13 +32,9 @@ class Adjacency {
   std::vector<std::vector<bool>> joined_;  // places x places
 };
 
-/// Parses a map in YAML, `rooms: {kitchen: [corridor], ...}`. Each pair may be listed at either of
-/// its rooms or at both. Throws Error, naming `where`, if the text has another form or names a room
-/// that is not in `places`.
-Adjacency parseAdjacency(const std::string& text, const std::string& where,
-                         const std::vector<std::string>& places);
-
-/// Reads such a map from a file.
+/// Reads a map in YAML, `rooms: {kitchen: [corridor], ...}`. Each pair may be listed at either of
+/// its rooms or at both. Throws Error, naming the file, if it cannot be read, has another form or
+/// names a room that is not in `places`.
 Adjacency readAdjacency(const std::string& path, const std::vector<std::string>& places);
 
 /// Writes a map as YAML; each pair is listed at both of its rooms.

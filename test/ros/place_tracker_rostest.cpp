@@ -72,7 +72,7 @@ TEST_F(PlacesOverTime, FollowTheMapOfTheParameter) {
 
 TEST_F(PlacesOverTime, FollowTheMapOfTheModelUnlessThereIsAParameter) {
   const auto model = threeRooms();
-  model->adjacency = parseAdjacency(kRow, "test", model->places);
+  model->adjacency = readAdjacency(scratch_.write("row.yaml", kRow), model->places);
   EXPECT_EQ(afterTheHall(model), "kitchen");
   node_.setParam("adjacency",
                  scratch_.write("map.yaml", "rooms: {hall: [kitchen, lab], kitchen: [lab]}"));

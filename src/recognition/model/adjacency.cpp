@@ -98,11 +98,6 @@ bool Adjacency::isKnown(int place) const {
   return std::find(joined_[place].begin(), joined_[place].end(), true) != joined_[place].end();
 }
 
-Adjacency parseAdjacency(const std::string& text, const std::string& where,
-                         const std::vector<std::string>& places) {
-  return fromYaml(parseYaml(text, where), where, places);
-}
-
 Adjacency readAdjacency(const std::string& path, const std::vector<std::string>& places) {
   return fromYaml(readYamlFile(path), path, places);
 }
