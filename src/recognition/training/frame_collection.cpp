@@ -43,7 +43,7 @@ class Collector {
         model_(model),
         change_(change),
         most_(most),
-        collected_{{}, {}, {}, {}, {}, {}, {}, 0, 0, profile, HalvingSample(options.seed)},
+        collected_(profile, options.seed),
         pool_(options, profile, threads) {}
 
   void read(Recording& recording, const Progress& progress) {
@@ -116,19 +116,15 @@ class Collector {
   }
 
   void add(const Frame& frame, CameraStream& camera, int number, int level) {
-    const int recording = static_cast<int>(collected_.seen.size()) - 1;
-    const int part = static_cast<int>(collected_.inputs.size()) - 1;
-    collected_.frames.push_back({frame.place,
-                                 recording,
-                                 part,
-                                 frame.stamp,
-                                 camera.number,
-                                 number,
-                                 frame.name,
-                                 level,
-                                 {},
-                                 {}});
-    CollectedFrame& added = collected_.frames.back();
+    CollectedFrame& added = collected_.frames.emplace_back();
+    added.place = frame.place;
+    added.recording = static_cast<int>(collected_.seen.size()) - 1;
+    added.part = static_cast<int>(collected_.inputs.size()) - 1;
+    added.stamp = frame.stamp;
+    added.camera = camera.number;
+    added.number = number;
+    added.name = frame.name;
+    added.level = level;
     const Light light = camera.light.next(frame);
     pool_.submit(frame.image, added.extracted, light);
     if (!change_) return;

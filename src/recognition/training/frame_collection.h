@@ -41,6 +41,10 @@ struct SeenLabel {
 
 /// Everything read from recordings.
 struct FrameCollection {
+  /// `expected`: properties of the images; `seed`: of the sample.
+  FrameCollection(const ImageProfile& expected, std::uint64_t seed)
+      : profile(expected), sample(seed) {}
+
   std::vector<std::string> inputs;           ///< names of the recordings
   std::vector<std::string> fingerprints;     ///< of each input, see Provenance
   std::vector<std::string> cameras;          ///< topics, of all recordings
@@ -52,7 +56,7 @@ struct FrameCollection {
   std::uint64_t passed_over = 0;      ///< by sampling.rate
   ImageProfile profile;               ///< of the images in use and the expected one
   HalvingSample sample;               ///< the sample to which `frames` is limited
-  std::string how_to_label = {};      ///< Recording::howToLabel() of the first one
+  std::string how_to_label;           ///< Recording::howToLabel() of the first one
 };
 
 /// Reads the recordings and extracts the features of their labelled frames, and keeps at most about

@@ -115,8 +115,10 @@ Samples rememberedSamples(const Model& model) {
     std::vector<Feature> vectors = parts.support_set.vectors();
     for (std::size_t i = 0; i < vectors.size(); ++i) {
       samples.source.push_back(static_cast<int>(samples.origins.size()));
-      const VectorOrigin& origin = parts.origins[i];
-      samples.origins.push_back({origin.place, 0, static_cast<double>(i), 0, origin.age});
+      SampleOrigin& origin = samples.origins.emplace_back();
+      origin.place = parts.origins[i].place;
+      origin.stamp = static_cast<double>(i);
+      origin.age = parts.origins[i].age;
       for (std::size_t other = 0; other < model.classifiers.size(); ++other) {
         samples.features[other].push_back(other == c ? std::move(vectors[i]) : Feature());
       }
