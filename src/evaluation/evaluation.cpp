@@ -8,7 +8,6 @@
 #include "base/place_name.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
-#include "place_recognition/model_file.h"
 #include "recognition/frames/left_out_frames.h"
 
 namespace place_recognition {
@@ -48,7 +47,6 @@ class Evaluator {
     evaluation_.places = model->places;
     evaluation_.model_places = model->places.size();
     evaluation_.support_vectors = model->supportVectorCount();
-    evaluation_.model_bytes = serializeModel(*model).size();
   }
 
   void read(Recording& recording, const Progress& progress) {

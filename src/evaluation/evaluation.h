@@ -48,7 +48,7 @@ struct Evaluation {
   std::vector<FrameResult> frames;
   std::vector<WrongImage> wrong;  ///< the most confidently wrong ones, worst first
   std::size_t support_vectors = 0;
-  std::uint64_t model_bytes = 0;
+  std::uint64_t model_bytes = 0;  ///< size of its file; 0 unless the caller of evaluate() sets it
   std::vector<std::string> warnings;  ///< for a person: skipped images, see also ImageGuard
 
   /// Whether the model has learned the true place of `frame`.

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -34,11 +35,13 @@ void evaluateModel(const EvaluateOptions& options) {
   const std::string report = options.report + "/report.html";
   if (!options.report.empty()) requireWritable(report, Contents::kText);
   const std::shared_ptr<const Model> model = modelOf(options);
+  const std::uint64_t model_bytes = std::filesystem::file_size(modelPath(options.model));
   const std::vector<RecordingOpener> recordings = options.input.openers(options.inputs);
 
   ProgressDisplay display(options.output.progress);
   constexpr std::size_t kWrongImages = 24;  // in the report
-  const Evaluation evaluation = evaluate(model, recordings, kWrongImages, display.callback());
+  Evaluation evaluation = evaluate(model, recordings, kWrongImages, display.callback());
+  evaluation.model_bytes = model_bytes;
   const Summary summary = summarize(evaluation);
   display.clear();
 

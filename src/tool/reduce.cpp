@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <ostream>
@@ -35,6 +36,7 @@ class Reducer {
       : options_(options),
         progress_(progress),
         model_(loadModel(modelPath(options.model))),
+        model_bytes_(std::filesystem::file_size(modelPath(options.model))),
         validation_(collectValidation()),
         training_(collectTraining()),
         reduction_(model_, options.train.empty() ? nullptr : &training_, progress) {
@@ -47,6 +49,7 @@ class Reducer {
   ReductionFigures before() const {
     ReductionFigures figures = measured(model_);
     figures.method = "before";
+    figures.model_bytes = model_bytes_;
     if (rate_) figures.rate = rate_before_;
     return figures;
   }
@@ -69,9 +72,9 @@ class Reducer {
     if (rate_) rate = (*rate_)(machines);
 
     const Model smaller = withMachines(model_, std::move(machines), chosen);
-    if (!path.empty()) saveModel(smaller, path);
     ReductionFigures figures = measured(smaller);
     figures.method = method;
+    figures.model_bytes = path.empty() ? serializeModel(smaller).size() : saveModel(smaller, path);
     figures.change = change;
     figures.rate = rate;
     figures.curve = std::move(curve);
@@ -116,7 +119,6 @@ class Reducer {
   ReductionFigures measured(const Model& model) const {
     ReductionFigures figures;
     figures.support_vectors = model.supportVectorCount();
-    figures.model_bytes = serializeModel(model).size();
     figures.comparison_ms = comparisonMilliseconds(model, images());
     return figures;
   }
@@ -135,6 +137,7 @@ class Reducer {
   const ReduceOptions& options_;
   const Progress& progress_;
   Model model_;
+  std::uint64_t model_bytes_;  // of its file
   Samples validation_;
   Samples training_;
   ModelReduction reduction_;
