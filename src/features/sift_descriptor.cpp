@@ -186,6 +186,27 @@ const std::vector<float>& SiftDescriptor::orientations(const cv::Mat1f& level, f
   return orientations_;
 }
 
+void SiftDescriptor::distribute(int count, float* cells) const {
+  for (int i = 0; i < count; ++i) {
+    const float lower = samples_.magnitude[i] * samples_.row_fraction[i];
+    const float upper = samples_.magnitude[i] - lower;
+    const float lower_right = lower * samples_.column_fraction[i];
+    const float lower_left = lower - lower_right;
+    const float upper_right = upper * samples_.column_fraction[i];
+    const float upper_left = upper - upper_right;
+    const float next = samples_.angle[i];
+    float* bin = cells + samples_.bin[i];
+    bin[0] += upper_left - upper_left * next;
+    bin[1] += upper_left * next;
+    bin[kCell] += upper_right - upper_right * next;
+    bin[kCell + 1] += upper_right * next;
+    bin[kCellRow] += lower_left - lower_left * next;
+    bin[kCellRow + 1] += lower_left * next;
+    bin[kCellRow + kCell] += lower_right - lower_right * next;
+    bin[kCellRow + kCell + 1] += lower_right * next;
+  }
+}
+
 void SiftDescriptor::describe(const cv::Mat1f& level, float x, float y, float sigma, float angle,
                               std::uint8_t* descriptor) {
   constexpr float kReach = 0.5f * (kGrid + 1);  // centre to the rim's cell centres, in cells
@@ -219,24 +240,7 @@ void SiftDescriptor::describe(const cv::Mat1f& level, float x, float y, float si
                         -sine};
     toBins(line, angle, count, samples_.angle.data(), samples_.row_fraction.data(),
            samples_.column_fraction.data(), samples_.bin.data());
-    for (int i = 0; i < count; ++i) {
-      const float lower = samples_.magnitude[i] * samples_.row_fraction[i];
-      const float upper = samples_.magnitude[i] - lower;
-      const float lower_right = lower * samples_.column_fraction[i];
-      const float lower_left = lower - lower_right;
-      const float upper_right = upper * samples_.column_fraction[i];
-      const float upper_left = upper - upper_right;
-      const float next = samples_.angle[i];
-      float* bin = cells.data() + samples_.bin[i];
-      bin[0] += upper_left - upper_left * next;
-      bin[1] += upper_left * next;
-      bin[kCell] += upper_right - upper_right * next;
-      bin[kCell + 1] += upper_right * next;
-      bin[kCellRow] += lower_left - lower_left * next;
-      bin[kCellRow + 1] += lower_left * next;
-      bin[kCellRow + kCell] += lower_right - lower_right * next;
-      bin[kCellRow + kCell + 1] += lower_right * next;
-    }
+    distribute(count, cells.data());
   }
   normalize(cells.data(), descriptor);
 }

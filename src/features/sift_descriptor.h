@@ -42,6 +42,8 @@ class SiftDescriptor {
   };
 
   void prepareWindow(float x, float y, int radius, float sigma);
+  /// Adds each of the first `count` samples to its eight bins of the histograms `cells`.
+  void distribute(int count, float* cells) const;
 
   Samples samples_;
   std::vector<float> window_x_;  ///< Gaussian weight of column round(x) - radius + i
