@@ -135,7 +135,9 @@ void requireOneLabel(const std::string& label, const std::string& where) {
   }
 }
 
-RawLine split(const std::string& line, const std::string& where) {
+/// The time and the separator of a line; what follows them becomes the label as it stands. Throws
+/// Error if the line does not begin with a timestamp.
+RawLine splitOffTime(const std::string& line, const std::string& where) {
   // The timestamp, possibly quoted, and what separates it from the label. A comma followed by
   // digits may be a decimal comma, but only before a semicolon or a tab.
   static const std::regex with_decimal_comma(R"re([ \t]*("?)([+-]?\d+,\d+)\1 *([;\t]))re");
@@ -155,23 +157,31 @@ RawLine split(const std::string& line, const std::string& where) {
   RawLine raw{std::strtod(number.c_str(), nullptr), separator,
               trimmed(line.substr(static_cast<std::size_t>(parts.length())))};
   if (raw.time < 0) throw Error(where + " has a negative timestamp; count from 1970, in s.");
+  return raw;
+}
+
+/// '1700000000,5 kitchen' has either a decimal comma or a room '5 kitchen'.
+void requireNoDecimalComma(const RawLine& raw, const std::string& where) {
+  static const std::regex digits_and_more(R"(\d+[ \t]+\S)");
+  const std::string label = headOf(raw.label);
+  if (raw.separator != ',' ||
+      !std::regex_search(label, digits_and_more, std::regex_constants::match_continuous)) {
+    return;
+  }
+  throw Error(where + " has either a decimal comma or the label '" + label +
+              "'; write the timestamp with a point, or the label in double quotes.");
+}
+
+RawLine split(const std::string& line, const std::string& where) {
+  RawLine raw = splitOffTime(line, where);
   const bool is_quoted = !raw.label.empty() && raw.label[0] == '"';
-  if (separator == ' ') {
-    if (is_quoted) {
-      raw.label = onlyField(raw.label, '\t', where);
-    } else {
-      requireOneLabel(raw.label, where);
-    }
+  if (raw.separator != ' ') {
+    requireNoDecimalComma(raw, where);
+    raw.label = onlyField(raw.label, raw.separator, where);
+  } else if (is_quoted) {
+    raw.label = onlyField(raw.label, '\t', where);
   } else {
-    // '1700000000,5 kitchen' has either a decimal comma or a room '5 kitchen'.
-    static const std::regex digits_and_more(R"(\d+[ \t]+\S)");
-    const std::string label = headOf(raw.label);
-    if (separator == ',' &&
-        std::regex_search(label, digits_and_more, std::regex_constants::match_continuous)) {
-      throw Error(where + " has either a decimal comma or the label '" + label +
-                  "'; write the timestamp with a point, or the label in double quotes.");
-    }
-    raw.label = onlyField(raw.label, separator, where);
+    requireOneLabel(raw.label, where);
   }
   if (!is_quoted) {
     requireNoTime(raw.label, raw.time, where);
