@@ -1,6 +1,6 @@
 #include "experiments/experiment_run.h"
 
-#include <map>
+#include <optional>
 
 #include "base/atomic_file.h"
 #include "report/text_table.h"
@@ -51,47 +51,74 @@ void write(const Findings& findings, const std::string& text, const Json& result
   writeFileAtomically(folder + "/tables.txt", text);
 }
 
+/// The cells of an experiment on a data set, kept as files.
+class Cells {
+ public:
+  Cells(Experiment& experiment, const std::string& folder, const std::string& data_digest)
+      : experiment_(experiment),
+        store_(folder),
+        data_digest_(data_digest),
+        cells_(experiment.cells()) {}
+
+  std::size_t size() const { return cells_.size(); }
+  const Json& operator[](std::size_t i) const { return cells_[i]; }
+
+  /// Nothing if it is not computed yet.
+  std::optional<Json> result(std::size_t i) const { return store_.find(keyOf(cells_[i])); }
+
+  /// Computes the missing cells of one part; returns their number.
+  std::size_t compute(const Part& part, const Progress& progress) {
+    std::vector<Json> missing;
+    for (std::size_t i = boundary(part.number - 1, part); i < boundary(part.number, part); ++i) {
+      if (!result(i)) missing.push_back(cells_[i]);
+    }
+    std::size_t computed = 0;
+    if (missing.empty()) return computed;
+    experiment_.compute(
+        missing,
+        [&](const Json& cell, const Json& result) {
+          store_.save(keyOf(cell), result);
+          ++computed;
+        },
+        progress);
+    return computed;
+  }
+
+ private:
+  Json keyOf(const Json& cell) const {
+    return {{"cell", cell}, {"data", data_digest_}, {"version", kVersion}};
+  }
+
+  std::size_t boundary(int parts_before, const Part& part) const {
+    return cells_.size() * static_cast<std::size_t>(parts_before) /
+           static_cast<std::size_t>(part.count);
+  }
+
+  Experiment& experiment_;
+  const CellStore store_;
+  const std::string data_digest_;
+  const std::vector<Json> cells_;
+};
+
 }  // namespace
 
 ExperimentOutcome runExperiment(Experiment& experiment, const std::string& folder,
                                 const std::string& data_digest, const Part& part,
                                 const Progress& progress) {
-  const CellStore store(folder + "/cells");
-  const auto keyOf = [&](const Json& cell) {
-    return Json{{"cell", cell}, {"data", data_digest}, {"version", kVersion}};
-  };
-  const std::vector<Json> cells = experiment.cells();
-  const auto boundary = [&](int parts_before) {
-    return cells.size() * static_cast<std::size_t>(parts_before) /
-           static_cast<std::size_t>(part.count);
-  };
-
+  Cells cells(experiment, folder + "/cells", data_digest);
   ExperimentOutcome outcome;
   outcome.cells = cells.size();
-  std::vector<Json> wanted;
-  for (std::size_t i = boundary(part.number - 1); i < boundary(part.number); ++i) {
-    if (!store.find(keyOf(cells[i]))) wanted.push_back(cells[i]);
-  }
-  if (!wanted.empty()) {
-    experiment.compute(
-        wanted,
-        [&](const Json& cell, const Json& result) {
-          store.save(keyOf(cell), result);
-          ++outcome.computed;
-        },
-        progress);
-  }
-
+  outcome.computed = cells.compute(part, progress);
   std::vector<Json> results;
   Json record = Json::array();
-  for (const Json& cell : cells) {
-    const auto result = store.find(keyOf(cell));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::optional<Json> result = cells.result(i);
     if (!result) {
       ++outcome.missing;
       continue;
     }
     results.push_back(*result);
-    record.push_back({{"cell", cell}, {"result", *result}});
+    record.push_back({{"cell", cells[i]}, {"result", *result}});
   }
   if (outcome.missing == 0) {
     const Findings findings = experiment.findings(results);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/options.h"
 #include "base/text.h"
@@ -20,6 +21,24 @@ std::string rateIn(const Json& result, const std::string& place, const std::stri
     return fixed(100.0 * count.at("right").get<int>() / count.at("total").get<int>(), 2);
   }
   return "";
+}
+
+using TableRow = std::vector<std::string>;
+
+/// One number of each result, times `factor`.
+TableRow numbers(const char* label, const std::vector<Json>& results, const char* key,
+                 double factor, int decimals) {
+  TableRow row = {label, ""};
+  for (const Json& result : results) {
+    row.push_back(fixed(factor * result.at(key).get<double>(), decimals));
+  }
+  return row;
+}
+
+/// Adds the thesis' figures for its three training sets; `figure`: by set.
+template <typename Figure>
+void addThesis(const Figure& figure, TableRow& row) {
+  for (int i = 0; i < 3; ++i) row.push_back((i == 0 ? "| " : "") + figure(i));
 }
 
 class FinalExperiment : public Experiment {
@@ -70,45 +89,34 @@ class FinalExperiment : public Experiment {
     table.title = std::string(local ? "Table 8.2: local" : "Table 8.6: global") +
                   " descriptors. Rates in per cent by training set (columns) and test set; right, "
                   "the thesis, for rooms that go by its names";
-    std::vector<std::string> head = {"room", "tested on"};
+    TableRow& head = table.rows.emplace_back(TableRow{"room", "tested on"});
     for (const ImageSet& set : sets_) head.push_back(set.name);
     for (const char* column : {"| cloudy", "night", "sunny"}) head.emplace_back(column);
-    table.rows.push_back(head);
-
-    const auto numbers = [&](const char* label, const char* key, double factor, int decimals) {
-      std::vector<std::string> row = {label, ""};
-      for (const Json& result : results) {
-        row.push_back(fixed(factor * result.at(key).get<double>(), decimals));
-      }
-      return row;
-    };
-    table.rows.push_back(numbers("gamma", "gamma", 1, 3));
-    table.rows.push_back(numbers("support vectors", "support_vectors", 1, 0));
-    for (int i = 0; i < 3; ++i) {
-      table.rows[1].push_back((i == 0 ? "| " : "") + fixed(thesis.gamma[i], 3));
-    }
-    std::map<std::string, int> places;
-    for (const ImageSet& set : sets_) {
-      for (const LabelledImage& image : set.images) ++places[image.place];
-    }
-    for (const auto& [place, images] : places) {
+    table.rows.push_back(numbers("gamma", results, "gamma", 1, 3));
+    addThesis([&](int i) { return fixed(thesis.gamma[i], 3); }, table.rows.back());
+    table.rows.push_back(numbers("support vectors", results, "support_vectors", 1, 0));
+    for (const std::string& place : places()) {
       for (const ImageSet& set : sets_) {
-        std::vector<std::string> row = {place, set.name};
+        TableRow& row = table.rows.emplace_back(TableRow{place, set.name});
         for (const Json& result : results) row.push_back(rateIn(result, place, set.name));
-        for (int i = 0; i < 3; ++i) {
-          row.push_back((i == 0 ? "| " : "") + thesisRate(thesis.rate(place, set.name, i)));
-        }
-        table.rows.push_back(row);
+        addThesis([&](int i) { return thesisRate(thesis.rate(place, set.name, i)); }, row);
       }
     }
-    std::vector<std::string> average = numbers("average", "rate", 100, 2);
-    for (int i = 0; i < 3; ++i)
-      average.push_back((i == 0 ? "| " : "") + fixed(thesis.average[i], 2));
-    table.rows.push_back(average);
+    table.rows.push_back(numbers("average", results, "rate", 100, 2));
+    addThesis([&](int i) { return fixed(thesis.average[i], 2); }, table.rows.back());
     return {{splits(), table}, {}};
   }
 
  private:
+  /// All places, in ascending order.
+  std::set<std::string> places() const {
+    std::set<std::string> places;
+    for (const ImageSet& set : sets_) {
+      for (const LabelledImage& image : set.images) places.insert(image.place);
+    }
+    return places;
+  }
+
   Table splits() const {
     Table table{"table_8_1",
                 "Table 8.1: images by room and set; each set is trained on in turn and tested on "

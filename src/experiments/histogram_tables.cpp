@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "experiments/spread.h"
-#include "experiments/table_8_4.h"
+#include "experiments/thesis_histograms.h"
 
 namespace place_recognition {
 namespace {
@@ -37,6 +37,39 @@ std::string joined(const Values& values) {
   return text;
 }
 
+std::vector<std::string> headOf(HistogramSweep sweep, const std::vector<std::string>& sets) {
+  const bool bins = sweep == HistogramSweep::kBins;
+  std::vector<std::string> head = {"descriptors", "scales", bins ? "bins" : "dim.", "gamma"};
+  head.insert(head.end(), sets.begin(), sets.end());
+  for (const char* name :
+       {"average", "+-", "| scales", "bins", "cloudy", "night", "sunny", "average", "+-"}) {
+    head.emplace_back(name);
+  }
+  return head;
+}
+
+/// `gamma`: the best one.
+std::vector<std::string> rowOf(HistogramSweep sweep, const Best& best, double gamma,
+                               const ThesisRow& thesis) {
+  const CrfhOptions& options = best.histogram->options;
+  const std::size_t dimensions = options.descriptors.size() * options.scales.size();
+  const bool bins = sweep == HistogramSweep::kBins;
+  std::vector<std::string> row = {
+      joined(options.descriptors), joined(options.scales),
+      std::to_string(bins ? static_cast<std::size_t>(options.bins[0]) : dimensions),
+      significant(gamma, 3)};
+  for (const double rate : best.by_set) row.push_back(fixed(100 * rate, 2));
+  row.push_back(fixed(100 * best.rate.mean, 2));
+  row.push_back(fixed(100 * best.rate.deviation, 2));
+  row.push_back("| " + joined(thesis.scales));
+  row.push_back(thesis.bins > 0 ? std::to_string(thesis.bins) : "");
+  for (const double rate :
+       {thesis.cloudy, thesis.night, thesis.sunny, thesis.average, thesis.deviation}) {
+    row.push_back(fixed(rate, 2));
+  }
+  return row;
+}
+
 }  // namespace
 
 Table histogramTable(HistogramSweep sweep, const std::vector<std::string>& sets,
@@ -55,31 +88,10 @@ Table histogramTable(HistogramSweep sweep, const std::vector<std::string>& sets,
                        "rates in per cent by training set; right, the thesis"
                      : "Table 8.4: descriptors and scales. Best scales and gamma of each row, in "
                        "hindsight; rates in per cent by training set; right, the thesis";
-  std::vector<std::string> head = {"descriptors", "scales", bins ? "bins" : "dim.", "gamma"};
-  head.insert(head.end(), sets.begin(), sets.end());
-  for (const char* name :
-       {"average", "+-", "| scales", "bins", "cloudy", "night", "sunny", "average", "+-"}) {
-    head.emplace_back(name);
-  }
-  table.rows.push_back(head);
+  table.rows.push_back(headOf(sweep, sets));
   for (std::size_t i = 0; i < thesis.size(); ++i) {
     if (!best[i].histogram) continue;  // omitted because of its dimensions
-    const CrfhOptions& options = best[i].histogram->options;
-    const std::size_t dimensions = options.descriptors.size() * options.scales.size();
-    std::vector<std::string> row = {
-        joined(options.descriptors), joined(options.scales),
-        std::to_string(bins ? static_cast<std::size_t>(options.bins[0]) : dimensions),
-        significant(gammas[best[i].gamma], 3)};
-    for (const double rate : best[i].by_set) row.push_back(fixed(100 * rate, 2));
-    row.push_back(fixed(100 * best[i].rate.mean, 2));
-    row.push_back(fixed(100 * best[i].rate.deviation, 2));
-    row.push_back("| " + joined(thesis[i].scales));
-    row.push_back(thesis[i].bins > 0 ? std::to_string(thesis[i].bins) : "");
-    for (const double rate : {thesis[i].cloudy, thesis[i].night, thesis[i].sunny, thesis[i].average,
-                              thesis[i].deviation}) {
-      row.push_back(fixed(rate, 2));
-    }
-    table.rows.push_back(row);
+    table.rows.push_back(rowOf(sweep, best[i], gammas[best[i].gamma], thesis[i]));
   }
   return table;
 }

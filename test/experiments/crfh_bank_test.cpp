@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "experiments/table_8_4.h"
+#include "experiments/thesis_histograms.h"
 #include "features/feature_extractor.h"
 #include "features/feature_images.h"
 

@@ -1,4 +1,4 @@
-#include "experiments/table_8_4.h"
+#include "experiments/thesis_histograms.h"
 
 namespace place_recognition {
 
