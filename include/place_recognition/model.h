@@ -11,7 +11,7 @@
 #include "place_recognition/camera_correlation.h"
 #include "place_recognition/classifier.h"
 #include "place_recognition/colour_statistics.h"
-#include "place_recognition/depth_extent.h"
+#include "place_recognition/level_range.h"
 #include "place_recognition/training_options.h"
 
 namespace place_recognition {
@@ -40,7 +40,7 @@ struct ImageProfile {
   bool colour = false;   ///< some images are in colour
   double darkest = 255;  ///< mean brightness of the darkest image, 0..255
   double brightest = 0;  ///< mean brightness of the brightest image
-  DepthExtent depth;     ///< of images with 16 bits per channel
+  LevelRange levels;     ///< of images with 16 bits per channel
 
   bool known() const { return width > 0; }
   bool includesImages() const { return darkest <= brightest; }  ///< else only the size is known

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "place_recognition/depth_extent.h"
+#include "place_recognition/level_range.h"
 
 namespace place_recognition {
 
@@ -47,14 +47,14 @@ class Recording {
   /// The part read so far, 0..1.
   virtual double fraction() const = 0;
 
-  /// Sets how images of 16 bits per channel are converted to the 8 bits of a Frame: by `extent` if
-  /// it is known, else by the extent of a few images from the whole recording. Call it before
+  /// Sets how images of 16 bits per channel are converted to the 8 bits of a Frame: by `range` if
+  /// it is known, else by the range of a few images from the whole recording. Call it before
   /// next().
-  virtual void setDepthExtent(const DepthExtent& /*extent*/) {}
+  virtual void setLevelRange(const LevelRange& /*range*/) {}
 
-  /// The extent of a few images from the whole recording, once next() or usualSize() has been
+  /// The range of a few images from the whole recording, once next() or usualSize() has been
   /// called; unknown if they do not have 16 bits per channel.
-  virtual DepthExtent depthExtent() const { return {}; }
+  virtual LevelRange levelRange() const { return {}; }
 
   /// The name that the user gave.
   const std::string& name() const { return name_; }

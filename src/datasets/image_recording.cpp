@@ -40,8 +40,8 @@ class ImageRecording : public Recording {
     return true;
   }
 
-  void setDepthExtent(const DepthExtent& extent) override { sequence_.setDepthExtent(extent); }
-  DepthExtent depthExtent() const override { return sequence_.depthExtent(); }
+  void setLevelRange(const LevelRange& range) override { sequence_.setLevelRange(range); }
+  LevelRange levelRange() const override { return sequence_.levelRange(); }
 
   cv::Size usualSize() override { return sequence_.usualSize(); }
 

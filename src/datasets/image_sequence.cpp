@@ -13,7 +13,7 @@ DecodedImage ImageSequence::read(std::size_t i) {
   if (!scale_.hasSeen()) {
     for (const std::size_t k : sample()) {
       const cv::Mat image = readDeepImageFile(paths_[k]).image;
-      if (!image.empty() && image.depth() == CV_16U) scale_.see(depthExtentOf(image));
+      if (!image.empty() && image.depth() == CV_16U) scale_.see(levelRangeOf(image));
     }
   }
   decoded.image = scale_.toEightBits(decoded.image);

@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "datasets/depth_scale.h"
 #include "datasets/image_file.h"
+#include "datasets/level_scale.h"
 
 namespace place_recognition {
 
-/// Image files of one camera, converted to 8 bits with one DepthScale. Its range is determined from
+/// Image files of one camera, converted to 8 bits with one LevelScale. Its range is determined from
 /// a few images of the whole sequence when the first image with 16 bits is read.
 class ImageSequence {
  public:
   ImageSequence() = default;
   explicit ImageSequence(std::vector<std::string> paths) : paths_(std::move(paths)) {}
 
-  /// Call it before read(); see Recording::setDepthExtent().
-  void setDepthExtent(const DepthExtent& extent) { scale_ = DepthScale(extent); }
-  const DepthExtent& depthExtent() const { return scale_.extent(); }
+  /// Call it before read(); see Recording::setLevelRange().
+  void setLevelRange(const LevelRange& range) { scale_ = LevelScale(range); }
+  const LevelRange& levelRange() const { return scale_.range(); }
 
   std::size_t size() const { return paths_.size(); }
   const std::string& path(std::size_t i) const { return paths_[i]; }
@@ -37,7 +37,7 @@ class ImageSequence {
   std::vector<std::size_t> sample() const;
 
   std::vector<std::string> paths_;
-  DepthScale scale_;
+  LevelScale scale_;
   bool is_deep_ = false;  // an image with 16 bits was read
 };
 

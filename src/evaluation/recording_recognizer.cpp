@@ -11,7 +11,7 @@ RecordingRecognizer::RecordingRecognizer(std::shared_ptr<const Model> model)
 }
 
 void RecordingRecognizer::begin(Recording& recording) {
-  recording.setDepthExtent(model_->images.depth);
+  recording.setLevelRange(model_->images.levels);
   cameras_ = recording.cameras();
   continuity_.begin(cameras_);
 }

@@ -260,11 +260,11 @@ std::vector<std::string> findRecordings(const std::vector<std::string>& inputs) 
   return withoutRepetitions(recordings);
 }
 
-Frame imageFrame(const std::string& path, const DepthExtent& depth) {
+Frame imageFrame(const std::string& path, const LevelRange& levels) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw Error("There is no image " + path + "; check the path.");
   ImageSequence sequence({path});
-  sequence.setDepthExtent(depth);
+  sequence.setLevelRange(levels);
   DecodedImage decoded = sequence.read(0);
   Frame frame;
   frame.name = path;

@@ -45,9 +45,9 @@ void addThreads(Verb& verb, unsigned& threads);
 /// reported on stderr. Throws Error for anything else.
 std::vector<std::string> findRecordings(const std::vector<std::string>& inputs);
 
-/// An image as a frame without a label; `depth`: see Recording::setDepthExtent(). The frame has no
+/// An image as a frame without a label; `levels`: see Recording::setLevelRange(). The frame has no
 /// image if the file is damaged. Throws Error if there is no image at `path`.
-Frame imageFrame(const std::string& path, const DepthExtent& depth);
+Frame imageFrame(const std::string& path, const LevelRange& levels);
 
 /// An image, CV_8UC3 BGR or CV_8UC1. Throws Error if there is none at `path`, or if it is damaged.
 cv::Mat readImage(const std::string& path);

@@ -28,8 +28,8 @@ void printImages(const Model& model, std::ostream& out) {
     out << "images           " << sizeText(images.width, images.height) << ", "
         << (images.colour ? "colour" : "grey") << ", mean brightness "
         << std::lround(images.darkest) << " to " << std::lround(images.brightest);
-    if (images.depth.known()) {
-      out << ", of 16 bits (" << images.depth.low << " to " << images.depth.high << ")";
+    if (images.levels.known()) {
+      out << ", of 16 bits (" << images.levels.low << " to " << images.levels.high << ")";
     }
     out << "\n";
   }
@@ -140,7 +140,7 @@ Json modelFigures(const Model& model, const std::string& path, std::uint64_t byt
           {"unknown_threshold", model.unknown_threshold},
           {"validation", validationJson(model)},
           {"image_size", {model.images.width, model.images.height}},
-          {"image_depth", {model.images.depth.low, model.images.depth.high}},
+          {"image_depth", {model.images.levels.low, model.images.levels.high}},
           {"options", writeOptions(model.options)},
           {"asked", writeOptions(model.asked)}};
 }

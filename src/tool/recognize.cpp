@@ -67,7 +67,7 @@ class Recognitions {
     }
   }
 
-  const DepthExtent& depth() const { return recognizer_.model().images.depth; }
+  const LevelRange& levels() const { return recognizer_.model().images.levels; }
 
   /// A single image.
   void addImage(const Frame& frame) {
@@ -254,7 +254,7 @@ void recognize(const RecognizeOptions& options) {
       }
       if (inputs[i].image.empty()) continue;
       report(progress, "Recognizing", static_cast<double>(i) / inputs.size());
-      Frame frame = imageFrame(inputs[i].image, recognitions.depth());
+      Frame frame = imageFrame(inputs[i].image, recognitions.levels());
       frame.stamp = static_cast<double>(i);
       recognitions.addImage(frame);
     }

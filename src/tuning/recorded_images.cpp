@@ -39,9 +39,9 @@ std::set<std::string> lookThrough(const std::vector<RecordingOpener>& recordings
              (static_cast<double>(r) + recording->fraction()) /
                  static_cast<double>(recordings.size()));
     }
-    const DepthExtent depth = recording->depthExtent();
-    found.digest = sha256(found.digest + " end " + std::to_string(depth.low) + " " +
-                          std::to_string(depth.high));
+    const LevelRange levels = recording->levelRange();
+    found.digest = sha256(found.digest + " end " + std::to_string(levels.low) + " " +
+                          std::to_string(levels.high));
   }
   return places;
 }

@@ -30,8 +30,8 @@ class ThinnedRecording : public Recording {
   cv::Size usualSize() override { return recording_->usualSize(); }
   std::string howToLabel() const override { return recording_->howToLabel(); }
 
-  void setDepthExtent(const DepthExtent& extent) override { recording_->setDepthExtent(extent); }
-  DepthExtent depthExtent() const override { return recording_->depthExtent(); }
+  void setLevelRange(const LevelRange& range) override { recording_->setLevelRange(range); }
+  LevelRange levelRange() const override { return recording_->levelRange(); }
   double fraction() const override { return recording_->fraction(); }
 
  private:

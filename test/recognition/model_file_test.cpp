@@ -59,12 +59,12 @@ TEST(ModelFile, KeepsWhatTheImagesWereLike) {
   EXPECT_EQ(read.colour, images.colour);
   EXPECT_EQ(read.darkest, images.darkest);
   EXPECT_EQ(read.brightest, images.brightest);
-  EXPECT_FALSE(read.depth.known());
+  EXPECT_FALSE(read.levels.known());
   Model infrared = parseModel(smallModelBytes(), "test");
-  infrared.images.depth = {10, 900};
-  const DepthExtent depth = parseModel(serializeModel(infrared), "test").images.depth;
-  EXPECT_EQ(depth.low, 10u);
-  EXPECT_EQ(depth.high, 900u);
+  infrared.images.levels = {10, 900};
+  const LevelRange levels = parseModel(serializeModel(infrared), "test").images.levels;
+  EXPECT_EQ(levels.low, 10u);
+  EXPECT_EQ(levels.high, 900u);
 
   const auto changed = [](const std::function<void(proto::Model&)>& change) {
     return parseModel(

@@ -17,7 +17,7 @@ constexpr std::size_t kConstant = 4 << 20;
 constexpr std::size_t kLargestImage = 64'000'000 * std::size_t{8};
 
 /// Whether `message` gives an image, which must be one that extractors take, or one of 16 bits
-/// for DepthScale.
+/// for LevelScale.
 template <typename Message>
 bool givesImage(const Message& message) {
   try {

@@ -240,10 +240,10 @@ TEST_F(Bags, InfraredOfTenBitsKeepsItsLevels) {
   EXPECT_FALSE(recording->next(frame));
   ASSERT_EQ(recording->warnings().size(), 1u);
   EXPECT_NE(recording->warnings()[0].find("0 .. 1023"), std::string::npos);
-  EXPECT_GT(recording->depthExtent().high, 1000u);
+  EXPECT_GT(recording->levelRange().high, 1000u);
 
   const std::unique_ptr<place_recognition::Recording> again = openBagRecording(path_);
-  again->setDepthExtent({0, 4000});  // as of a model
+  again->setLevelRange({0, 4000});  // as of a model
   for (double largest = 0; again->next(frame);) {
     double of_this = 0;
     cv::minMaxLoc(frame.image, nullptr, &of_this);

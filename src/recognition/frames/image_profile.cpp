@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <opencv2/core.hpp>
 
-#include "place_recognition/depth_extent.h"
+#include "place_recognition/level_range.h"
 
 namespace place_recognition {
 namespace {
@@ -57,20 +57,20 @@ bool isUniform(const ImageStatistics& image) {
 
 ImageProfile commonSize(const std::vector<RecordingOpener>& recordings, const Progress& progress) {
   ImageProfile smallest;
-  DepthExtent depth;
+  LevelRange levels;
   for (std::size_t r = 0; r < recordings.size(); ++r) {
     report(progress, "Looking at the images",
            static_cast<double>(r) / static_cast<double>(recordings.size()));
     const std::unique_ptr<Recording> recording = recordings[r]();
     const cv::Size size = recording->usualSize();
-    depth = united(depth, recording->depthExtent());
+    levels = united(levels, recording->levelRange());
     const bool smaller =
         std::max(size.width, size.height) < std::max(smallest.width, smallest.height);
     if (size.empty() || (smallest.known() && !smaller)) continue;
     smallest.width = size.width;
     smallest.height = size.height;
   }
-  smallest.depth = depth;
+  smallest.levels = levels;
   return smallest;
 }
 
@@ -84,7 +84,7 @@ void include(const ImageProfile& others, ImageProfile& profile) {
   profile.colour = profile.colour || others.colour;
   profile.darkest = std::min(profile.darkest, others.darkest);
   profile.brightest = std::max(profile.brightest, others.brightest);
-  profile.depth = united(profile.depth, others.depth);
+  profile.levels = united(profile.levels, others.levels);
 }
 
 }  // namespace place_recognition

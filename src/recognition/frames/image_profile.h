@@ -32,8 +32,8 @@ bool isUniform(const ImageStatistics& image);
 constexpr const char* kUniformProblem = "shows nothing but one colour";
 
 /// The size at which `recordings` are learned: the smallest Recording::usualSize(), because detail
-/// can be removed from an image but not added; and the depth of all recordings. Not known if no
-/// recording has an image.
+/// can be removed from an image but not added; and the range of levels of all recordings. Not known
+/// if no recording has an image.
 ImageProfile commonSize(const std::vector<RecordingOpener>& recordings, const Progress& progress);
 
 /// Widens the ranges of `profile` to include `image`, or all of `others`; its size stays.

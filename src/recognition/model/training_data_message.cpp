@@ -163,8 +163,8 @@ void writeImages(const ImageProfile& images, proto::Model& message) {
   profile.set_colour(images.colour);
   profile.set_darkest(images.darkest);
   profile.set_brightest(images.brightest);
-  profile.set_depth_low(images.depth.low);
-  profile.set_depth_high(images.depth.high);
+  profile.set_depth_low(images.levels.low);
+  profile.set_depth_high(images.levels.high);
 }
 
 void readImages(const proto::Model& message, Model& model) {
@@ -178,7 +178,7 @@ void readImages(const proto::Model& message, Model& model) {
               profile.brightest() <= 255,
           "the brightness of its training images is not in 0..255");
   require(profile.depth_low() <= profile.depth_high() && profile.depth_high() < 1u << 16,
-          "the depth of its training images is not in 0..65535");
+          "the range of levels of its training images is not in 0..65535");
   model.images = {static_cast<int>(profile.width()),
                   static_cast<int>(profile.height()),
                   profile.colour(),

@@ -51,7 +51,7 @@ class Collector {
     collected_.fingerprints.emplace_back();
     collected_.left_out.emplace_back();
     if (collected_.how_to_label.empty()) collected_.how_to_label = recording.howToLabel();
-    recording.setDepthExtent(expected_.depth);
+    recording.setLevelRange(expected_.levels);
     continuity_.begin(recording.cameras());
     std::vector<CameraStream> streams = streamsOf(recording);
     const std::string stage = "Reading " + recording.name();

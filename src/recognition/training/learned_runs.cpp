@@ -38,7 +38,7 @@ bool isTrainedOn(const Provenance& provenance, const std::string& input,
 }
 
 bool isTrainedOn(const Model& model, Recording& recording) {
-  recording.setDepthExtent(model.images.depth);
+  recording.setLevelRange(model.images.levels);
   Frame frame;
   while (frame.image.empty() && recording.next(frame)) continue;
   return isTrainedOn(model.provenance, recording.name(),

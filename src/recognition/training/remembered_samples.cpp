@@ -165,7 +165,7 @@ void requireJoinable(const Model& model, const Model& other) {
   const std::string size = workingSize(other, other), here = workingSize(model, other);
   if (size != here) refuse("its images were scaled to " + size + " pixels, not at " + here);
   const ImageProfile &images = model.images, &others = other.images;
-  if (images.depth.low != others.depth.low || images.depth.high != others.depth.high) {
+  if (images.levels.low != others.levels.low || images.levels.high != others.levels.high) {
     refuse("images with 16 bits were converted to 8 bits in another way");
   }
 }

@@ -20,9 +20,9 @@
 
 #include "base/descriptor_io.h"
 #include "base/process_limits.h"
-#include "datasets/depth_scale.h"
-#include "place_recognition/depth_extent.h"
+#include "datasets/level_scale.h"
 #include "place_recognition/error.h"
+#include "place_recognition/level_range.h"
 #include "ros/bags/bag_file.h"
 #include "ros/bags/bag_guard.h"
 #include "ros/bags/bag_records.h"
@@ -108,9 +108,9 @@ void sendLabels(const rosbag::Bag& bag, const RecordedTopics& topics,
   }
 }
 
-/// Sends the extent of images with 16 bits, determined from some images of all the topics.
-void sendDepth(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
-  DepthExtent extent;
+/// Sends the range of levels of images with 16 bits, determined from some images of all the topics.
+void sendLevels(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
+  LevelRange range;
   constexpr std::uint32_t kSamples = 16;
   rosbag::View view(bag, rosbag::TopicQuery(topics));
   const std::uint32_t step = std::max(view.size() / kSamples, std::uint32_t{1});
@@ -121,11 +121,11 @@ void sendDepth(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
     BagRecord ignored;
     const cv::Mat image = readImage(instance, ignored, owner);
     if (!image.empty() && image.depth() != CV_16U) return;
-    if (!image.empty()) extent = united(extent, depthExtentOf(image));
+    if (!image.empty()) range = united(range, levelRangeOf(image));
   }
-  if (!extent.known()) return;
-  BagRecord record(BagRecordKind::kDepth);
-  record.depth = {extent.low, extent.high};
+  if (!range.known()) return;
+  BagRecord record(BagRecordKind::kLevels);
+  record.levels = {range.low, range.high};
   send(record);
 }
 
@@ -138,7 +138,7 @@ void sendCameras(const std::vector<std::string>& topics) {
 }
 
 void sendImages(const rosbag::Bag& bag, const std::vector<std::string>& topics) {
-  sendDepth(bag, topics);
+  sendLevels(bag, topics);
   sendCameras(topics);
   std::vector<int> numbers(topics.size());
   for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topics))) {

@@ -12,7 +12,7 @@
 #include "base/place_name.h"
 #include "base/standing_stamp.h"
 #include "base/text.h"
-#include "datasets/depth_scale.h"
+#include "datasets/level_scale.h"
 #include "datasets/size_count.h"
 #include "labels/labels.h"
 #include "place_recognition/error.h"
@@ -137,8 +137,8 @@ struct OpenBag {
                              static_cast<int>(record.topic.height)});
     }
     labels = readLabels(records, info, options, labels_file, record);
-    for (; record.kind == BagRecordKind::kDepth; record = records.next()) {
-      depth = {std::min(record.depth.low, record.depth.high), record.depth.high};
+    for (; record.kind == BagRecordKind::kLevels; record = records.next()) {
+      levels = {std::min(record.levels.low, record.levels.high), record.levels.high};
     }
     for (; record.kind == BagRecordKind::kCamera; record = records.next()) {
       cameras.push_back(record.text);
@@ -150,7 +150,7 @@ struct OpenBag {
   BagRecords records;
   BagInfo info;
   Labels labels;
-  DepthExtent depth;  ///< of images with 16 bits
+  LevelRange levels;  ///< of images with 16 bits
   std::vector<std::string> cameras;
   BagRecord following;  ///< the first record after these
 };
@@ -161,7 +161,7 @@ class BagRecording : public Recording {
       : Recording(path), label_topic_(options.label_topic), bag_(path, "images", options) {
     if (isActiveBag(path)) warnings_.push_back(whyMisnamed(path) + ".");
     if (!bag_.labels.note().empty()) warnings_.push_back(bag_.labels.note());
-    if (bag_.depth.known()) scale_.see(bag_.depth);
+    if (bag_.levels.known()) scale_.see(bag_.levels);
   }
 
   bool next(Frame& frame) override {
@@ -202,12 +202,12 @@ class BagRecording : public Recording {
     return sizes.usual();
   }
 
-  void setDepthExtent(const DepthExtent& extent) override {
-    scale_ = DepthScale(extent);
-    if (bag_.depth.known()) scale_.see(bag_.depth);
+  void setLevelRange(const LevelRange& range) override {
+    scale_ = LevelScale(range);
+    if (bag_.levels.known()) scale_.see(bag_.levels);
   }
 
-  DepthExtent depthExtent() const override { return bag_.depth; }
+  LevelRange levelRange() const override { return bag_.levels; }
 
   std::string howToLabel() const override {
     std::vector<std::string> topics;
@@ -251,7 +251,7 @@ class BagRecording : public Recording {
 
   std::string label_topic_;
   OpenBag bag_;
-  DepthScale scale_;
+  LevelScale scale_;
   bool is_deep_ = false;                                    // an image with 16 bits was read
   double time_ = 0;                                         // bag time of the last frame, s
   std::set<std::string> seen_;                              // places of the frames

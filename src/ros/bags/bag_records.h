@@ -7,7 +7,7 @@
 namespace place_recognition {
 
 // Records that bag_reader sends to openBagRecording() and bagInfo() through a pipe. Their order:
-// one kSpan, one kTopic per topic, the kLabel records in order of time, possibly a kDepth, one
+// one kSpan, one kTopic per topic, the kLabel records in order of time, possibly a kLevels, one
 // kCamera per topic to read, the kImage or kProblem records in order of time, and kEnd. A kError or
 // kCrash may come at any point and is the last record.
 
@@ -15,7 +15,7 @@ enum class BagRecordKind : std::uint32_t {
   kSpan,     ///< span
   kTopic,    ///< topic; text: name; detail: type
   kLabel,    ///< label; text: the label
-  kDepth,    ///< depth
+  kLevels,   ///< levels
   kCamera,   ///< text: the topic without /compressed
   kImage,    ///< image; text: name; the pixels follow
   kProblem,  ///< image, without size and pixels; text: name; detail: why it cannot be decoded
@@ -40,8 +40,8 @@ struct BagRecordNumbers {
   struct Label {
     double time;
   };
-  /// See DepthExtent.
-  struct Depth {
+  /// See LevelRange.
+  struct Levels {
     std::uint32_t low, high;
   };
   struct Image {
@@ -61,7 +61,7 @@ struct BagRecordNumbers {
     Span span;
     Topic topic;
     Label label;
-    Depth depth;
+    Levels levels;
     Failure failure;
   };
 };

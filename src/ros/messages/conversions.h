@@ -21,7 +21,7 @@ constexpr std::uint32_t kMaxImageSide = 8192;
 /// Throws Error for an image without pixels or with more than kMaxImageSide pixels on a side.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
-/// Converts a message to an image, BGR or grey, with 8 or 16 bits per channel (see DepthScale). If
+/// Converts a message to an image, BGR or grey, with 8 or 16 bits per channel (see LevelScale). If
 /// the encoding already has this form, the image shares the message's memory, so the message must
 /// outlive it. Supports rgb, bgr, rgba, bgra, mono and bayer with 8 or 16 bits, yuv422,
 /// yuv422_yuy2, 8UC1, 8UC3 and 16UC1. Throws Error for other encodings and for inconsistent sizes;

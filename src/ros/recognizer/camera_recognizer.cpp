@@ -58,8 +58,8 @@ bool CameraRecognizer::follow(const PlaceRecognizerConfig& config) {
     model_ = std::move(model);
     recognizer_ = std::make_unique<Recognizer>(model_);
     guard_.emplace(*model_);
-    depth_scale_ = DepthScale(model_->images.depth);
-    depth_text_.clear();
+    level_scale_ = LevelScale(model_->images.levels);
+    level_text_.clear();
   }
   const double wanted = config.unknown_threshold;
   unknown_threshold_ = wanted < 0 ? model_->unknown_threshold : wanted;
@@ -101,10 +101,10 @@ void CameraRecognizer::followClock(double stamp) {
 cv::Mat CameraRecognizer::imageOf(const ImageMessage& message) {
   const cv::Mat image = message.image();
   if (image.depth() != CV_16U) return image;
-  cv::Mat scaled = depth_scale_.toEightBits(image);
-  if (depth_text_ != depth_scale_.text()) {
-    depth_text_ = depth_scale_.text();
-    ROS_INFO("Images with 16 bits are converted to 8: %s.", depth_text_.c_str());
+  cv::Mat scaled = level_scale_.toEightBits(image);
+  if (level_text_ != level_scale_.text()) {
+    level_text_ = level_scale_.text();
+    ROS_INFO("Images with 16 bits are converted to 8: %s.", level_text_.c_str());
   }
   return scaled;
 }
@@ -129,7 +129,7 @@ double CameraRecognizer::secondsLeft(ImageStatus::Clock::time_point arrival) con
 }
 
 Recognition CameraRecognizer::recognizeImage(const ImageMessage& message) {
-  DepthScale scale = depth_scale_;
+  LevelScale scale = level_scale_;
   const cv::Mat arrived = message.image();
   const cv::Mat image = arrived.depth() == CV_16U ? scale.toEightBits(arrived) : arrived;
   return recognizer_->recognize(image);

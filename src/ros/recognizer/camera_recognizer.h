@@ -11,7 +11,7 @@
 
 #include "base/rate_limit.h"
 #include "base/standing_stamp.h"
-#include "datasets/depth_scale.h"
+#include "datasets/level_scale.h"
 #include "place_recognition/recognizer.h"
 #include "recognition/frames/image_guard.h"
 #include "ros/nodes/image_input.h"
@@ -92,8 +92,8 @@ class CameraRecognizer {
   double unknown_threshold_ = 0;
   double deadline_ = 0;  // s; 0 if none
   RateLimit rate_limit_;
-  DepthScale depth_scale_;  // of the model, or of the images so far
-  std::string depth_text_;  // as last logged
+  LevelScale level_scale_;  // of the model, or of the images so far
+  std::string level_text_;  // as last logged
   double last_stamp_ = 0;   // s
   StandingStamp standing_stamp_;
   bool stands_still_ = false;

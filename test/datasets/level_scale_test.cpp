@@ -1,6 +1,6 @@
 // 16-bit images in 8 bits: the camera's levels are kept as far as 8 bits allow.
 
-#include "datasets/depth_scale.h"
+#include "datasets/level_scale.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "datasets/image_sequence.h"
-#include "place_recognition/depth_extent.h"
+#include "place_recognition/level_range.h"
 #include "scratch_folder.h"
 
 namespace place_recognition {
@@ -31,9 +31,9 @@ std::size_t levelsOf(const cv::Mat& image) {
   return std::set<int>(image.begin<std::uint8_t>(), image.end<std::uint8_t>()).size();
 }
 
-TEST(DepthScale, KeepsTheLevelsOfEveryCamera) {
+TEST(LevelScale, KeepsTheLevelsOfEveryCamera) {
   for (const int bits : {8, 10, 12, 14, 16}) {
-    DepthScale scale;
+    LevelScale scale;
     const cv::Mat image = ramp(0, (1 << bits) - 1);
     const cv::Mat scaled = scale.toEightBits(image);
     ASSERT_EQ(scaled.type(), CV_8UC1);
@@ -45,51 +45,51 @@ TEST(DepthScale, KeepsTheLevelsOfEveryCamera) {
   }
 }
 
-TEST(DepthScale, IsTheSameForADarkSceneOfTheSameCamera) {
-  DepthScale bright, dark;
-  bright.see(depthExtentOf(ramp(10, 1000)));
-  dark.see(depthExtentOf(ramp(0, 600)));
+TEST(LevelScale, IsTheSameForADarkSceneOfTheSameCamera) {
+  LevelScale bright, dark;
+  bright.see(levelRangeOf(ramp(10, 1000)));
+  dark.see(levelRangeOf(ramp(0, 600)));
   EXPECT_EQ(bright.text(), dark.text());
   EXPECT_EQ(bright.text(), "0 .. 1023 of 16 bits");
 }
 
-TEST(DepthScale, ShowsAThermalCameraThatIsFarFromZero) {
-  DepthScale scale;
+TEST(LevelScale, ShowsAThermalCameraThatIsFarFromZero) {
+  LevelScale scale;
   const cv::Mat scaled = scale.toEightBits(ramp(7000, 9000));
   EXPECT_GT(levelsOf(scaled), 64u);
   // Slightly colder and warmer objects are still distinguished.
   EXPECT_GT(scale.toEightBits(cv::Mat(4, 4, CV_16UC1, cv::Scalar(6800))).at<std::uint8_t>(0, 0), 0);
 }
 
-TEST(DepthScale, WidensWithWhatComesAndIgnoresAFewBrightPixels) {
-  DepthScale scale;
+TEST(LevelScale, WidensWithWhatComesAndIgnoresAFewBrightPixels) {
+  LevelScale scale;
   cv::Mat image = ramp(0, 900);
   image.at<std::uint16_t>(3, 3) = 65535;
-  scale.see(depthExtentOf(image));
+  scale.see(levelRangeOf(image));
   EXPECT_EQ(scale.text(), "0 .. 1023 of 16 bits");
-  scale.see(depthExtentOf(ramp(0, 4000)));
+  scale.see(levelRangeOf(ramp(0, 4000)));
   EXPECT_EQ(scale.text(), "0 .. 4095 of 16 bits");
-  scale.see(depthExtentOf(ramp(0, 100)));
+  scale.see(levelRangeOf(ramp(0, 100)));
   EXPECT_EQ(scale.text(), "0 .. 4095 of 16 bits");
 }
 
-TEST(DepthScale, KeepsARangeThatWasGiven) {
-  DepthScale scale(DepthExtent{10, 900});
+TEST(LevelScale, KeepsARangeThatWasGiven) {
+  LevelScale scale(LevelRange{10, 900});
   EXPECT_TRUE(scale.hasSeen());
   EXPECT_EQ(scale.toEightBits(ramp(0, 200)).at<std::uint8_t>(63, 63), 200 / 4);
   EXPECT_EQ(scale.toEightBits(ramp(0, 60000)).at<std::uint8_t>(63, 63), 255);
   EXPECT_EQ(scale.text(), "0 .. 1023 of 16 bits, as in training");
 }
 
-TEST(DepthExtent, IsThatOfAllUnited) {
-  const DepthExtent whole = united(united({}, {20, 300}), united({10, 200}, {}));
+TEST(LevelRange, IsThatOfAllUnited) {
+  const LevelRange whole = united(united({}, {20, 300}), united({10, 200}, {}));
   EXPECT_EQ(whole.low, 10u);
   EXPECT_EQ(whole.high, 300u);
   EXPECT_FALSE(united({}, {}).known());
 }
 
-TEST(DepthScale, LeavesEightBitsAloneAndTakesColour) {
-  DepthScale scale;
+TEST(LevelScale, LeavesEightBitsAloneAndTakesColour) {
+  LevelScale scale;
   const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(1, 2, 3));
   EXPECT_EQ(scale.toEightBits(image).data, image.data);
   EXPECT_FALSE(scale.hasSeen());

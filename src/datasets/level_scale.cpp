@@ -1,10 +1,10 @@
-#include "datasets/depth_scale.h"
+#include "datasets/level_scale.h"
 
 #include <algorithm>
 #include <cassert>
 #include <vector>
 
-#include "place_recognition/depth_extent.h"
+#include "place_recognition/level_range.h"
 
 namespace place_recognition {
 namespace {
@@ -20,7 +20,7 @@ std::uint32_t powerAbove(std::uint32_t value) {
 
 }  // namespace
 
-DepthExtent depthExtentOf(const cv::Mat& image) {
+LevelRange levelRangeOf(const cv::Mat& image) {
   assert(image.depth() == CV_16U && !image.empty());
   const cv::Mat channels = image.reshape(1);
   std::vector<std::size_t> counts(kLevels);
@@ -35,33 +35,33 @@ DepthExtent depthExtentOf(const cv::Mat& image) {
   return {low, high};
 }
 
-DepthScale::DepthScale(const DepthExtent& extent) : extent_(extent), given_(extent.known()) {
-  if (given_) setRange();
+LevelScale::LevelScale(const LevelRange& range) : range_(range), given_(range.known()) {
+  if (given_) setWindow();
 }
 
-void DepthScale::see(const DepthExtent& extent) {
+void LevelScale::see(const LevelRange& range) {
   if (given_) return;
-  extent_ = united(extent_, extent);
-  setRange();
+  range_ = united(range_, range);
+  setWindow();
 }
 
-void DepthScale::setRange() {
-  const auto [low, high] = extent_;
+void LevelScale::setWindow() {
+  const auto [low, high] = range_;
   if (low < high / 2 || high == 0) {
     start_ = 0;
     width_ = powerAbove(high);
     return;
   }
-  // A thermal camera: far from zero. Half of the range is reserved for later images.
+  // A thermal camera: far from zero. Half of the window is reserved for later images.
   width_ = powerAbove(2 * (high - low));
   const std::uint32_t step = width_ / 4;
   start_ = low / step * step;
   if (start_ >= step) start_ -= step;
 }
 
-cv::Mat DepthScale::toEightBits(const cv::Mat& image) {
+cv::Mat LevelScale::toEightBits(const cv::Mat& image) {
   if (image.depth() != CV_16U) return image;
-  if (!given_) see(depthExtentOf(image));
+  if (!given_) see(levelRangeOf(image));
   cv::Mat scaled(image.size(), CV_8UC(image.channels()));
   const cv::Mat from = image.reshape(1);
   cv::Mat to = scaled.reshape(1);
@@ -76,7 +76,7 @@ cv::Mat DepthScale::toEightBits(const cv::Mat& image) {
   return scaled;
 }
 
-std::string DepthScale::text() const {
+std::string LevelScale::text() const {
   return std::to_string(start_) + " .. " + std::to_string(std::min(start_ + width_, kLevels) - 1) +
          " of 16 bits" + (given_ ? ", as in training" : "");
 }
