@@ -10,6 +10,7 @@ once the image topic has a subscriber; rosbag's --wait-for-subscribers would als
 subscriber to the labels.
 """
 import os
+import re
 import signal
 import sys
 import time
@@ -28,9 +29,22 @@ PATIENCE = 5  # time without a subscriber after which to say so, s
 def bag_path(bag):
     folder_of_call = os.readlink(f"/proc/{os.getppid()}/cwd")
     path = os.path.join(folder_of_call, os.path.expandvars(os.path.expanduser(bag)))
+    if os.path.isdir(path):
+        sys.exit(f"{path} is a folder; give a bag in it as bag:=PATH.")
     if not os.path.isfile(path):
-        sys.exit(f"There is no file {path}; give the bag's path as bag:=PATH.")
+        sys.exit(f"There is no file {path}; {bag_beside(path) or 'give the path of a bag as bag:=PATH'}.")
     return path
+
+
+def bag_beside(path):
+    """Returns what to do about the bag that is probably meant by a path at which there is none."""
+    bag = path if path.endswith(".bag") else path + ".bag"
+    if os.path.isfile(bag):
+        return f"give {bag}, which lies beside it"
+    active = bag + ".active"
+    return os.path.isfile(active) and (
+        f"{active} lies beside it: it is being recorded, or was left behind by a killed recorder; in the "
+        f"latter case run: rosbag reindex {active}, and rename it to {bag} ({bag}.orig.active is its backup)")
 
 
 def bag_paths(given):
@@ -83,6 +97,9 @@ def image_topics(image, transport, recorded, bags):
     kinds = {"raw": ("", "sensor_msgs/Image"), "compressed": ("/compressed", "sensor_msgs/CompressedImage")}
     forms = {form: [topic for topic in meant([image + ending], recorded) if recorded[topic] == kind]
              for form, (ending, kind) in kinds.items()}
+    base = re.sub("/compressed$", "", image)
+    if base != image and not any(forms.values()) and meant([image], recorded):
+        sys.exit(f"{image} is the topic of compressed images; give the topic without /compressed: image:={base}.")
     if not any(forms.values()):
         there = ", ".join(name for name, kind in sorted(recorded.items()) if "Image" in kind)
         sys.exit(f"{bags} has no images on {image}; image topics: {there or 'none'}.")
@@ -90,6 +107,16 @@ def image_topics(image, transport, recorded, bags):
         if transport == form and not forms[form]:
             sys.exit(f"{bags} has {other} images on {image}; add image_transport:={other}.")
     return forms["raw"] + forms["compressed"]
+
+
+def odometry_topics(odometry, recorded, bags):
+    """Returns the recorded topic of the odometry; none if it is not used."""
+    topics = [topic for topic, kind in recorded.items() if kind == "nav_msgs/Odometry"]
+    used = meant([odometry], topics)
+    if odometry != "none" and not used:
+        sys.exit(f"{bags} has no odometry (nav_msgs/Odometry) on {odometry}; odometry topics: "
+                 f"{', '.join(sorted(topics)) or 'none'}. Give one of them, or leave out odometry.")
+    return used
 
 
 def wait_for_listener(topics):
@@ -111,10 +138,15 @@ def main():
     options = ["--rate", pace(os.environ["RATE"]), "--delay", CONNECTING]
     if is_loop(os.environ["LOOP"]):
         options.append("--loop")
+    transport = os.environ["TRANSPORT"]
+    if transport not in ("raw", "compressed"):
+        sys.exit(f"The argument image_transport is '{transport}'; give raw or compressed.")
     recorded = {name: kind for path in paths for name, kind in recorded_topics(path).items()}
     image = os.environ["IMAGE"]
-    images = image_topics(image, os.environ["TRANSPORT"], recorded, " ".join(paths))
-    others = meant(["/place_label", "/tf", "/tf_static", os.environ["ODOMETRY"]], recorded)
+    bags = " ".join(paths)
+    images = image_topics(image, transport, recorded, bags)
+    others = meant(["/place_label", "/tf", "/tf_static"], recorded)
+    others += odometry_topics(os.environ["ODOMETRY"], recorded, bags)
     wait_for_listener(images)
     print(f"Playing {', '.join(paths)}.", flush=True)
     player = roslib.packages.find_node("rosbag", "play")[0]

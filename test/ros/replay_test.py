@@ -83,15 +83,22 @@ class ReplayTest(NodeCase):
         (self.trip / "noise.bag").write_bytes(bytes(range(128, 256)))
         settings = {"BAG": run, "RATE": "1", "LOOP": "false", "IMAGE": "/camera/image_raw",
                     "TRANSPORT": "compressed", "ODOMETRY": "none"}
+        self.write_run(self.trip / "killed.bag.active")
         raw = self.trip / "raw.bag"
         with rosbag.Bag(str(raw), "w") as bag:
             bag.write("/camera/image_raw", Image(header=Header(stamp=rospy.Time(1000))), rospy.Time(1000))
         for name, value, words in (
                 ("BAG", self.trip / "the lost run.bag", "There is no file"),
-                ("BAG", self.trip, "There is no file"),
+                ("BAG", self.trip, "is a folder; give a bag in it as bag:=PATH"),
+                ("BAG", self.trip / "the run", "There is no file"),
+                ("BAG", self.trip / "the run", f"; give {self.trip}/the run.bag, which"),
+                ("BAG", self.trip / "killed.bag", "killed.bag.active lies beside it: it is being "
+                 "recorded, or was left behind by a killed recorder; in the latter case run: rosbag "
+                 f"reindex {self.trip}/killed.bag.active, and rename it to {self.trip}/killed.bag"),
+                ("BAG", self.trip / "killed", "killed.bag.active lies beside it"),
                 ("BAG", self.trip / "notes.bag", "copy or record it again"),
                 ("BAG", self.trip / "noise.bag", "noise.bag: "),
-                ("BAG", f"[{run}, lost.bag]", "lost.bag; give"),
+                ("BAG", f"[{run}, lost.bag]", "lost.bag; give the path of a bag as bag:=PATH"),
                 ("BAG", "[", "give a path, or a list as in bag:='[run_0.bag, run_1.bag]'"),
                 ("RATE", "fast", "The argument rate is 'fast'; give a number above 0"),
                 ("RATE", "0", "give a number above 0"), ("RATE", "nan", "give a number above 0"),
@@ -100,7 +107,13 @@ class ReplayTest(NodeCase):
                                      "image_transport:=compressed."),
                 ("LOOP", "maybe", "The argument loop is 'maybe'; give true or false"),
                 ("IMAGE", "/front", "has no images on /front; image topics: "
-                                    "/camera/image_raw/compressed")):
+                                    "/camera/image_raw/compressed"),
+                ("IMAGE", "/camera/image_raw/compressed",
+                 "give the topic without /compressed: image:=/camera/image_raw"),
+                ("TRANSPORT", "theora",
+                 "The argument image_transport is 'theora'; give raw or compressed."),
+                ("ODOMETRY", "/odom", "has no odometry (nav_msgs/Odometry) on /odom; odometry "
+                                      "topics: none. Give one of them, or leave out odometry.")):
             with self.subTest(f"{name} {value}"):
                 program = self.start("env", *(f"{key}={given}" for key, given in
                                               {**settings, name: value}.items()),
