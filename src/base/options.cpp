@@ -19,6 +19,11 @@ std::string inside(const std::string& where) {
   return where.empty() ? "the configuration" : "'" + where + "'";
 }
 
+/// What may stand instead of `key`.
+std::string choices(const std::string& key, const std::vector<std::string>& known) {
+  return suggestion(key, known) + "; the known ones are: " + listed(known) + ".";
+}
+
 template <typename T>
 bool decode(const YAML::Node& node, T& value) {
   if (!node.IsScalar()) return false;
@@ -41,14 +46,12 @@ void readAs(const YAML::Node& node, const std::string& where, const char* kind, 
 
 void throwUnknownKey(const std::string& key, const std::string& where,
                      const std::vector<std::string>& known) {
-  throw Error("Unknown option '" + key + "' in " + inside(where) +
-              "; the known ones are: " + listed(known) + ".");
+  throw Error("Unknown option '" + key + "' in " + inside(where) + choices(key, known));
 }
 
 void throwUnknownType(const std::string& type, const std::string& where,
                       const std::vector<std::string>& known) {
-  throw Error("Unknown type '" + type + "' in " + inside(where) +
-              "; the known ones are: " + listed(known) + ".");
+  throw Error("Unknown type '" + type + "' in " + inside(where) + choices(type, known));
 }
 
 void requireMapping(const YAML::Node& node, const std::string& where) {
@@ -160,9 +163,11 @@ void assignOption(const YAML::Node& root, const std::string& assignment) {
     const YAML::Node child = childOf(node, key);
     const bool is_reported_later = node.IsMap() && path.eof();  // with the known keys
     if (!child.IsDefined() && !is_reported_later) {
+      const std::vector<std::string> names = namesIn(node);
       throw Error("'" + assignment + "' sets no option: there is no '" + key + "'" +
-                  (where.empty() ? "" : " in '" + where + "'") + suggestion(key, namesIn(node)) +
-                  ".");
+                  (where.empty() ? "" : " in '" + where + "'") +
+                  (names.empty() ? "; set " + where + " as a whole."
+                                 : options_detail::choices(key, names)));
     }
     node.reset(child);
     where += (where.empty() ? "" : ".") + key;

@@ -61,12 +61,12 @@ TrainingOptions readPreset(const std::string& name) {
   return options;
 }
 
-void ConfigurationOptions::addTo(Verb& verb) {
+void ConfigurationOptions::addTo(Verb& verb, const TrainingOptions& defaults) {
   verb.option("--config", "FILE", config,
               "YAML file, or the name of a preset, such as crfh_colour");
   verb.option("--set", "KEY=VALUE", set,
-              "Set one option, for example svm.c=10 or cues.crfh.kernel.gamma=30; see "
-              "doc/configuration.md. May be repeated");
+              "Set one option, for example svm.c=10 or cues." + defaults.cues.front().name +
+                  ".kernel.gamma=30; see doc/configuration.md. May be repeated");
 }
 
 TrainingOptions ConfigurationOptions::read(TrainingOptions options) const {

@@ -13,7 +13,8 @@ struct ConfigurationOptions {
   std::string config;            ///< a YAML file, or the name of a preset; empty: the defaults
   std::vector<std::string> set;  ///< key=value, applied in order after the file
 
-  void addTo(Verb& verb);
+  /// `defaults`: what read() will be given; the help names one of its cues.
+  void addTo(Verb& verb, const TrainingOptions& defaults = TrainingOptions());
 
   /// `options`, overwritten by the file and then by the assignments; checked. A list in the file,
   /// such as cues, replaces that of `options`. Tries the networks that the result names

@@ -46,10 +46,16 @@ void print(const DescriptorSet& set) {
   }
 }
 
+/// Like the preset crfh.
+TrainingOptions defaultOptions() {
+  TrainingOptions options;
+  options.cues = {CueOptions()};
+  return options;
+}
+
 void features(const FeaturesOptions& options) {
-  TrainingOptions thesis;
-  thesis.cues = {CueOptions()};
-  const TrainingOptions training_options = withNetworks(options.configuration.read(thesis));
+  const TrainingOptions training_options =
+      withNetworks(options.configuration.read(defaultOptions()));
   const cv::Mat image = readImage(options.image);
   CueExtraction extraction(withMirror(training_options, image, options.image), ImageProfile());
   std::vector<Feature> features;
@@ -70,7 +76,7 @@ void addFeatures(CommandLine& tool) {
   Verb& verb = tool.verb("features", "Prints the feature of an image");
   const auto options = std::make_shared<FeaturesOptions>();
   verb.argument("IMAGE", options->image, "Image (png, jpg)");
-  options->configuration.addTo(verb);
+  options->configuration.addTo(verb, defaultOptions());
   verb.footer(
       "Prints a histogram as one line of index:value, and each local feature as a line of 128\n"
       "numbers 0..255. The default configuration is the preset crfh. Several cues follow each "

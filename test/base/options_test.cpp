@@ -102,7 +102,8 @@ TEST(Options, ReadFormerKeysAndWriteTheNewOnes) {
 
 TEST(Options, RefuseUnknownKeysAndListTheKnown) {
   EXPECT_EQ(errorIn("of: true"),
-            "Unknown option 'of' in the configuration; the known ones are: on, seed, parts.");
+            "Unknown option 'of' in the configuration (did you mean on?); the known ones are: on, "
+            "seed, parts.");
   EXPECT_EQ(errorIn("parts: [{shape: {radius: 1, sides: 2}}]"),
             "Unknown option 'sides' in 'parts[0].shape'; the known ones are: type, radius.");
 }
@@ -110,6 +111,9 @@ TEST(Options, RefuseUnknownKeysAndListTheKnown) {
 TEST(Options, RefuseUnknownTypesWrongKindsAndRepetitions) {
   EXPECT_EQ(errorIn("parts: [{shape: {type: oval}}]"),
             "Unknown type 'oval' in 'parts[0].shape'; the known ones are: round, square.");
+  EXPECT_EQ(errorIn("parts: [{shape: {type: squire}}]"),
+            "Unknown type 'squire' in 'parts[0].shape' (did you mean square?); the known ones are: "
+            "round, square.");
   EXPECT_EQ(errorIn("on: maybe"), "Option 'on' is 'maybe'; give true or false.");
   EXPECT_EQ(errorIn("seed: -1"), "Option 'seed' is '-1'; give a whole number from 0.");
   EXPECT_EQ(errorIn("seed: [1]"),
@@ -137,8 +141,14 @@ TEST(Options, RefuseAssignmentsToNothing) {
   const YAML::Node node = parseYaml(writeOptions(Whole()), "test");
   EXPECT_THROW(assignOption(node, "on"), Error);
   EXPECT_THROW(assignOption(node, "=1"), Error);
-  EXPECT_THROW(assignOption(node, "parts.7.name=x"), Error);
-  EXPECT_THROW(assignOption(node, "on.deeper=x"), Error);
+  EXPECT_EQ(errorOf([&] { assignOption(node, "parts.7.name=x"); }),
+            "'parts.7.name=x' sets no option: there is no '7' in 'parts'; the known ones are: "
+            "part.");
+  EXPECT_EQ(errorOf([&] { assignOption(node, "party.0.name=x"); }),
+            "'party.0.name=x' sets no option: there is no 'party' (did you mean "
+            "parts?); the known ones are: on, seed, parts.");
+  EXPECT_EQ(errorOf([&] { assignOption(node, "on.deeper=x"); }),
+            "'on.deeper=x' sets no option: there is no 'deeper' in 'on'; set on as a whole.");
   assignOption(node, "new=1");
   Whole whole;
   EXPECT_THROW(readOptions(node, "", whole), Error);

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tests --config and --set, the presets in config/, and their documentation."""
+import re
 import unittest
 
 from tool_case import SOURCE, ToolCase, paint
@@ -42,6 +43,17 @@ class ConfigurationTest(ToolCase):
         self.assertNotEqual(by_file, self.features("--config", "mine.yaml", "--set",
                                                    "cues.mine.feature.scales=9"))
 
+    def test_the_examples_of_the_help_work_with_the_default(self):
+        for verb, *arguments in (("features", "a.png"), ("train", "nowhere", "--model", "m"),
+                                 ("tune", "nowhere", "--out", "t.yaml")):
+            text = " ".join(self.succeed(verb, "--help").split())
+            examples = re.search(r"KEY=VALUE .*? for example (\S+) or (\S+);", text).groups()
+            options = [word for example in examples for word in ("--set", example)]
+            if verb == "features":
+                self.features(*options)
+            else:
+                self.assertIn("nowhere does not exist", self.refuse(verb, *arguments, *options))
+
     def test_mistakes_are_named_with_where_they_stand(self):
         (self.folder / "mine.yaml").write_text("svm: {cost: 5}\n")
         line = self.refuse("train", "nowhere", "--model", "m", "--config", "mine.yaml")
@@ -51,9 +63,12 @@ class ConfigurationTest(ToolCase):
                 (("--config", "absent.yaml"), "absent.yaml"),
                 (("--config", "crhf"), "crfh, crfh_colour"),
                 (("--set", "svm.cost=5"), "'cost'"),
+                (("--set", "svm.cc=10"), "(did you mean c?); the known ones are: c, multiclass"),
                 (("--set", "svm.c"), "key=value"),
                 (("--set", "svn.c=10"), "there is no 'svn' (did you mean svm?)"),
-                (("--set", "svm.c.d=10"), "there is no 'd' in 'svm.c'"),
+                (("--set", "svm.c.d=10"), "there is no 'd' in 'svm.c'; set svm.c as a whole"),
+                (("--set", "cues.crfh.kernel.gamma=30"), "there is no 'crfh' in 'cues'; the known "
+                 "ones are: colours, tints, edges, shapes, directions."),
                 (("--config", "crfh", "--set", "cues.crhf.kernel.gamma=1"),
                  "there is no 'crhf' in 'cues' (did you mean crfh?)"),
                 (("--config", "crfh", "--set", "cues.crfh.kernal.gamma=1"),
