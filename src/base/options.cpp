@@ -65,6 +65,11 @@ void requireRenamed(const YAML::Node& node, const char* former_key, const char* 
               key + "'; give only that.");
 }
 
+void requireContents(const YAML::Node& node, const std::string& where) {
+  if (!node.IsMap() || node.size() > 0) return;
+  throw Error("Option '" + where + "' is empty; give its keys, or leave it out.");
+}
+
 void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& known,
                       const std::string& where) {
   std::set<std::string> seen;

@@ -49,6 +49,8 @@ void requireMapping(const YAML::Node& node, const std::string& where);
 /// Throws if the mapping `node` has a key and also its former name.
 void requireRenamed(const YAML::Node& node, const char* former_key, const char* key,
                     const std::string& where);
+/// Throws for a mapping without keys, whose defaults would replace those of the list that it is in.
+void requireContents(const YAML::Node& node, const std::string& where);
 /// Throws for a key of the mapping `node` that is not in `known`, or that occurs twice.
 void requireKnownKeys(const YAML::Node& node, const std::vector<std::string>& known,
                       const std::string& where);
@@ -109,14 +111,20 @@ void readVariant(const YAML::Node& node, const std::string& where, const std::st
 }
 
 template <typename T>
+void readElement(const YAML::Node& node, const std::string& where, T& value) {
+  if constexpr (IsStruct<T>::value) requireContents(node, where);
+  read(node, where, value);
+}
+
+template <typename T>
 void readVector(const YAML::Node& node, const std::string& where, std::vector<T>& values) {
   values.clear();
   if (!node.IsSequence()) {  // One element may stand without brackets.
-    read(node, where, values.emplace_back());
+    readElement(node, where, values.emplace_back());
     return;
   }
   for (std::size_t i = 0; i < node.size(); ++i) {
-    read(node[i], where + "[" + std::to_string(i) + "]", values.emplace_back());
+    readElement(node[i], where + "[" + std::to_string(i) + "]", values.emplace_back());
   }
 }
 

@@ -125,6 +125,12 @@ TEST(Options, RefuseUnknownTypesWrongKindsAndRepetitions) {
   EXPECT_NE(errorIn("on: {"), "");
 }
 
+TEST(Options, RefuseEmptyElementsWhichWouldHideTheirDefaults) {
+  EXPECT_EQ(errorIn("parts: {}"), "Option 'parts' is empty; give its keys, or leave it out.");
+  EXPECT_EQ(errorIn("parts: [{}]"), "Option 'parts[0]' is empty; give its keys, or leave it out.");
+  EXPECT_EQ(readWhole("parts: []").parts.size(), 0u);
+}
+
 TEST(Options, AssignByKeyNumberAndName) {
   const YAML::Node node = parseYaml(writeOptions(readWhole("parts: [{name: a}, {name: b}]")), "t");
   assignOption(node, "parts.0.shape.radius=3");

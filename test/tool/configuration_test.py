@@ -69,6 +69,9 @@ class ConfigurationTest(ToolCase):
                 (("--set", "svm.c.d=10"), "there is no 'd' in 'svm.c'; set svm.c as a whole"),
                 (("--set", "cues.crfh.kernel.gamma=30"), "there is no 'crfh' in 'cues'; the known "
                  "ones are: colours, tints, edges, shapes, directions."),
+                (("--set", "cues={}"), "Option 'cues' is empty; give its keys"),
+                (("--set", "cues=[{}]"), "Option 'cues[0]' is empty; give its keys"),
+                (("--set", "cues.colours={}"), "Option 'cues[0]' is empty; give its keys"),
                 (("--config", "crfh", "--set", "cues.crhf.kernel.gamma=1"),
                  "there is no 'crhf' in 'cues' (did you mean crfh?)"),
                 (("--config", "crfh", "--set", "cues.crfh.kernal.gamma=1"),
