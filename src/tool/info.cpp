@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "base/bag_name.h"
 #include "base/data_folder.h"
 #include "base/place_name.h"
 #include "base/text.h"
@@ -28,13 +29,14 @@ struct InfoOptions {
 std::string modelPathOf(const std::string& name) {
   std::error_code ignored;
   const bool exists = std::filesystem::exists(name, ignored);
-  if (!exists || (isPlainName(name) && std::filesystem::exists(modelPath(name), ignored))) {
-    return modelPath(name);
-  }
+  const bool is_named = isPlainName(name) && std::filesystem::exists(modelPath(name), ignored);
+  const std::string bag = is_named ? "" : bagBeside(name);
+  if (!exists && !bag.empty()) throw Error("There is no model " + name + "; " + bag + ".");
+  if (!exists || is_named) return modelPath(name);
   const std::string what = whyNoRecording(name);
   if (!what.empty()) throw Error(name + " is " + what + ".");
   if (std::filesystem::is_directory(name, ignored)) {
-    throw Error(name + " is a folder; give a bag or a model.");
+    throw Error(name + " is a folder; " + (bag.empty() ? "give a bag or a model" : bag) + ".");
   }
   const bool is_model = std::filesystem::path(name).extension() == ".places" || startsAsModel(name);
   if (!is_model) throw Error(name + " is neither a bag nor a model; give a .bag or .places file.");

@@ -7,6 +7,7 @@
 #include <set>
 #include <system_error>
 
+#include "base/bag_name.h"
 #include "base/text.h"
 #include "datasets/image_folder.h"
 #include "datasets/image_sequence.h"
@@ -129,9 +130,9 @@ void findRecordingsOf(const std::string& input, std::vector<std::string>& record
   std::error_code failure;
   if (!fs::exists(input, failure)) {
     const bool is_link = fs::is_symlink(input, failure);
-    const std::string active = activeBagBeside(input);
+    const std::string meant = bagBeside(input);
     throw Error(input + (is_link ? " is a broken link" : " does not exist") + "; " +
-                (active.empty() ? "check the path" : active) + ".");
+                (meant.empty() ? "check the path" : meant) + ".");
   }
   const std::string what = whyNoRecording(input);
   if (!what.empty()) throw Error(input + " is " + what + ".");
@@ -262,7 +263,11 @@ std::vector<std::string> findRecordings(const std::vector<std::string>& inputs) 
 
 Frame imageFrame(const std::string& path, const LevelRange& levels) {
   std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw Error("There is no image " + path + "; check the path.");
+  if (!fs::exists(path, ignored)) {
+    const std::string meant = bagBeside(path);
+    throw Error("There is no image " + path + "; " + (meant.empty() ? "check the path" : meant) +
+                ".");
+  }
   ImageSequence sequence({path});
   sequence.setLevelRange(levels);
   DecodedImage decoded = sequence.read(0);

@@ -111,6 +111,29 @@ class BadInputToModelTest(ToolCase):
         self.assert_fails(["absent"], "info", "absent")
         self.assert_fails(["absent"], "reduce", "--model", "absent", "--out", "small")
 
+    def test_a_bag_is_suggested_for_its_name_without_the_ending(self):
+        (self.folder / "d1").mkdir()
+        for bag in ("tuesday.bag", "d1/cloudy.bag", "killed.bag"):
+            self.write_bag(bag, [("kitchen", "kitchen")] * 3)
+        (self.folder / "killed.bag").rename(self.folder / "killed.bag.active")
+        for name, words in (("tuesday", "; give tuesday.bag, which lies beside it."),
+                            ("d1/cloudy", "; give d1/cloudy.bag, which lies beside it."),
+                            ("killed", "; killed.bag.active lies beside it: it is being recorded"),
+                            ("killed.bag", "; killed.bag.active lies beside it: it is being")):
+            for arguments in (("info", name), ("train", name, *MODEL), ("label", name),
+                              ("recognize", name, *MODEL), ("evaluate", name, *MODEL)):
+                self.assert_fails([name, words], *arguments)
+        (self.folder / "d1/cloudy").mkdir()
+        self.assert_fails(["d1/cloudy is a folder; give d1/cloudy.bag, which"], "info", "d1/cloudy")
+        self.succeed("train", "monday", "--model", "tuesday", "--config", "crfh_colour")
+        self.assertIn("model", self.succeed("info", "tuesday"))
+
+    def test_a_bag_is_no_model(self):
+        self.write_bag("tuesday.bag", [("kitchen", "kitchen")] * 3)
+        for bag in ("tuesday.bag", "./tuesday.bag", "lost.bag", "killed.bag.active"):
+            self.assert_fails([bag + "' is a bag, not a model; give the name of a model"],
+                              "evaluate", "monday", "--model", bag)
+
     def test_damaged_model(self):
         whole = (self.folder / "home.places").read_bytes()
         for damaged in (whole[:-1], whole[:40], b"", whole[:60] + b"x" + whole[61:], b"PNG" * 99):

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/bag_name.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 #include "features/feature_extractor.h"
 #include "place_recognition/error.h"
 #include "recognition/model/classifier_numbers.h"
@@ -168,6 +170,9 @@ std::uint64_t saveModel(const Model& model, const std::string& path) {
 }
 
 Model loadModel(const std::string& path) {
+  if (hasBagName(path) && !startsAsModel(path)) {
+    throw Error(inQuotes(path) + " is a bag, not a model; give the name of a model.");
+  }
   std::ifstream file = openFile(path);
   Model model = readModel(file, path);
   model.name = fs::path(path).stem().string();

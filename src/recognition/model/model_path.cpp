@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include "base/bag_name.h"
 #include "base/data_folder.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
@@ -23,6 +24,9 @@ std::string modelPath(const std::string& name) {
 }
 
 std::string namedModelPath(const std::string& name) {
+  if (hasBagName(name)) {
+    throw Error(inQuotes(name) + " is a bag, not a model; give the name of a model.");
+  }
   const std::string stem = fs::path(name).stem().string();
   if (isFileName(name, kExtension) && isPlainName(stem)) {
     throw Error(inQuotes(name) + " is a file, not the name of a model; copy the file to " +

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/bag_name.h"
 #include "base/file_kind.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
@@ -17,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kActive = ".active";
 constexpr const char* kStart = "#ROSBAG V2.0";
 constexpr const char* kRos2Remedy = "convert it to a ROS 1 bag, for instance with rosbags-convert";
 
@@ -27,42 +27,14 @@ bool isTaken(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-std::string withoutActive(const std::string& path) {
-  return path.substr(0, path.size() - kActive.size());
-}
-
 bool startsAsBag(const std::string& path) { return startsWith(startOfFile(path), kStart); }
 
 }  // namespace
 
-bool isActiveBag(const std::string& path) { return endsWith(lowerCase(path), ".bag.active"); }
-
-std::string howToRepair(const std::string& path) {
-  const std::string name = withoutActive(path);
-  return "rosbag reindex " + path + ", and rename it to " + name + " (" + name +
-         ".orig.active is its backup)";
-}
-
-std::string whyActive(const std::string& path) {
-  return "it is being recorded, or was left behind by a killed recorder; in the latter case run: " +
-         howToRepair(path);
-}
-
-std::string whyMisnamed(const std::string& path) {
-  return path + " is complete but has the name of an active recording; run: mv " + path + " " +
-         withoutActive(path);
-}
-
-std::string activeBagBeside(const std::string& path) {
-  const std::string active = path + kActive;
-  if (!isActiveBag(active) || !isTaken(active)) return "";
-  return active + " lies beside it: " + whyActive(active);
-}
-
 bool isBag(const std::string& path) {
   std::error_code ignored;
   if (isRos2Bag(path)) return false;
-  return endsWith(lowerCase(path), ".bag") || isActiveBag(path) || startsAsBag(path);
+  return hasBagName(path) || startsAsBag(path);
 }
 
 std::string writtenLabelsFile(const std::string& path) {
@@ -137,8 +109,8 @@ void requireBag(const std::string& path) {
       throw Error(path + " is a broken link; check " + fs::read_symlink(path, ignored).string() +
                   ".");
     }
-    const std::string active = activeBagBeside(path);
-    throw Error("There is no bag " + path + "; " + (active.empty() ? "check the path" : active) +
+    const std::string meant = bagBeside(path);
+    throw Error("There is no bag " + path + "; " + (meant.empty() ? "check the path" : meant) +
                 ".");
   }
   const std::string why_not = whyNoRecording(path);

@@ -5,28 +5,8 @@
 
 namespace place_recognition {
 
-/// Whether `path` refers to a ROS 1 bag: by its name, which ends in .bag or, during recording,
-/// .bag.active (in upper or lower case), or by its first bytes.
+/// Whether `path` refers to a ROS 1 bag: by its name (see hasBagName()) or its first bytes.
 bool isBag(const std::string& path);
-
-/// Whether the bag has the name of a recording that is still running, or whose recorder was killed.
-bool isActiveBag(const std::string& path);
-
-/// How to complete an active bag that a killed recorder has left behind; a phrase that follows
-/// "run: ", without a full stop.
-std::string howToRepair(const std::string& path);
-
-/// What is wrong with an active bag at `path` that has no index, and what to do; a phrase that
-/// follows "PATH: ", without a full stop.
-std::string whyActive(const std::string& path);
-
-/// What is wrong with the name of an active bag that is complete, and what to do; a phrase
-/// without a full stop.
-std::string whyMisnamed(const std::string& path);
-
-/// What lies beside `path`, which does not exist, if it is the active bag of that name; a phrase
-/// that follows "; ", without a full stop. Empty if there is none.
-std::string activeBagBeside(const std::string& path);
 
 /// The file that `place_tool label` writes for the bag: RUN.labels.yaml beside RUN.bag or
 /// RUN.bag.active.

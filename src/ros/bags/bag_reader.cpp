@@ -18,12 +18,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/bag_name.h"
 #include "base/descriptor_io.h"
 #include "base/process_limits.h"
 #include "datasets/level_scale.h"
 #include "place_recognition/error.h"
 #include "place_recognition/level_range.h"
-#include "ros/bags/bag_file.h"
 #include "ros/bags/bag_guard.h"
 #include "ros/bags/bag_records.h"
 #include "ros/bags/bag_time_span.h"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "base/bag_name.h"
 #include "base/child_process.h"
 #include "base/descriptor_io.h"
 #include "base/place_name.h"

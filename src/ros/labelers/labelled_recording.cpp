@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "base/bag_name.h"
 #include "base/place_name.h"
 #include "base/user_path.h"
 #include "labels/labels.h"
