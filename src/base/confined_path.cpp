@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/atomic_file.h"
+#include "base/bag_name.h"
 #include "base/contains.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
@@ -95,6 +96,26 @@ std::optional<WayOut> wayOut(const fs::path& path, const std::string& root,
   return std::nullopt;
 }
 
+/// Why there is no file at `path`, below a root, and what to do; empty unless that is so.
+std::string whyMissing(const fs::path& path, const std::vector<std::string>& roots) {
+  std::string why;
+  for (const std::string& root : roots) {
+    std::error_code failure;
+    const fs::path file = fs::weakly_canonical(root / path, failure);
+    if (failure || !liesBelowAny(file, roots)) continue;
+    if (fs::status(file, failure).type() != fs::file_type::not_found) continue;
+    if (fs::is_symlink(fs::symlink_status(file, failure))) {
+      const fs::path target = targetOf(file);
+      if (!liesBelowAny(target, roots)) continue;
+      return "is a broken link; check " + target.string();
+    }
+    const std::string meant = bagBeside(file.string());
+    if (!meant.empty()) return "does not exist; " + meant;
+    why = "does not exist below " + listed(roots) + "; check the path";
+  }
+  return why;
+}
+
 }  // namespace
 
 bool liesIn(const fs::path& path, const fs::path& folder) {
@@ -123,6 +144,8 @@ std::string confinedBagPath(const std::string& path, const std::vector<std::stri
                     " to ~bag_roots.");
       }
     }
+    const std::string missing = whyMissing(expanded, roots);
+    if (!missing.empty()) throw Error(inQuotes(path, kShown) + " " + missing + ".");
   }
   throw Error(inQuotes(path, kShown) + " is not a bag (*.bag) below " + listed(roots) +
               "; move it there, or set ~bag_roots.");

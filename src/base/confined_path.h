@@ -12,8 +12,8 @@ bool liesIn(const std::filesystem::path& path, const std::filesystem::path& fold
 /// The bag that `path`, received from the network, refers to: absolute, without links, and below
 /// one of the folders `roots`. A relative path starts at a root, "~/" or "$HOME/" at the home
 /// folder. Throws Error for anything else, with the same words whether such a file exists elsewhere
-/// or not. If a link below a root leads out of all roots, the message says so, because the user can
-/// correct that.
+/// or not. The message says what the user can correct below a root: a bag that does not exist, with
+/// the one that is probably meant, or a link that leads out of all roots.
 std::string confinedBagPath(const std::string& path, const std::vector<std::string>& roots);
 
 /// Default folders for bags: the home folder and ROS_HOME.

@@ -96,9 +96,28 @@ TEST_F(ConfinedPaths, TheRefusalSaysWhatLiesBelowTheRootInstead) {
   expectSays(root_ + "/notes.txt", {"notes.txt' does not end in .bag"});
   ASSERT_EQ(mkfifo((root_ + "/pipe.bag").c_str(), 0666), 0);
   expectSays("pipe.bag", {"is a pipe or a device"});
-  expectSays("missing.bag", {"is not a bag (*.bag) below " + root_});
+  for (const std::string& bag : {std::string("missing.bag"), root_ + "/deep/missing.bag"}) {
+    expectSays(bag, {"'" + bag + "' does not exist below " + root_ + "; check the path."});
+  }
   expectSays("/etc", {"is not a bag (*.bag) below " + root_});  // nothing about files elsewhere
   expectSays("..", {"is not a bag (*.bag) below " + root_});
+}
+
+TEST_F(ConfinedPaths, TheRefusalNamesTheBagThatIsMeant) {
+  scratch_.write("bags/killed.bag.active", "");
+  scratch_.write("elsewhere/killed.bag.active", "");
+  fs::create_symlink("gone.bag", root_ + "/broken.bag");
+  for (const std::string& bag : {std::string("killed.bag"), root_ + "/killed.bag"}) {
+    const std::string active = root_ + "/killed.bag.active";
+    expectSays(bag,
+               {"'" + bag + "' does not exist; " + active + " lies beside it: ",
+                "run: rosbag reindex " + active + ", and rename it to " + root_ + "/killed.bag"});
+  }
+  expectSays("killed", {root_ + "/killed.bag.active lies beside it: "});
+  expectSays("deep/b", {"; give " + root_ + "/deep/b.bag, which lies beside it."});
+  expectSays("broken.bag", {"'broken.bag' is a broken link; check " + root_ + "/gone.bag."});
+  const std::string secret = scratch_ / "elsewhere/killed.bag";
+  expectSays(secret, {"'" + secret + "' is not a bag (*.bag) below " + root_ + "; move it there"});
 }
 
 TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
@@ -118,6 +137,8 @@ TEST_F(ConfinedPaths, TheRefusalSaysWhereALinkLeads) {
   expectSays("deep/relative/d.bag", {root_ + "/deep/relative, which leads to " + elsewhere});
   expectSays("link.bag", {root_ + "/link.bag", "leads to " + elsewhere + "/d.bag", remedy});
   expectSays("dangling.bag", {root_ + "/dangling.bag", "leads to " + (scratch_ / "gone/d.bag")});
+  const std::string around = "deep/../dangling.bag";
+  expectSays(around, {"'" + around + "' is not a bag (*.bag) below " + root_});
   // Leaving by "..", or a path outside, is not explained.
   expectSays("linked/../../elsewhere/d.bag", {"is not a bag (*.bag) below " + root_});
   expectSays(elsewhere + "/d.bag", {"is not a bag (*.bag) below " + root_});
