@@ -165,6 +165,7 @@ Labels Labels::fromFile(const std::string& path, double start, double end) {
                     "'times: absolute'.");
     }
     labels.note_ = noteOnOutside(*intervals, path, start, end);
+    labels.notes_outside_ = true;
     return labels;
   }
   const LabelLines lines = readLabelLines(path);

@@ -43,6 +43,9 @@ class Labels {
   /// intervals lie outside the bag; else empty.
   const std::string& note() const { return note_; }
 
+  /// Whether note() names the intervals outside the bag, if there are any.
+  bool notesOutside() const { return notes_outside_; }
+
   /// Calls visit(from, to, place) for each labelled interval between `start` and `end`.
   template <typename Visit>
   void forEach(double start, double end, Visit visit) const {
@@ -58,6 +61,7 @@ class Labels {
  private:
   std::vector<std::pair<double, std::string>> changes_;  // in order of time
   std::string note_;
+  bool notes_outside_ = false;
 };
 
 }  // namespace place_recognition

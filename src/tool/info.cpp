@@ -43,8 +43,7 @@ std::string modelPathOf(const std::string& name) {
   return name;
 }
 
-void showBag(const InfoOptions& options) {
-  const BagInfo bag = bagInfo(options.name, options.input.bag);
+void showBag(const BagInfo& bag, const InfoOptions& options) {
   if (isActiveBag(options.name)) std::cerr << "warning: " << whyMisnamed(options.name) << ".\n";
   if (bag.other_images > 0) {
     std::cerr << "warning: " << options.name << ": " << counted(bag.other_images, "image")
@@ -52,8 +51,25 @@ void showBag(const InfoOptions& options) {
               << " more than a day away from the others and not within the duration and the labels "
                  "shown; train reads them.\n";
   }
+  if (!bag.labels_note.empty()) std::cerr << "warning: " << bag.labels_note << "\n";
   if (options.output.json != "-") printBag(bag, options.name, options.output.text());
   options.output.writeJson(bagFigures(bag, options.name));
+}
+
+/// If only the labels cannot be read, shows the rest before it throws.
+void showBag(const InfoOptions& options) {
+  BagInfo bag;
+  try {
+    bag = bagInfo(options.name, options.input.bag);
+  } catch (const Error&) {
+    BagRecordingOptions without_labels = options.input.bag;
+    without_labels.label = "any";
+    bag = bagInfo(options.name, without_labels);
+    bag.labels.clear();
+    showBag(bag, options);
+    throw;
+  }
+  showBag(bag, options);
 }
 
 void showModel(const InfoOptions& options) {

@@ -45,6 +45,32 @@ class InfoTest(TrainedCase):
                          [(0, 2, "kitchen"), (2, 2, "office")])
         self.assertIn("kitchen", self.succeed("info", "run.bag"))
 
+    def test_labels_that_do_not_fit_hide_nothing_of_a_bag(self):
+        self.write_bag("run.bag", [("kitchen", None)] * 6)
+        labels = self.folder / "run.labels.yaml"
+        for intervals, status, words in (
+                ("{from: 0, to: 2, place: kitchen}, {from: 90, to: 99, place: office}", 0,
+                 "warning: run.labels.yaml: 1 interval lies outside the bag"),
+                ("{from: 90, to: 99, place: office}", 1,
+                 "place_tool info: run.labels.yaml: no label falls into the bag"),
+                ("{from: 0, to: 9, plaice: office}", 1,
+                 "place_tool info: Unknown option 'plaice' in 'run.labels.yaml")):
+            labels.write_text(f"labels: [{intervals}]\n")
+            result = self.run_tool("info", "run.bag")
+            self.assertEqual(result.returncode, status, result.stderr)
+            self.assertTrue(result.stderr.startswith(words), result.stderr)
+            self.assertEqual(len(result.stderr.splitlines()), 1)
+            self.assertIn("6  /camera/image_raw/compressed", result.stdout)
+            self.assertEqual("kitchen" in result.stdout, status == 0)
+
+    def test_an_interval_outside_a_bag_is_told_once(self):
+        self.write_bag("run.bag", [("kitchen", None)] * 6)
+        (self.folder / "run.labels.yaml").write_text(
+            "labels: [{from: 0, to: 4, place: corridor}, {from: 90, to: 99, place: kitchen}]\n")
+        said = self.run_tool("evaluate", "run.bag", "--model", "./home.places").stderr
+        self.assertIn("1 interval lies outside the bag", said)
+        self.assertNotIn("is not used", said)
+
 
 class SimulateTest(ToolCase):
     SMALL = ("--conditions", "night", "--size", "32x24")

@@ -241,8 +241,9 @@ class BagRecording : public Recording {
   }
 
   void warnOfUnseenPlaces() {
+    const double end = bag_.info.start + bag_.info.duration;
     bag_.labels.forEach(
-        bag_.info.start, std::numeric_limits<double>::infinity(),
+        bag_.info.start, bag_.labels.notesOutside() ? end : std::numeric_limits<double>::infinity(),
         [this](double, double, const std::string& place) {
           if (!seen_.insert(place).second) return;
           warnings_.push_back(name() + ": the label '" + place +
@@ -281,6 +282,7 @@ BagInfo bagInfo(const std::string& path, const BagRecordingOptions& options) {
       });
   bag.info.last_label = bag.labels.at(bag.info.start + bag.info.duration);
   bag.info.labels_file = bag.labels_file;
+  bag.info.labels_note = bag.labels.note();
   return bag.info;
 }
 

@@ -56,6 +56,7 @@ struct BagInfo {
   std::vector<BagLabel> labels;    ///< in order of time; empty: the bag is not labelled
   std::string last_label;          ///< at its end; empty: none
   std::string labels_file;         ///< file with the labels; empty: the bag or an option
+  std::string labels_note;         ///< what is odd about that file, for a person; else empty
 };
 
 /// Reads the contents of a bag. Throws Error like openBagRecording(), but not if there are no
