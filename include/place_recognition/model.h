@@ -12,6 +12,7 @@
 #include "place_recognition/classifier.h"
 #include "place_recognition/colour_statistics.h"
 #include "place_recognition/level_range.h"
+#include "place_recognition/run_sketch.h"
 #include "place_recognition/training_options.h"
 
 namespace place_recognition {
@@ -22,9 +23,7 @@ struct Provenance {
   std::vector<std::uint64_t> place_images;  ///< training images of each place
   std::uint64_t skipped_images = 0;         ///< unlabelled, unreadable, or without any feature
   std::string package_version;
-  /// For each input, the SHA-256 of its first image, 64 hex digits: it does not depend on the path
-  /// or the name of the run. Empty: unknown, as in files of earlier versions.
-  std::vector<std::string> fingerprints;
+  std::vector<RunSketch> sketches;  ///< of each input; empty in files of earlier versions
 };
 
 /// Quality on held-out blocks of the training runs; zeros if it was not validated.

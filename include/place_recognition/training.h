@@ -25,13 +25,20 @@ struct Training {
 /// Opens a recording when it is needed.
 using RecordingOpener = std::function<std::unique_ptr<Recording>()>;
 
+/// Called when all recordings have been read, before anything is learned, with the sketches of all
+/// runs that the model learns or has learned, and the levels by which they were read. An exception
+/// ends the training.
+using AfterReading =
+    std::function<void(const std::vector<RunSketch>& learned, const LevelRange& levels)>;
+
 /// Trains a model from labelled recordings: features of every frame (memory is bounded by them, not
 /// by the length of the runs), Gram matrix, gamma by cross-validation if it is not given, machines,
 /// reduction (for `auto` selected by cross-validation), calibration on held-out blocks of time.
 /// Throws Error if fewer than two places have images; Cancelled if `progress` requests it. The
 /// model's bytes depend on inputs and options only, not on `threads` (0: one per core).
 Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,
-               unsigned threads = 0, const Progress& progress = {});
+               unsigned threads = 0, const Progress& progress = {},
+               const AfterReading& after_reading = {});
 
 /// Options of incremental training.
 struct IncrementalOptions {
@@ -57,6 +64,6 @@ struct IncrementalOptions {
 /// is enough; also if the models were trained with different features.
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             const IncrementalOptions& incremental, unsigned threads = 0,
-                            const Progress& progress = {});
+                            const Progress& progress = {}, const AfterReading& after_reading = {});
 
 }  // namespace place_recognition

@@ -6,7 +6,7 @@
 
 #include "base/confined_path.h"
 #include "place_recognition/error.h"
-#include "recognition/training/learned_runs.h"
+#include "recognition/frames/image_hash.h"
 #include "tool/verb.h"
 
 namespace place_recognition::tool {
@@ -37,11 +37,44 @@ void requireOtherRuns(const std::vector<std::string>& validate,
 }
 
 void requireNotLearned(const Model& model, const std::string& name,
-                       const std::vector<RecordingOpener>& validate) {
-  for (const RecordingOpener& open : validate) {
+                       const std::vector<std::string>& runs,
+                       const std::vector<RunSketch>& sketches) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!isLearned(sketches[i], model.provenance.sketches)) continue;
+    throw Error("--validate: " + name + " was trained on " + runs[i] + "; give another run.");
+  }
+}
+
+void ValidationRuns::requireNotLearnedBy(const Model& model, const std::string& name) {
+  read(model.images.levels);
+  requireNotLearned(model, name, names_, sketches_);
+}
+
+void ValidationRuns::requireNotAmong(const std::vector<RunSketch>& learned,
+                                     const LevelRange& levels) {
+  read(levels);
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (!isLearned(sketches_[i], learned)) continue;
+    throw Error("--validate: most images of " + names_[i] + " are also learned; give another run.");
+  }
+}
+
+void ValidationRuns::read(const LevelRange& levels) {
+  const bool same = levels_ && levels_->low == levels.low && levels_->high == levels.high;
+  if (same || (levels_ && !has_levels_)) return;
+  names_.clear();
+  sketches_.clear();
+  levels_ = levels;
+  for (const RecordingOpener& open : openers_) {
     const std::unique_ptr<Recording> run = open();
-    if (!isTrainedOn(model, *run)) continue;
-    throw Error("--validate: " + name + " was trained on " + run->name() + "; give another run.");
+    run->setLevelRange(levels);
+    const std::string stage = "Comparing " + run->name();
+    names_.push_back(run->name());
+    sketches_.emplace_back();
+    for (Frame frame; run->next(frame); report(progress_, stage, run->fraction())) {
+      addLabelled(frame, sketches_.back());
+    }
+    has_levels_ = has_levels_ || run->levelRange().known();
   }
 }
 

@@ -104,10 +104,11 @@ class Reducer {
     if (options_.validate.empty()) return {};
     const InputOptions input = readsBoth() ? options_.input.withoutLabels() : options_.input;
     const std::vector<RecordingOpener> runs = input.openers(options_.validate, !readsBoth());
-    requireNotLearned(model_, modelPath(options_.model), runs);
     TrainingOptions options = model_.options;
     options.augmentation.other_light = false;
-    return collectSamplesFor(model_, runs, options, 0, progress_, 1);
+    Samples samples = collectSamplesFor(model_, runs, options, 0, progress_, 1);
+    requireNotLearned(model_, modelPath(options_.model), samples.inputs, samples.sketches);
+    return samples;
   }
 
   Samples collectTraining() const {

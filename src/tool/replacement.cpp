@@ -10,23 +10,20 @@
 #include "evaluation/summary.h"
 #include "place_recognition/error.h"
 #include "place_recognition/model_file.h"
-#include "tool/other_runs.h"
 
 namespace place_recognition::tool {
 
-Replacement::Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
-                         const Progress& progress)
-    : recordings_(std::move(recordings)), path_(path) {
+Replacement::Replacement(ValidationRuns& runs, const std::string& path, const Progress& progress)
+    : recordings_(runs.openers()), path_(path) {
+  if (!std::filesystem::exists(path_)) return;
+  const Model old = loadModel(path_);
+  runs.requireNotLearnedBy(old, path_);
   std::vector<std::string> of_old_model;
-  if (std::filesystem::exists(path_)) {
-    old_rooms_ = roomsOf(loadModel(path_), path_, progress, of_old_model);
-  }
+  old_rooms_ = roomsOf(old, progress, of_old_model);
 }
 
-std::vector<Replacement::Room> Replacement::roomsOf(const Model& model, const std::string& whose,
-                                                    const Progress& progress,
+std::vector<Replacement::Room> Replacement::roomsOf(const Model& model, const Progress& progress,
                                                     std::vector<std::string>& warnings) const {
-  requireNotLearned(model, whose, recordings_);
   const Evaluation evaluation =
       evaluate(std::make_shared<const Model>(model), recordings_, 0, progress);
   warnings = evaluation.warnings;
@@ -56,7 +53,7 @@ std::pair<double, double> Replacement::meanRate(const std::vector<Room>& rooms,
 
 Replacement::Verdict Replacement::judge(const Model& model, const Progress& progress) const {
   Verdict verdict;
-  const std::vector<Room> rooms = roomsOf(model, "the new model", progress, verdict.warnings);
+  const std::vector<Room> rooms = roomsOf(model, progress, verdict.warnings);
   verdict.rate = meanRate(rooms, old_rooms_).first;
   const auto [old_rate, error] = meanRate(old_rooms_, rooms);
   if (!old_rooms_.empty() && verdict.rate < old_rate - error) {

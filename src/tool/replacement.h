@@ -7,6 +7,7 @@
 #include "place_recognition/model.h"
 #include "place_recognition/progress.h"
 #include "place_recognition/training.h"
+#include "tool/other_runs.h"
 
 namespace place_recognition::tool {
 
@@ -16,11 +17,10 @@ namespace place_recognition::tool {
 /// models has not learned counts as 0 for it.
 class Replacement {
  public:
-  /// Recognizes `recordings` with the model at `path`. If the path is empty or there is no file,
-  /// every new model is accepted. Throws Error, also if the model was trained on one of the
-  /// recordings; Cancelled.
-  Replacement(std::vector<RecordingOpener> recordings, const std::string& path,
-              const Progress& progress);
+  /// Recognizes `runs` with the model at `path`. If the path is empty or there is no file, every
+  /// new model is accepted. Throws Error, also if the model was trained on one of the runs;
+  /// Cancelled.
+  Replacement(ValidationRuns& runs, const std::string& path, const Progress& progress);
 
   struct Verdict {
     double rate = 0;                    ///< of the new model on the runs, 0..1
@@ -28,7 +28,7 @@ class Replacement {
     std::vector<std::string> warnings;  ///< for a person, about the runs and their images
   };
 
-  /// Recognizes the runs with the new model. Throws Error, also if it was trained on one of them;
+  /// Recognizes the runs with the new model, which was not trained on them. Throws Error;
   /// Cancelled.
   Verdict judge(const Model& model, const Progress& progress) const;
 
@@ -38,8 +38,7 @@ class Replacement {
     double rate;
     double variance;  // of the rate
   };
-  /// `whose`: the name of the model in errors.
-  std::vector<Room> roomsOf(const Model& model, const std::string& whose, const Progress& progress,
+  std::vector<Room> roomsOf(const Model& model, const Progress& progress,
                             std::vector<std::string>& warnings) const;
   /// Mean and standard error over the rooms of both models.
   static std::pair<double, double> meanRate(const std::vector<Room>& rooms,

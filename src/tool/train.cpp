@@ -127,26 +127,28 @@ Sources loadSources(const TrainOptions& options) {
 /// Trains from scratch, or continues from a model, with or without another one.
 Training learn(const TrainOptions& options, const Sources& sources,
                const std::vector<RecordingOpener>& recordings,
-               const TrainingOptions& training_options, const Progress& progress) {
+               const TrainingOptions& training_options, const Progress& progress,
+               const AfterReading& after_reading) {
   if (!sources.model) {
-    return place_recognition::train(recordings, training_options, options.threads, progress);
+    return place_recognition::train(recordings, training_options, options.threads, progress,
+                                    after_reading);
   }
   IncrementalOptions incremental;
   incremental.vector_limit = options.limit;
   incremental.forgetting = options.forgetting;
   if (sources.other) incremental.other = &*sources.other;
-  return trainIncrementally(*sources.model, recordings, incremental, options.threads, progress);
+  return trainIncrementally(*sources.model, recordings, incremental, options.threads, progress,
+                            after_reading);
 }
 
 /// Judges the new model by the given runs against the model that it replaces or, if there is none,
 /// the one that it continues from; nothing if the user gives no runs.
 std::optional<Replacement> replacementOf(const TrainOptions& options, const Sources& sources,
-                                         const std::string& path, const Progress& progress) {
+                                         const std::string& path, ValidationRuns& runs,
+                                         const Progress& progress) {
   if (options.validate.empty()) return std::nullopt;
-  const std::vector<RecordingOpener> runs =
-      options.input.withoutLabels().openers(options.validate, false);
-  if (sources.model) requireNotLearned(*sources.model, modelPath(options.add_to), runs);
-  if (sources.other) requireNotLearned(*sources.other, modelPath(options.from_model), runs);
+  if (sources.model) runs.requireNotLearnedBy(*sources.model, modelPath(options.add_to));
+  if (sources.other) runs.requireNotLearnedBy(*sources.other, modelPath(options.from_model));
   const bool goes_on = !std::filesystem::exists(path) && sources.model;
   return Replacement(runs, goes_on ? modelPath(options.add_to) : path, progress);
 }
@@ -176,12 +178,19 @@ void train(const TrainOptions& options) {
   requireWritable(path, Contents::kModel);
   const std::vector<RecordingOpener> recordings =
       options.input.openers(options.inputs, options.validate.empty());
+  std::vector<RecordingOpener> others;
+  if (!options.validate.empty()) {
+    others = options.input.withoutLabels().openers(options.validate, false);
+  }
 
   ProgressDisplay display(options.output.progress);
   const Sources sources = loadSources(options);
+  ValidationRuns runs(std::move(others), display.callback());
   const std::optional<Replacement> replacement =
-      replacementOf(options, sources, path, display.callback());
-  Training training = learn(options, sources, recordings, training_options, display.callback());
+      replacementOf(options, sources, path, runs, display.callback());
+  Training training = learn(
+      options, sources, recordings, training_options, display.callback(),
+      [&runs](const auto& learned, const auto& levels) { runs.requireNotAmong(learned, levels); });
   Replacement::Verdict verdict;
   if (replacement) verdict = replacement->judge(training.model, display.callback());
   if (!verdict.objection.empty()) {

@@ -49,6 +49,9 @@ TEST(ModelFile, KeepsEverythingElse) {
   EXPECT_EQ(read.options.cues[1].kernel.gamma, model.options.cues[1].kernel.gamma);
   EXPECT_EQ(read.provenance.inputs, std::vector<std::string>{"drawn"});
   EXPECT_EQ(read.provenance.place_images, (std::vector<std::uint64_t>{12, 12, 12}));
+  EXPECT_EQ(read.provenance.sketches, model.provenance.sketches);
+  ASSERT_EQ(read.provenance.sketches.size(), 1u);
+  EXPECT_EQ(read.provenance.sketches[0].hashes().size(), 36u);
 }
 
 TEST(ModelFile, KeepsWhatTheImagesWereLike) {

@@ -159,7 +159,15 @@ INSTANTIATE_TEST_SUITE_P(
                     message(c).add_camera_correlations(kNan);
                   }},
         Tampering{"CountsMissing",
-                  [](auto& c) { message(c).mutable_provenance()->clear_place_images(); }}),
+                  [](auto& c) { message(c).mutable_provenance()->clear_place_images(); }},
+        Tampering{"HashesOfNoRun",
+                  [](auto& c) { message(c).mutable_provenance()->clear_image_hash_counts(); }},
+        Tampering{"HashesCut",
+                  [](auto& c) { message(c).mutable_provenance()->clear_image_hashes(); }},
+        Tampering{"HashesOfARunThatIsNotNamed",
+                  [](auto& c) { message(c).mutable_provenance()->add_image_hash_counts(0); }},
+        Tampering{"HashesDescend",
+                  [](auto& c) { message(c).mutable_provenance()->set_image_hashes(1, 0); }}),
     [](const auto& info) { return info.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

@@ -69,7 +69,7 @@ TEST(Training, LearnsThePartsOfARecordingLikeTheWhole) {
     EXPECT_EQ(model.provenance.inputs.size(), inputs);
     EXPECT_TRUE(model.adjacency.joined(0, 1));
     model.provenance.inputs.clear();
-    model.provenance.fingerprints.clear();
+    model.provenance.sketches.clear();
     return serializeModel(model);
   };
   EXPECT_EQ(bytes(openersOfParts(whole, {20, 50, 80}), 4), bytes({opener(whole)}, 1));

@@ -86,6 +86,15 @@ class OptionsTest(MisuseCase):
                            "./new.places", "--validate", self.folder / "monday")
         self.assertIn("was trained on " + str(self.folder / "monday"), line)
 
+    def test_no_model_is_judged_by_a_copy_of_what_it_learns(self):
+        self.write_run("wednesday", seed=2)
+        shutil.copytree(self.folder / "monday", self.folder / "copy")
+        self.write_run("half", rooms=("kitchen", "office"))
+        for judge in ("copy", "half"):
+            line = self.refuse("train", "wednesday", "monday", "--model", "./new.places",
+                               "--validate", judge)
+            self.assertIn(f": most images of {judge} are also learned; give another", line)
+
     def test_labels_do_not_apply_to_the_runs_to_validate_on(self):
         self.train()
         learned = self.write_labelled_bag("learned.bag")

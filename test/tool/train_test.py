@@ -3,6 +3,7 @@
 import json
 import unittest
 
+import numpy as np
 from tool_case import ROOMS, ToolCase, paint
 
 COLOUR = ("--config", "crfh_colour")
@@ -163,6 +164,17 @@ class TrainTest(ToolCase):
                       self.refuse(*add, "--validate", "first"))
         result = self.run_tool("calibrate", "first", "--model", "./home.places", "--out", "./c.places")
         self.assertIn("was trained on first", result.stderr)
+
+    def test_runs_that_begin_alike_are_not_taken_for_one(self):
+        for seed, name in enumerate(("first", "second", "third")):
+            self.write_run(name, seed=seed)
+            for room in ROOMS:  # covered lenses
+                self.write_image(f"{name}/{room}/000.png", np.zeros((96, 128, 3), np.uint8))
+        figures = self.figures("train", "first", "--model", "./home.places", "--validate", "second",
+                               *COLOUR)
+        self.assertEqual(figures["validate_rate"], 1)
+        self.figures("train", "second", "--add-to", "./home.places", "--model", "./home.places",
+                     "--validate", "third")
 
     def test_a_learned_run_is_refused_before_the_training(self):
         for name, seed in (("first", 0), ("second", 1)):

@@ -108,13 +108,34 @@ void readCalibration(const proto::Model& message, Model& model) {
       "the validation is not in 0..1");
 }
 
+/// The sketches of the `inputs` runs; empty ones from a file of an earlier version.
+std::vector<RunSketch> readSketches(const proto::Provenance& message, std::size_t inputs) {
+  std::vector<RunSketch> sketches(inputs);
+  require(message.image_hash_counts().empty() ||
+              static_cast<std::size_t>(message.image_hash_counts_size()) == inputs,
+          "it does not have one number of hashes per run");
+  int next = 0;
+  for (int i = 0; i < message.image_hash_counts_size(); ++i) {
+    const std::uint32_t count = message.image_hash_counts(i);
+    require(count <= RunSketch::kMaxHashes &&
+                static_cast<int>(count) <= message.image_hashes_size() - next,
+            "the number of hashes of a run is too large");
+    for (std::uint32_t n = 0; n < count; ++n, ++next) {
+      require(n == 0 || message.image_hashes(next - 1) < message.image_hashes(next),
+              "the hashes of a run are not in ascending order");
+      sketches[static_cast<std::size_t>(i)].add(message.image_hashes(next));
+    }
+  }
+  require(next == message.image_hashes_size(), "it has hashes of no run");
+  return sketches;
+}
+
 void readProvenance(const proto::Provenance& message, Model& model) {
   require(static_cast<std::size_t>(message.place_images_size()) == model.places.size(),
           "it does not have one number of images per place");
   Provenance& provenance = model.provenance;
   provenance.inputs = separated(message.inputs(), kMaxInputs);
-  provenance.fingerprints = separated(message.fingerprints(), kMaxInputs);
-  provenance.fingerprints.resize(provenance.inputs.size());
+  provenance.sketches = readSketches(message, provenance.inputs.size());
   provenance.place_images.assign(message.place_images().begin(), message.place_images().end());
   provenance.skipped_images = message.skipped_images();
   provenance.package_version = message.package_version();
@@ -162,7 +183,10 @@ proto::Model toMessage(const Model& model) {
 
   proto::Provenance& provenance = *message.mutable_provenance();
   provenance.set_inputs(joined(model.provenance.inputs));
-  provenance.set_fingerprints(joined(model.provenance.fingerprints));
+  for (const RunSketch& sketch : model.provenance.sketches) {
+    provenance.add_image_hash_counts(static_cast<std::uint32_t>(sketch.hashes().size()));
+    for (const std::uint64_t hash : sketch.hashes()) provenance.add_image_hashes(hash);
+  }
   for (const std::uint64_t count : model.provenance.place_images) {
     provenance.add_place_images(count);
   }

@@ -8,10 +8,10 @@
 #include "base/place_name.h"
 #include "place_recognition/error.h"
 #include "recognition/frames/continuity.h"
+#include "recognition/frames/image_hash.h"
 #include "recognition/frames/image_guard.h"
 #include "recognition/frames/light.h"
 #include "recognition/training/labelled_light.h"
-#include "recognition/training/learned_runs.h"
 #include "recognition/training/sampling.h"
 
 namespace place_recognition {
@@ -48,7 +48,7 @@ class Collector {
 
   void read(Recording& recording, const Progress& progress) {
     collected_.inputs.push_back(recording.name());
-    collected_.fingerprints.emplace_back();
+    collected_.sketches.emplace_back();
     collected_.left_out.emplace_back();
     if (collected_.how_to_label.empty()) collected_.how_to_label = recording.howToLabel();
     recording.setLevelRange(expected_.levels);
@@ -95,8 +95,7 @@ class Collector {
 
   void take(const Frame& frame, CameraStream& camera) {
     ++collected_.images;
-    std::string& fingerprint = collected_.fingerprints.back();
-    if (fingerprint.empty() && !frame.image.empty()) fingerprint = fingerprintOf(frame);
+    addLabelled(frame, collected_.sketches.back());
     collected_.seen.back().push_back({frame.stamp, frame.place});
     requirePlaceName(frame);
     if (collected_.left_out.back().leavesOut(frame)) return;

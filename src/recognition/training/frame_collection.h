@@ -46,7 +46,7 @@ struct FrameCollection {
       : profile(expected), sample(seed) {}
 
   std::vector<std::string> inputs;           ///< names of the recordings
-  std::vector<std::string> fingerprints;     ///< of each input, see Provenance
+  std::vector<RunSketch> sketches;           ///< of each input
   std::vector<std::string> cameras;          ///< topics, of all recordings
   std::vector<std::vector<SeenLabel>> seen;  ///< [recording]; parts of a split one are joined
   std::vector<LeftOutFrames> left_out;       ///< of each input

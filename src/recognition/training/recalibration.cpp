@@ -12,10 +12,10 @@
 #include "recognition/recognizer/evidence_shift.h"
 #include "recognition/training/calibration_set.h"
 #include "recognition/training/combination.h"
-#include "recognition/training/learned_runs.h"
 #include "recognition/training/model_answers.h"
 #include "recognition/training/model_calibration.h"
 #include "recognition/training/samples.h"
+#include "recognition/training/training_warnings.h"
 
 namespace place_recognition {
 namespace {
@@ -146,9 +146,7 @@ Recalibration recalibrate(Model model, const std::vector<RecordingOpener>& recor
   Samples samples = collectSamplesFor(model, recordings, options, threads, progress, 1);
   result.warnings = samples.warnings;
   for (std::size_t i = 0; i < samples.inputs.size(); ++i) {
-    if (!isTrainedOn(model.provenance, samples.inputs[i], samples.fingerprints[i])) continue;
-    result.warnings.push_back("The model was trained on " + samples.inputs[i] +
-                              ", so it seems to be right and sure more often than on other runs.");
+    warnOfLearnedTest(model, samples.inputs[i], samples.sketches[i], result.warnings);
   }
   const KnownFrames frames = knownFrames(model, std::move(samples), result.warnings);
   requireEnough(frames);

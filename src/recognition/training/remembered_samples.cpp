@@ -53,8 +53,7 @@ void append(Samples part, int first_recording, Samples& samples) {
   }
   samples.remembered += part.remembered;
   samples.inputs.insert(samples.inputs.end(), part.inputs.begin(), part.inputs.end());
-  samples.fingerprints.insert(samples.fingerprints.end(), part.fingerprints.begin(),
-                              part.fingerprints.end());
+  samples.sketches.insert(samples.sketches.end(), part.sketches.begin(), part.sketches.end());
   samples.skipped += part.skipped;
   samples.passed_over += part.passed_over;
   samples.warnings.insert(samples.warnings.end(), part.warnings.begin(), part.warnings.end());
@@ -105,8 +104,8 @@ Samples rememberedSamples(const Model& model) {
   samples.images = model.provenance.place_images;
   samples.colours = colourMoments(model.colours, samples.images);
   samples.inputs = model.provenance.inputs;
-  samples.fingerprints = model.provenance.fingerprints;
-  samples.fingerprints.resize(samples.inputs.size());
+  samples.sketches = model.provenance.sketches;
+  samples.sketches.resize(samples.inputs.size());
   samples.skipped = model.provenance.skipped_images;
   samples.adjacency = model.adjacency;
   samples.features.resize(model.classifiers.size());

@@ -203,7 +203,7 @@ Samples collect(const std::vector<RecordingOpener>& recordings, const TrainingOp
       collectFrames(recordings, options, profile, model, change, most, threads, progress);
   Samples samples;
   samples.inputs = collected.inputs;
-  samples.fingerprints = collected.fingerprints;
+  samples.sketches = collected.sketches;
   samples.cameras = collected.cameras;
   samples.image_profile = collected.profile;
   samples.places = placesOf(collected, least_places);

@@ -41,7 +41,7 @@ struct Samples {
   std::vector<std::uint64_t> images;        ///< by place: number of images learned in total
   std::vector<ColourMoments> colours;       ///< by place, of the recorded images
   std::vector<std::string> inputs;          ///< names of the recordings
-  std::vector<std::string> fingerprints;    ///< of each input, see Provenance
+  std::vector<RunSketch> sketches;          ///< of each input
   std::vector<std::string> cameras;         ///< of `origins`, by topics; over all recordings
   ImageProfile image_profile;               ///< of the images learned
   Adjacency adjacency{0};                   ///< of `places`, from the recordings that are drives

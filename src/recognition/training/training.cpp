@@ -29,11 +29,6 @@
 namespace place_recognition {
 namespace {
 
-Provenance provenanceOf(const Samples& samples) {
-  return {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION,
-          samples.fingerprints};
-}
-
 /// Whether the light of a recording is compared with that of the training.
 bool followsLight(const TrainingOptions& options) {
   return std::any_of(options.cues.begin(), options.cues.end(), [](const CueOptions& cue) {
@@ -133,7 +128,8 @@ void describe(const Samples& samples, Model& model) {
   model.images = samples.image_profile;
   if (followsLight(model.options)) model.colours = colourStatistics(samples.colours);
   model.adjacency = samples.adjacency;
-  model.provenance = provenanceOf(samples);
+  model.provenance = {samples.inputs, samples.images, samples.skipped, PLACE_RECOGNITION_VERSION,
+                      samples.sketches};
 }
 
 /// What the samples and the held-out answers give reason to warn of.
@@ -244,12 +240,13 @@ int mostNewImages(const Samples& remembered, int most) {
 }  // namespace
 
 Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,
-               unsigned threads, const Progress& progress) {
+               unsigned threads, const Progress& progress, const AfterReading& after_reading) {
   options.check();
   return timed([&] {
     const TrainingOptions ready = withMirror(withNetworks(options), recordings);
-    Training training =
-        learn(collectSamples(recordings, ready, threads, progress), ready, {}, threads, progress);
+    Samples samples = collectSamples(recordings, ready, threads, progress);
+    if (after_reading) after_reading(samples.sketches, samples.image_profile.levels);
+    Training training = learn(std::move(samples), ready, {}, threads, progress);
     training.model.asked = options;
     return training;
   });
@@ -257,7 +254,7 @@ Training train(const std::vector<RecordingOpener>& recordings, const TrainingOpt
 
 Training trainIncrementally(const Model& model, const std::vector<RecordingOpener>& recordings,
                             const IncrementalOptions& incremental, unsigned threads,
-                            const Progress& progress) {
+                            const Progress& progress, const AfterReading& after_reading) {
   if (incremental.vector_limit < 0 ||
       !(incremental.forgetting >= 0 && incremental.forgetting <= 1)) {
     throw Error("The vector limit is below 0, or forgetting is not within 0..1; correct it.");
@@ -282,6 +279,7 @@ Training trainIncrementally(const Model& model, const std::vector<RecordingOpene
       warnOfLearnedRuns(model, fresh, fresh.warnings);
       samples = joinSamples(std::move(samples), std::move(fresh));
     }
+    if (after_reading) after_reading(samples.sketches, samples.image_profile.levels);
     if (samples.origins.empty()) {
       throw Error("The models have no support vectors, and no images are added; add images.");
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "recognition/training/learned_runs.h"
 
 namespace place_recognition {
 
@@ -34,10 +33,17 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
 void warnOfLearnedRuns(const Model& model, const Samples& samples,
                        std::vector<std::string>& warnings) {
   for (std::size_t i = 0; i < samples.inputs.size(); ++i) {
-    if (!isTrainedOn(model.provenance, samples.inputs[i], samples.fingerprints[i])) continue;
+    if (!isLearned(samples.sketches[i], model.provenance.sketches)) continue;
     warnings.push_back("The model was already trained on " + samples.inputs[i] +
                        ", so the figures of held-out images are too good; give new runs.");
   }
+}
+
+void warnOfLearnedTest(const Model& model, const std::string& run, const RunSketch& sketch,
+                       std::vector<std::string>& warnings) {
+  if (!isLearned(sketch, model.provenance.sketches)) return;
+  warnings.push_back("The model was trained on " + run +
+                     ", so it seems to be right and sure more often than on other runs.");
 }
 
 void warnOfTightLimit(const Model& model, int vector_limit, std::vector<std::string>& warnings) {

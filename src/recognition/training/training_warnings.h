@@ -23,6 +23,10 @@ void warnOfConfusedPairs(const std::vector<ConfusedPair>& pairs,
 void warnOfLearnedRuns(const Model& model, const Samples& samples,
                        std::vector<std::string>& warnings);
 
+/// A run, given its name and sketch, that judges `model` although it was trained on it.
+void warnOfLearnedTest(const Model& model, const std::string& run, const RunSketch& sketch,
+                       std::vector<std::string>& warnings);
+
 /// A limit that leaves less than half of the vectors of `model`, by which its held-out frames were
 /// judged. 0: no limit.
 void warnOfTightLimit(const Model& model, int vector_limit, std::vector<std::string>& warnings);
