@@ -33,7 +33,8 @@ using AfterReading =
 
 /// Trains a model from labelled recordings: features of every frame (memory is bounded by them, not
 /// by the length of the runs), Gram matrix, gamma by cross-validation if it is not given, machines,
-/// reduction (for `auto` selected by cross-validation), calibration on held-out blocks of time.
+/// reduction (for `auto` selected by cross-validation), calibration on held-out blocks of time. An
+/// image that an earlier recording has shown counts once.
 /// Throws Error if fewer than two places have images; Cancelled if `progress` requests it. The
 /// model's bytes depend on inputs and options only, not on `threads` (0: one per core).
 Training train(const std::vector<RecordingOpener>& recordings, const TrainingOptions& options,

@@ -48,6 +48,58 @@ TEST(TrainingInput, LeavesOutWhatItCannotUse) {
   }
 }
 
+TEST(TrainingInput, ACopyOfARunCountsOnce) {
+  const std::vector<Frame> night = drawFrames(3, 20), day = drawFrames(3, 20, 500);
+  const auto learned = [](const std::vector<RecordingOpener>& recordings,
+                          std::vector<std::string>& warnings) {
+    Training training = train(recordings, quickOptions());
+    warnings = training.warnings;
+    training.model.provenance.inputs.clear();
+    training.model.provenance.sketches.clear();
+    return serializeModel(training.model);
+  };
+  std::vector<std::string> none, copies, copy_of_part;
+  const std::string once = learned({opener(night, "night"), opener(day, "day")}, none);
+  EXPECT_EQ(none, std::vector<std::string>());
+  EXPECT_EQ(learned({opener(night, "night"), opener(day, "day"), opener(night, "night.orig"),
+                     opener(day, "day (copy)")},
+                    copies),
+            once);
+  EXPECT_EQ(copies, (std::vector<std::string>{
+                        "night.orig: 60 of 60 images are those of night; they count once.",
+                        "day (copy): 60 of 60 images are those of day; they count once."}));
+
+  std::vector<RecordingOpener> parts = openersOfParts(night, {20, 40});
+  const std::string whole = learned(parts, none);
+  parts.insert(parts.begin() + 1, parts[1]);
+  EXPECT_EQ(learned(parts, copy_of_part), whole) << "the next part continues the one before";
+  EXPECT_EQ(
+      copy_of_part,
+      (std::vector<std::string>{"part1: 20 of 20 images are those of part1; they count once."}));
+}
+
+TEST(TrainingInput, ImagesCountOnceOverAllRunsButWithinOneAsOftenAsTheyAre) {
+  std::vector<Frame> standing = drawFrames(3, 20);
+  for (int i = 10; i < 16; ++i) standing[i].image = standing[9].image;
+  EXPECT_EQ(train({opener(standing)}, quickOptions()).images, 60u);
+  EXPECT_EQ(train(openersOfParts(standing, {12}), quickOptions()).images, 60u);
+
+  std::vector<Frame> grown = drawFrames(3, 21);
+  const Training both =
+      train({opener(drawFrames(3, 20), "folder"), opener(grown, "copy")}, quickOptions());
+  EXPECT_EQ(both.images, 63u);
+  EXPECT_EQ(
+      both.warnings,
+      (std::vector<std::string>{"copy: 60 of 63 images are those of folder; they count once."}));
+
+  std::vector<Frame> unlabelled = drawFrames(3, 20);
+  for (Frame& frame : unlabelled) frame.place.clear();
+  EXPECT_EQ(
+      train({opener(unlabelled, "recorded"), opener(drawFrames(3, 20), "labelled")}, quickOptions())
+          .images,
+      60u);
+}
+
 /// Returns an image of one colour with sensor noise.
 cv::Mat uniformImage(const cv::Scalar& colour, int seed) {
   cv::Mat noise(72, 96, CV_16SC3);

@@ -65,7 +65,7 @@ class SplitRecordingTest(FieldCase):
                 labels = [(0, "kitchen")] if (camera, part) == ("front", 0) else []
                 self.write_labelled(f"{camera}_{part}.bag", start, rooms[8 * part:8 * part + 8],
                                     labels, camera=f"/{camera}/image_raw")
-        self.write_labelled("home.bag", 9000, rooms, [(0, "kitchen"), (8, "office")])
+        self.write_labelled("home.bag", 9050, rooms, [(0, "kitchen"), (8, "office")])
         figures, said = self.train("front_0.bag", "rear_0.bag", "front_1.bag", "rear_1.bag",
                                    "home.bag")
         self.assert_names(said, "front_1.bag continues where front_0.bag ends, and starts in "

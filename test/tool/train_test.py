@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests place_tool train on painted rooms, as used by people and by programs."""
 import json
+import shutil
 import unittest
 
 import numpy as np
@@ -164,6 +165,19 @@ class TrainTest(ToolCase):
                       self.refuse(*add, "--validate", "first"))
         result = self.run_tool("calibrate", "first", "--model", "./home.places", "--out", "./c.places")
         self.assertIn("was trained on first", result.stderr)
+
+    def test_a_copy_beside_a_run_counts_once(self):
+        self.write_run("site/run")
+        alone = self.figures("train", "site", "--model", "./home.places", *COLOUR)
+        shutil.copytree(self.folder / "site/run", self.folder / "site/run.orig")
+        both = self.figures("train", "site", "--model", "./home.places", *COLOUR)
+        sentence = "site/run.orig: 24 of 24 images are those of site/run; they count once."
+        self.assertEqual(both["warnings"], [sentence] + alone["warnings"])
+        for key in ("images", "validation", "support_vectors", "gamma"):
+            self.assertEqual(both[key], alone[key])
+        self.write_run("next/run", seed=1)
+        shutil.copytree(self.folder / "next/run", self.folder / "next/run.orig")
+        self.assertEqual(self.figures("calibrate", "next", "--model", "./home.places")["images"], 24)
 
     def test_runs_that_begin_alike_are_not_taken_for_one(self):
         for seed, name in enumerate(("first", "second", "third")):

@@ -8,10 +8,11 @@
 #include "base/place_name.h"
 #include "place_recognition/error.h"
 #include "recognition/frames/continuity.h"
-#include "recognition/frames/image_hash.h"
 #include "recognition/frames/image_guard.h"
+#include "recognition/frames/image_hash.h"
 #include "recognition/frames/light.h"
 #include "recognition/training/labelled_light.h"
+#include "recognition/training/repeated_images.h"
 #include "recognition/training/sampling.h"
 
 namespace place_recognition {
@@ -52,18 +53,26 @@ class Collector {
     collected_.left_out.emplace_back();
     if (collected_.how_to_label.empty()) collected_.how_to_label = recording.howToLabel();
     recording.setLevelRange(expected_.levels);
-    continuity_.begin(recording.cameras());
     std::vector<CameraStream> streams = streamsOf(recording);
+    Continuity before = continuity_;  // until the first image that is not repeated
+    before.begin(recording.cameras());
+    std::uint64_t images = 0, fresh = 0;
     const std::string stage = "Reading " + recording.name();
     report(progress, stage, 0);
-    for (Frame frame; recording.next(frame);) {
+    for (Frame frame; recording.next(frame); report(progress, stage, recording.fraction())) {
+      if (images++ == 0) {
+        before.beginsStream(frame);
+        repeated_.begin(recording.name(), before.continues());
+      }
+      if (isRepeated(frame)) continue;
+      if (fresh++ == 0) continuity_.begin(recording.cameras());
       if (continuity_.beginsStream(frame)) {
         streams_ = std::move(streams);
         collected_.seen.emplace_back();
       }
       take(frame, streams_[static_cast<std::size_t>(frame.camera)]);
-      report(progress, stage, recording.fraction());
     }
+    if (fresh < images) collected_.warnings.push_back(repeated_.sentence());
     collected_.warnings.insert(collected_.warnings.end(), recording.warnings().begin(),
                                recording.warnings().end());
   }
@@ -93,11 +102,18 @@ class Collector {
     return streams;
   }
 
-  void take(const Frame& frame, CameraStream& camera) {
+  /// Whether the training goes on as if the frame did not exist. Its image counts for the sketch.
+  bool isRepeated(const Frame& frame) {
     ++collected_.images;
-    addLabelled(frame, collected_.sketches.back());
-    collected_.seen.back().push_back({frame.stamp, frame.place});
     requirePlaceName(frame);
+    const std::optional<std::uint64_t> hash = imageHash(frame.image);
+    const bool labelled = !frame.place.empty();
+    if (hash && labelled) collected_.sketches.back().add(*hash);
+    return repeated_.isRepeated(hash, labelled);
+  }
+
+  void take(const Frame& frame, CameraStream& camera) {
+    collected_.seen.back().push_back({frame.stamp, frame.place});
     if (collected_.left_out.back().leavesOut(frame)) return;
     if (!camera.rate.admits(frame.stamp)) {
       ++collected_.passed_over;
@@ -162,7 +178,8 @@ class Collector {
   const Model* model_;
   const ImageChange change_;
   const std::size_t most_;
-  Continuity continuity_;
+  RepeatedImages repeated_;
+  Continuity continuity_;              // of the frames that are not repeated
   std::vector<CameraStream> streams_;  // of the recording, by its number of the camera
   FrameCollection collected_;
   ExtractionPool pool_;  // the last member, so that its threads end first
