@@ -8,7 +8,9 @@
 #include "base/place_name.h"
 #include "base/text.h"
 #include "place_recognition/error.h"
+#include "recognition/frames/image_hash.h"
 #include "recognition/frames/left_out_frames.h"
+#include "recognition/training/training_warnings.h"
 
 namespace place_recognition {
 namespace {
@@ -60,10 +62,12 @@ class Evaluator {
     const std::string stage = "Recognizing " + recording.name();
     report(progress, stage, 0);
     LeftOutFrames left_out;
+    RunSketch sketch;
     bool is_first = true;
     for (Frame frame; recording.next(frame);) {
       ++images_;
       recognizer_.take(frame);
+      addLabelled(frame, sketch);
       if (is_first && recognizer_.continues()) evaluation_.recordings.pop_back();
       is_first = false;
       if (!left_out.leavesOut(frame)) {
@@ -74,6 +78,7 @@ class Evaluator {
       }
       report(progress, stage, recording.fraction());
     }
+    warnOfLearnedTest(recognizer_.model(), recording.name(), sketch, evaluation_.warnings);
     evaluation_.warnings.insert(evaluation_.warnings.end(), recording.warnings().begin(),
                                 recording.warnings().end());
     for (const std::string& sentence : left_out.sentences(recording.name())) {

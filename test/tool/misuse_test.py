@@ -237,6 +237,13 @@ class InputsTest(MisuseCase):
         self.write_run("few", views=1)
         self.assertIn("at least 5", self.refuse("calibrate", "few", *MODEL))
 
+    def test_evaluation_on_what_was_learned(self):
+        self.train()
+        result = self.run_tool("evaluate", "monday", *MODEL)
+        self.assertIn("The model was trained on monday", result.stderr)
+        self.write_run("tuesday", seed=1)
+        self.assertEqual(self.run_tool("evaluate", "tuesday", *MODEL).stderr, "")
+
 
 if __name__ == "__main__":
     unittest.main()
