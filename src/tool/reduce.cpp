@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <ostream>
@@ -113,8 +115,23 @@ class Reducer {
 
   Samples collectTraining() const {
     if (options_.train.empty()) return {};
-    return collectSamplesFor(model_, options_.input.openers(options_.train, !readsBoth()),
-                             model_.options, 0, progress_, 1);
+    Samples samples =
+        collectSamplesFor(model_, options_.input.openers(options_.train, !readsBoth()),
+                          model_.options, 0, progress_, 1);
+    warnOfOtherRuns(samples);
+    return samples;
+  }
+
+  /// Warns of runs of --train that the model was not trained on, if its sketches can tell.
+  void warnOfOtherRuns(Samples& samples) const {
+    const std::vector<RunSketch>& learned = model_.provenance.sketches;
+    const auto unknown = std::mem_fn(&RunSketch::empty);
+    if (std::any_of(learned.begin(), learned.end(), unknown)) return;
+    for (std::size_t i = 0; i < samples.inputs.size(); ++i) {
+      if (samples.sketches[i].empty() || isLearned(samples.sketches[i], learned)) continue;
+      samples.warnings.push_back("--train: " + modelPath(options_.model) + " was not trained on " +
+                                 samples.inputs[i] + "; give the runs that it was trained on.");
+    }
   }
 
   ReductionFigures measured(const Model& model) const {

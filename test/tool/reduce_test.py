@@ -83,6 +83,14 @@ class ReduceTest(TrainedCase):
                       self.refuse("reduce", "--model", "./home.places", "--out", "./small.places",
                                   "--share", 0.5, "--validate", "tuesday", "monday"))
 
+    def test_it_warns_if_the_images_to_preserve_are_those_of_another_run(self):
+        reduce = ("reduce", "--model", "./home.places", "--out", "./small.places", "--train")
+        result = self.run_tool(*reduce, "tuesday", "--json", "-")
+        sentence = "./home.places was not trained on tuesday; give the runs that it was trained on."
+        self.assertIn("warning: --train: " + sentence, result.stderr)
+        self.assertTrue(any(sentence in text for text in json.loads(result.stdout)["warnings"]))
+        self.assertNotIn("not trained on", self.run_tool(*reduce, "monday").stderr)
+
     def test_it_names_what_it_left_out_of_the_runs(self):
         for run in ("monday", "tuesday"):
             (self.folder / run / "kitchen/000.png").write_bytes(b"rubbish")
