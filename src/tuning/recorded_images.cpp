@@ -5,6 +5,7 @@
 
 #include "base/sha256.h"
 #include "place_recognition/error.h"
+#include "recognition/frames/image_hash.h"
 
 namespace place_recognition {
 namespace {
@@ -25,15 +26,24 @@ std::string describe(const Frame& frame) {
   return text + "\n" + digestOf(frame.image);
 }
 
-/// Returns the places of the recordings.
-std::set<std::string> lookThrough(const std::vector<RecordingOpener>& recordings,
-                                  RecordedImages& found, const Progress& progress) {
+/// What is known of several recordings.
+struct Seen {
   std::set<std::string> places;
+  std::vector<std::string> names;
+  std::vector<RunSketch> sketches;  // of each
+};
+
+Seen lookThrough(const std::vector<RecordingOpener>& recordings, RecordedImages& found,
+                 const Progress& progress) {
+  Seen seen;
   for (std::size_t r = 0; r < recordings.size(); ++r) {
     const std::unique_ptr<Recording> recording = recordings[r]();
+    seen.names.push_back(recording->name());
+    seen.sketches.emplace_back();
     for (Frame frame; recording->next(frame);) {
       found.labelled += frame.place.empty() ? 0 : 1;
-      if (!frame.place.empty()) places.insert(frame.place);
+      if (!frame.place.empty()) seen.places.insert(frame.place);
+      addLabelled(frame, seen.sketches.back());
       found.digest = sha256(found.digest + describe(frame));
       report(progress, "Counting images",
              (static_cast<double>(r) + recording->fraction()) /
@@ -43,19 +53,25 @@ std::set<std::string> lookThrough(const std::vector<RecordingOpener>& recordings
     found.digest = sha256(found.digest + " end " + std::to_string(levels.low) + " " +
                           std::to_string(levels.high));
   }
-  return places;
+  return seen;
 }
 
 }  // namespace
 
 RecordedImages lookThrough(const TuningRecordings& recordings, const Progress& progress) {
   RecordedImages found;
-  const std::set<std::string> learned = lookThrough(recordings.recordings, found, progress);
+  const Seen learned = lookThrough(recordings.recordings, found, progress);
   found.digest += " held out ";
-  for (const std::string& place : lookThrough(recordings.hold_out, found, progress)) {
-    if (learned.count(place) > 0) continue;
+  const Seen held_out = lookThrough(recordings.hold_out, found, progress);
+  for (const std::string& place : held_out.places) {
+    if (learned.places.count(place) > 0) continue;
     throw Error("The runs to validate on show '" + place +
                 "', which no other run shows; leave it out of them, or learn it.");
+  }
+  for (std::size_t i = 0; i < held_out.names.size(); ++i) {
+    if (!isLearned(held_out.sketches[i], learned.sketches)) continue;
+    throw Error("The runs to validate on: most images of " + held_out.names[i] +
+                " are also learned; give another run.");
   }
   return found;
 }

@@ -14,8 +14,8 @@ struct RecordedImages {
   std::string digest;  ///< SHA-256 of all frames, independent of file paths
 };
 
-/// Reads all recordings. Throws Error if one is damaged, or one that is held out
-/// shows a place that the others do not; Cancelled if `progress` requests it.
+/// Reads all recordings. Throws Error if one is damaged, or if one that is held out shows a place
+/// that the others do not, or mostly their images; Cancelled if `progress` requests it.
 RecordedImages lookThrough(const TuningRecordings& recordings, const Progress& progress);
 
 }  // namespace place_recognition

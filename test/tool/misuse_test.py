@@ -91,9 +91,10 @@ class OptionsTest(MisuseCase):
         shutil.copytree(self.folder / "monday", self.folder / "copy")
         self.write_run("half", rooms=("kitchen", "office"))
         for judge in ("copy", "half"):
-            line = self.refuse("train", "wednesday", "monday", "--model", "./new.places",
-                               "--validate", judge)
-            self.assertIn(f": most images of {judge} are also learned; give another", line)
+            for verb in (["train", "wednesday", "monday", "--model", "./new.places"],
+                         ["tune", "wednesday", "monday", "--out", "tuned.yaml"]):
+                line = self.refuse(*verb, "--validate", judge)
+                self.assertIn(f": most images of {judge} are also learned; give another", line)
 
     def test_labels_do_not_apply_to_the_runs_to_validate_on(self):
         self.train()
