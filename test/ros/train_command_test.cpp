@@ -97,6 +97,16 @@ TEST_F(TrainCommand, ToCalibrate) {
   EXPECT_FALSE(has("--calibrate=1"));
 }
 
+TEST(InTermsOfGoal, NamesFieldsInsteadOfOptions) {
+  EXPECT_EQ(inTermsOfGoal("place_tool train: --validate: a.bag is also learned; give another run."),
+            "validate: a.bag is also learned; give another run.");
+  EXPECT_EQ(inTermsOfGoal("place_tool: --from-model and --add-to, --label or --label-topic"),
+            "from_model and add_to, label or label_topic");
+  EXPECT_EQ(inTermsOfGoal("--limit"), "vector_limit");
+  EXPECT_EQ(inTermsOfGoal("rosbag record --repeat-latched; place_tool label a.bag: --"),
+            "rosbag record --repeat-latched; place_tool label a.bag: --");
+}
+
 TEST_F(TrainCommand, BadFieldsAreNamed) {
   const auto expectNamed = [this](const std::string& field,
                                   const std::function<void(TrainGoal&)>& change) {

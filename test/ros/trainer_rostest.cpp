@@ -29,9 +29,9 @@ const char* const kYaml =
 
 std::string home() { return std::getenv("ROS_HOME"); }
 
-void writeBag(const std::string& path, int count) {
+void writeBag(const std::string& path, int count, unsigned first_frame = 0) {
   LabelledBagWriter writer(path);
-  for (const Frame& frame : drawFrames(3, count))
+  for (const Frame& frame : drawFrames(3, count, first_frame))
     writer.write(frame.image, frame.place, frame.stamp);
   writer.close();
 }
@@ -171,6 +171,13 @@ TEST_F(Trainers, RetrainByService) {
   EXPECT_NE(response.message.find("has loaded it"), std::string::npos);
 }
 
+TEST_F(Trainers, SayHowTheModelDoesOnTheBagsToValidateOn) {
+  const Retrain::Response response =
+      retrain([](Retrain::Request& request) { request.validate = {"later.bag"}; });
+  EXPECT_TRUE(response.success) << response.message;
+  EXPECT_NE(response.message.find(" % on validate."), std::string::npos) << response.message;
+}
+
 TEST_F(Trainers, LearnOnWithinALimit) {
   ASSERT_TRUE(retrain([](Retrain::Request&) {}).success);
   const Retrain::Response response = retrain([](Retrain::Request& request) {
@@ -228,6 +235,7 @@ TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
                                 const std::function<void(Request&)>& change) {
     const Retrain::Response response = retrain(change);
     EXPECT_FALSE(response.success);
+    EXPECT_EQ(response.message.find("place_tool train: "), std::string::npos) << response.message;
     EXPECT_NE(response.message.find(reason), std::string::npos) << response.message;
   };
   expectRefused("model", [](Request& r) { r.model = "../home"; });
@@ -248,6 +256,7 @@ TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
   });
   expectRefused("nosuchpreset", [](Request& r) { r.yaml.clear(), r.preset = "nosuchpreset"; });
   expectRefused("/front", [](Request& r) { r.image_topic = "/front"; });
+  expectRefused("validate: ", [](Request& r) { r.validate = r.bags; });
   expectRefused("everywhere", [](Request& r) { r.label = "everywhere"; });  // a single place
 }
 
@@ -261,5 +270,6 @@ int main(int argc, char** argv) {
     writeBag(home() + "/short.bag", 20);
     writeBag(home() + "/other.bag", 30);
     writeBag(home() + "/long.bag", 1500);
+    writeBag(home() + "/later.bag", 10, 5000);
   });
 }

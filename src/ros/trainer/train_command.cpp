@@ -3,6 +3,8 @@
 #include <ros/names.h>
 
 #include <algorithm>
+#include <map>
+#include <regex>
 #include <sstream>
 
 #include "base/child_process.h"
@@ -98,6 +100,16 @@ std::string optionOf(std::string field) {
   return "--" + field;
 }
 
+/// The fields of a goal by their options.
+std::map<std::string, std::string> fieldsByOption() {
+  std::map<std::string, std::string> fields{
+      {"--limit", "vector_limit"}, {"--config", "preset or yaml"}, {"--set", "reduction"}};
+  for (const MessageField& field : fieldsOf(TrainGoal())) {
+    fields.emplace(optionOf(field.name), field.name);
+  }
+  return fields;
+}
+
 }  // namespace
 
 std::vector<std::string> trainCommand(const TrainGoal& goal,
@@ -126,6 +138,21 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
   add("--limit", goal.vector_limit == 0 ? "" : std::to_string(goal.vector_limit));
   command.insert(command.end(), {"--progress=json", "--json=-"});
   return command;
+}
+
+std::string inTermsOfGoal(const std::string& message) {
+  static const std::map<std::string, std::string> fields = fieldsByOption();
+  static const std::regex option("--[a-z-]+"), program("^place_tool[a-z ]*: ");
+  const std::string text = std::regex_replace(message, program, "");
+  std::string result;
+  auto end = text.cbegin();
+  for (std::sregex_iterator match(text.begin(), text.end(), option), none; match != none; ++match) {
+    result.append(end, (*match)[0].first);
+    end = (*match)[0].second;
+    const auto field = fields.find(match->str());
+    result += field == fields.end() ? match->str() : field->second;
+  }
+  return result.append(end, text.cend());
 }
 
 }  // namespace place_recognition

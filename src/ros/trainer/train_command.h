@@ -14,4 +14,8 @@ std::vector<std::string> trainCommand(const TrainGoal& goal,
                                       const std::vector<std::string>& bag_roots,
                                       const std::string& yaml_path);
 
+/// A message of place_tool for someone who sent a goal: without the name of the program, and with
+/// fields of the goal instead of options.
+std::string inTermsOfGoal(const std::string& message);
+
 }  // namespace place_recognition

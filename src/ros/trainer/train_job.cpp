@@ -76,7 +76,11 @@ TrainResult toResult(const Json& figures, const std::string& model) {
   result.seconds = figures.at("seconds").get<double>();
   result.message = "Learned " + std::to_string(result.places.size()) + " places from " +
                    std::to_string(result.images) + " images as " + model + ": " +
-                   percent(result.validation_rate, 0) + " right on held-out blocks.";
+                   percent(result.validation_rate, 0) + " right on held-out blocks";
+  if (figures.contains("validate_rate")) {
+    result.message += ", " + percent(figures.at("validate_rate").get<double>(), 0) + " on validate";
+  }
+  result.message += ".";
   return result;
 }
 
@@ -115,12 +119,12 @@ class ToolOutput {
   void onError(const std::string& line) {
     for (const std::string start : {"warning: ", "note: "}) {
       if (!startsWith(line, start)) continue;
-      const std::string sentence = line.substr(start.size());
+      const std::string sentence = inTermsOfGoal(line.substr(start.size()));
       on_warning_(sentence);
       if (warnings_.size() < kMaxWarningBytes) warnings_ += " " + sentence;
       return;
     }
-    if (!line.empty()) last_error_ = withoutHelp(line);
+    if (!line.empty()) last_error_ = inTermsOfGoal(withoutHelp(line));
   }
 
   TrainResult result(int exit_status) const {
