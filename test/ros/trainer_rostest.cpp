@@ -240,7 +240,7 @@ TEST_F(Trainers, SayWhatIsWrongWithAGoal) {
   };
   expectRefused("model", [](Request& r) { r.model = "../home"; });
   expectRefused("not a bag", [](Request& r) { r.bags = {"/etc/passwd"}; });
-  expectRefused("not a bag", [](Request& r) { r.bags = {"missing.bag"}; });
+  expectRefused("does not exist", [](Request& r) { r.bags = {"missing.bag"}; });
   expectRefused("not a bag", [](Request& r) { r.bags = {"../short.bag"}; });
   expectRefused("not a bag", [](Request& r) { r.bags = {std::string("short.bag\0.bag", 14)}; });
   expectRefused("not a bag", [](Request& r) { r.bags = {std::string(1 << 20, 'a') + ".bag"}; });
