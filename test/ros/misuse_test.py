@@ -188,7 +188,7 @@ class TrainerTest(FieldCase):
         self.assertIn("yaml of the goal", answer.message)
         self.assertNotIn("/tmp", answer.message.replace(str(self.folder), ""))
         answer = retrain(bags=[bag], model="home", add_to="home", from_model="home")
-        self.assertIn("--from-model and --add-to name the same model", answer.message)
+        self.assertIn("from_model and add_to name the same model", answer.message)
         self.assertNotIn("--help", answer.message)
         self.assertIn("empty name", retrain(bags=[bag], model="home", recognizers=[""]).message)
 

@@ -31,7 +31,7 @@ class FullDiskTest(FieldCase):
         self.write_run("run")
         self.write_run("light/cloudy")
         self.write_run("light/night", seed=1)
-        self.succeed("train", "run", *MODEL)
+        self.succeed("train", "light/night", *MODEL)
         self.refuse_within(0, "simulate", "--out", "new/runs", "--size", "96x72", "--conditions",
                            "night")
         self.refuse_within(1, "evaluate", "run", *MODEL[:2], "--report", "new/report")
