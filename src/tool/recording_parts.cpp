@@ -5,7 +5,10 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <limits>
+#include <optional>
 #include <regex>
+#include <utility>
 
 #include "place_recognition/error.h"
 #include "recognition/frames/continuity.h"
@@ -55,30 +58,45 @@ bool mayContinue(const BagInfo& before, const BagInfo& bag) {
          shareCamera(before, bag);
 }
 
-/// What the names of all parts of a recording share: everything but the digits.
-std::string seriesOf(const std::string& recording) {
-  static const std::regex digits(R"(\d+)");
-  return std::regex_replace(recording, digits, "#");
+/// How many numbers differ between the names of two files of one folder that are otherwise the
+/// same, as those of the parts of a recording; nothing if more differs.
+std::optional<std::size_t> differingNumbers(const std::string& a, const std::string& b) {
+  static const std::regex number(R"(\d+)");
+  const std::filesystem::path one(a), two(b);
+  const std::string first = one.filename().string(), second = two.filename().string();
+  if (one.parent_path() != two.parent_path() ||
+      std::regex_replace(first, number, "0") != std::regex_replace(second, number, "0")) {
+    return std::nullopt;
+  }
+  std::sregex_iterator of_first(first.begin(), first.end(), number), none;
+  std::sregex_iterator of_second(second.begin(), second.end(), number);
+  std::size_t count = 0;
+  for (; of_first != none; ++of_first, ++of_second) {
+    if (of_first->str() != of_second->str()) ++count;
+  }
+  return count;
 }
 
 /// The bag that bag `i` continues; -1 if there is none. Of several, such as those of two robots, it
-/// is the one whose name differs only in its digits; none if that does not decide.
+/// is the one whose name differs in the fewest numbers only; none if that does not decide.
 int partBefore(const std::vector<std::string>& names, const std::vector<BagInfo>& bags, int i) {
-  std::vector<int> candidates, of_series;
+  constexpr std::size_t kOtherName = std::numeric_limits<std::size_t>::max();
   const auto own = static_cast<std::size_t>(i);
+  std::vector<std::pair<std::size_t, int>> candidates;  // by the likeness of their names
   for (std::size_t j = 0; j < bags.size(); ++j) {
     if (!mayContinue(bags[j], bags[own])) continue;
-    candidates.push_back(static_cast<int>(j));
-    if (seriesOf(names[j]) == seriesOf(names[own])) of_series.push_back(static_cast<int>(j));
+    candidates.emplace_back(differingNumbers(names[j], names[own]).value_or(kOtherName),
+                            static_cast<int>(j));
   }
-  if (!of_series.empty()) candidates = of_series;
-  if (candidates.size() == 1) return candidates.front();
-  if (candidates.size() > 1) {
-    std::cerr << "warning: " << names[own] << " may continue "
-              << names[static_cast<std::size_t>(candidates[0])] << " or "
-              << names[static_cast<std::size_t>(candidates[1])]
-              << ", so it is treated as a recording of its own.\n";
+  std::sort(candidates.begin(), candidates.end());
+  if (candidates.empty()) return -1;
+  if (candidates.size() == 1 || candidates[0].first < candidates[1].first) {
+    return candidates[0].second;
   }
+  std::cerr << "warning: " << names[own] << " may continue "
+            << names[static_cast<std::size_t>(candidates[0].second)] << " or "
+            << names[static_cast<std::size_t>(candidates[1].second)]
+            << ", so it is treated as a recording of its own.\n";
   return -1;
 }
 
